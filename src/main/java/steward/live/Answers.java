@@ -11,6 +11,8 @@ final class Answers {
     static final int NOT_FOUND = 404;
     static final int WRONG_METHOD = 405;
     static final String HTML = "text/html; charset=utf-8";
+    /** Figures for Prometheus, in its text format. */
+    static final String FIGURES = "text/plain; version=0.0.4; charset=utf-8";
     static final String EVENTS = "text/event-stream";
 
     private Answers() {
@@ -18,6 +20,11 @@ final class Answers {
 
     static byte[] bytes(String text) {
         return text.getBytes(StandardCharsets.UTF_8);
+    }
+
+    /** Returns the type of a page by its path. */
+    static String type(String path) {
+        return path.equals("/metrics") ? FIGURES : HTML;
     }
 
     /**

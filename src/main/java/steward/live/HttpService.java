@@ -235,7 +235,7 @@ final class HttpService implements AutoCloseable {
                     next.connection().answer(System.nanoTime(), Answers.refusal(Answers.NOT_FOUND,
                         "There is nothing here; the page is at /."));
                 } else {
-                    next.connection().answerPage(System.nanoTime(), page);
+                    next.connection().answerPage(System.nanoTime(), Answers.type(next.path()), page);
                 }
             });
             selector.wakeup();

@@ -14,6 +14,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import steward.bot.InProcessPlayer;
 import steward.cli.options.CallCheck;
+import steward.cli.options.ThreadsOption;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.FailedException;
 import steward.cli.shared.Games;
@@ -60,6 +61,9 @@ final class CapacityCommand implements Callable<Integer> {
     /** Seconds before a league is measured that is not the first of its kind: what it needs is compiled. */
     private static final double LATER_WARM = 10;
 
+    /** Share of the processors that others may take while figures mean something. */
+    private static final double MOST_BUSY = 0.2;
+
     private final Streams streams;
     private final CallCheck check = CallCheck.withHelp();
 
@@ -89,6 +93,11 @@ final class CapacityCommand implements Callable<Integer> {
         double seconds = quick ? 1 : 15;
         int rounds = quick ? 1 : ROUNDS;
         double later = LATER_WARM + seconds;
+        double busy = ThreadsOption.loadOfOthers();
+        if (busy > MOST_BUSY) {
+            streams.warn("other programs keep " + TextFormat.fixed(100 * busy, 0) + "% of the processors busy: the "
+                + "figures are too high, and how many games were reached too low; measure on a quiet machine");
+        }
         RunProgress progress = new RunProgress(streams, Stream.of(Stream.generate(() -> warm + seconds).limit(2),
             Stream.generate(() -> later).limit(2L * rounds - 2), Stream.of(4 * seconds, 10.0))
             .flatMap(parts -> parts).toList());

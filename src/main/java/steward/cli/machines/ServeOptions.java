@@ -36,6 +36,11 @@ final class ServeOptions implements Serving {
     private String lease;
 
     @Override
+    public boolean isServed() {
+        return address != null;
+    }
+
+    @Override
     public Service start(LeagueFolder folder, Season season, Contest contest, LeagueSettings settings,
                          Consumer<String> teller) {
         CallCheck check = CallCheck.withHelp();

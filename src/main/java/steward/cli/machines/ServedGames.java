@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import steward.cli.league.run.Serving;
 import steward.cli.shared.Games;
 import steward.contest.Contest;
@@ -35,7 +36,7 @@ final class ServedGames extends ForwardedGames implements Serving.Service {
     }
 
     @Override
-    public void follow(LeagueRun run, Supplier<WorkerBook> read, Runnable changed) {
+    public void follow(LeagueRun run, Supplier<WorkerBook> read, Runnable changed) throws InterruptedException {
         book = read.get();
         games().onCaught((machine, why) -> {
             int count = run.setAside(machine, why);
@@ -47,6 +48,7 @@ final class ServedGames extends ForwardedGames implements Serving.Service {
 
     @Override
     public void stored(StoredGame game) {
+        games().stored(game);
         book.add(game).forEach(doubt ->
             teller.accept("worker " + WorkerBook.worker(game.machine()) + " is doubtful: " + doubt));
     }
@@ -62,7 +64,8 @@ final class ServedGames extends ForwardedGames implements Serving.Service {
     private static WorkerRow row(WorkerSeen worker, WorkerBook.Line line) {
         String state = worker.caught() ? "caught" : worker.slots() == 0 ? "away" : worker.slots() + " at a time";
         return new WorkerRow(worker.name(), state, line.games(), line.aside(), worker.rate(), line.faults(),
-            line.repeated(), worker.version(), worker.silentMs(), line.doubts());
+            line.repeated(), worker.version(), worker.silentMs(),
+            Stream.concat(line.doubts().stream(), worker.doubts().stream()).toList());
     }
 
     @Override

@@ -1,7 +1,9 @@
 package steward.cli.machines;
 
 import java.net.InetSocketAddress;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Instant;
 import java.util.concurrent.Callable;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Supplier;
@@ -14,8 +16,10 @@ import steward.cli.options.CallCheck;
 import steward.cli.options.SandboxOptions;
 import steward.cli.options.ThreadsOption;
 import steward.cli.shared.ExitStatus;
+import steward.cli.shared.FailedException;
 import steward.cli.shared.Games;
 import steward.cli.shared.Interruption;
+import steward.cli.shared.Json;
 import steward.cli.shared.Streams;
 import steward.files.OutputFiles;
 import steward.machines.token.PrivateFile;
@@ -31,8 +35,8 @@ import steward.text.TextFormat;
         "told otherwise: they are programs of whoever keeps the league. After Ctrl-C the",
         "games that are under way are finished, and no others begun.",
         "", "Example:", "  steward worker --join attic.example:7161 --token-file mine.token",
-        "", "Exit status: 0 it has ended; 2 the call is unusable, or the league refuses;",
-        "130 interrupted."})
+        "", "Exit status: 0 told to end; 1 the league refuses the worker; 2 the call or a",
+        "file is unusable; 130 interrupted, 143 terminated."})
 public final class WorkerCommand implements Callable<Integer> {
 
     private static final String VARIABLE = "STEWARD_TOKEN";
@@ -60,6 +64,15 @@ public final class WorkerCommand implements Callable<Integer> {
         + "steward/bundles in the user's cache folder).")
     private String bundles;
 
+    @Option(names = "--idle", paramLabel = "TIME", description = "Ends after so long without a game, such as 10m.")
+    private String idle;
+
+    @Option(names = "--stop-file", paramLabel = "FILE", description = "Ends as after Ctrl-C when there is such a file.")
+    private String stopFile;
+
+    @Option(names = "--json", description = "Prints each event as a line of JSON with its time.")
+    private boolean json;
+
     @Mixin
     private final SandboxOptions sandbox = new SandboxOptions();
 
@@ -74,14 +87,48 @@ public final class WorkerCommand implements Callable<Integer> {
         check.range("--games", games, 1, Integer.MAX_VALUE);
         InetSocketAddress found = ServeOptions.address(check, "--join", address);
         long nanos = RunCommand.nanos(time);
+        long idleNanos = RunCommand.nanos("--idle", idle);
         check.that(!sandbox.isHold(), "--hold: expected none: the league says which bots are held");
         Supplier<Isolation> isolation = sandbox.isolation(streams, "strict");
         WorkerToken token = token();
         Worker worker = new Worker(new Worker.Options(found.getHostString(), found.getPort(), token,
             threads.count(streams), games == null ? Long.MAX_VALUE : games, nanos, isolation, folder(),
             ProgramVersion.text(), RunCommand.machine(isolation.get().level().word())), Games.types(),
-            what -> streams.err().println("steward: " + TextFormat.plain(what)));
+            this::tell);
+        watch(worker, idleNanos, stopFile == null ? null : OutputFiles.path(stopFile));
         return play(worker);
+    }
+
+    /** Prints an event, one line each. */
+    private synchronized void tell(String what) {
+        String line = TextFormat.plain(what);
+        if (json) {
+            Json.print(streams.err(), out -> {
+                out.writeStringProperty("time", Instant.now().toString());
+                out.writeStringProperty("event", line);
+            });
+        } else {
+            streams.err().println("steward: " + line);
+        }
+    }
+
+    /** Ends a worker that has been idle for too long, or is told to by a file. */
+    private void watch(Worker worker, long idleNanos, Path file) {
+        if (idle == null && file == null) {
+            return;
+        }
+        Thread watch = new Thread(() -> {
+            while (worker.idleNanos() < idleNanos && (file == null || Files.notExists(file))) {
+                try {
+                    Thread.sleep(250);
+                } catch (InterruptedException end) {
+                    return;
+                }
+            }
+            worker.drain();
+        }, "end of a worker");
+        watch.setDaemon(true);
+        watch.start();
     }
 
     @SuppressWarnings("try")                           // only closed, never used
@@ -98,6 +145,8 @@ public final class WorkerCommand implements Callable<Integer> {
             return TextFormat.count(worker.played(), "game") + " played";
         })) {
             worker.play();
+        } catch (Worker.RefusedException refused) {
+            throw new FailedException(refused.getMessage());
         } finally {
             over.set(true);
         }

@@ -57,7 +57,7 @@ public final class SandboxOptions {
 
     @Option(names = "--sandbox", paramLabel = "LEVEL", completionCandidates = Levels.class,
         description = "How far bots are kept apart: strict, light, off; or auto, which is light where that works and "
-            + "off elsewhere (default: auto).")
+            + "off elsewhere (default: auto; of 'worker': strict, which needs bwrap).")
     private String level;
 
     @Option(names = "--network", description = "Brings up the loopback device in the sandbox; there is no other.")

@@ -30,13 +30,18 @@ public final class ThreadsOption {
             + "one, or both of two where nothing else runs. The "
             + "games do not depend on it, but bots that share processors take longer to answer.")
     private String threads;
-    /** As it was first counted, since bots of this run are load, too; 0 before. */
-    private int counted;
+    /** As it was first counted, since bots of this run are load, too; -1 before. */
+    private int counted = -1;
 
     /** Refuses what is no number of threads. */
     public void check() {
-        check.that(threads == null || threads(1) > 0,
-            "--threads: found '" + threads + "', expected 1 to " + CallCheck.MOST_THREADS + ", or auto");
+        check(1);
+    }
+
+    /** Refuses what is no number of threads. @param least that there may be */
+    public void check(int least) {
+        check.that(threads == null || threads(1) >= least,
+            "--threads: found '" + threads + "', expected " + least + " to " + CallCheck.MOST_THREADS + ", or auto");
     }
 
     /** Whether it is there. */
@@ -47,7 +52,7 @@ public final class ThreadsOption {
     /** How many games at the same time; warns if there are too few processors for them. */
     public int count(Streams streams) {
         int processors = Runtime.getRuntime().availableProcessors();
-        counted = counted == 0 ? threads(processors) : counted;
+        counted = counted < 0 ? threads(processors) : counted;
         int count = counted;
         if (count > processors) {
             streams.warn("--threads " + count + " are more games at a time than the " + processors
@@ -67,10 +72,15 @@ public final class ThreadsOption {
         }
         try {
             int count = Integer.parseInt(threads);
-            return CallCheck.isWithin(count, 1, CallCheck.MOST_THREADS) ? count : -1;
+            return CallCheck.isWithin(count, 0, CallCheck.MOST_THREADS) ? count : -1;
         } catch (NumberFormatException problem) {
             return -1;
         }
+    }
+
+    /** Returns how busy other programs keep this machine's processors, 0..1; 1 if the system does not tell. */
+    public static double loadOfOthers() {
+        return Load.ofOthers();
     }
 
     private static int auto(int processors) {

@@ -1,5 +1,6 @@
 package steward.cli.shared;
 
+import java.io.PrintStream;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -49,13 +50,18 @@ public final class Json {
 
     /** Prints one object on a line of its own. */
     public static void print(Streams streams, Consumer<JsonGenerator> fields) {
+        print(streams.out(), fields);
+    }
+
+    /** As above, to one of the streams. */
+    public static void print(PrintStream to, Consumer<JsonGenerator> fields) {
         try (JsonGenerator out = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(),
-                new UnclosedOutputStream(streams.out()))) {
+                new UnclosedOutputStream(to))) {
             out.writeStartObject();
             fields.accept(out);
             out.writeEndObject();
         }
-        streams.out().print('\n');
+        to.print('\n');
     }
 
     /** Writes a value that was read here; whole numbers without a point. */

@@ -60,7 +60,7 @@ public final class LeagueBroker implements AutoCloseable {
     private static final int CONNECTIONS = 2000;
 
     private final ActiveMQServerImpl server;
-    private final LeasePlugin leases = new LeasePlugin();
+    private final LeasePlugin leases;
     private final WorkerSessions sessions = new WorkerSessions(QUOTA);
     private final ServerLocator locator;
     private final ClientSessionFactory factory;
@@ -85,11 +85,13 @@ public final class LeagueBroker implements AutoCloseable {
      * @param key     of the broker
      * @param workers whom there may be a queue for
      * @param admits  whether a worker of a name has a secret and may play
+     * @param gate    who may be handed jobs
      * @throws InputException if the port is taken, or nothing can listen there
      */
     public LeagueBroker(InetSocketAddress address, BrokerKey key, Iterable<String> workers,
-                        BiPredicate<String, String> admits) {
+                        BiPredicate<String, String> admits, Gate gate) {
         refuseTaken(address);
+        leases = new LeasePlugin(gate);
         byte[] random = new byte[32];
         new SecureRandom().nextBytes(random);
         String secret = HexFormat.of().formatHex(random);
@@ -245,6 +247,11 @@ public final class LeagueBroker implements AutoCloseable {
             }
             return null;
         }
+    }
+
+    /** Offers what waits once more to workers that the gate has refused. */
+    public void offerAgain() {
+        server.locateQueue(SimpleString.of(Queues.JOBS)).deliverAsync();
     }
 
     /** Who has a job, or {@code null}. */

@@ -7,14 +7,34 @@ import org.apache.activemq.artemis.core.server.ActiveMQServer;
 import org.apache.activemq.artemis.core.server.MessageReference;
 import org.apache.activemq.artemis.core.server.ServerConsumer;
 import org.apache.activemq.artemis.core.server.ServerSession;
+import org.apache.activemq.artemis.core.server.impl.AckReason;
 import org.apache.activemq.artemis.core.server.plugin.ActiveMQServerPlugin;
 
-/** Notes which worker each job was handed to last. */
+/** Decides which workers may be handed jobs, and notes which worker each job was handed to last. */
 final class LeasePlugin implements ActiveMQServerPlugin {
+
+    private final Gate gate;
 
     private final Map<String, String> leases = new ConcurrentHashMap<>();
     private final Map<String, Long> since = new ConcurrentHashMap<>();
+    /** Sessions that have jobs which are not finished, by job. */
+    private final Map<String, String> sessions = new ConcurrentHashMap<>();
     private volatile ActiveMQServer server;
+
+    /** @param gate says who may be handed jobs */
+    LeasePlugin(Gate gate) {
+        this.gate = gate;
+    }
+
+    @Override
+    public boolean canAccept(ServerConsumer consumer, MessageReference reference) {
+        if (reference.getMessage().getStringProperty(Queues.JOB) == null) {
+            return true;
+        }
+        ServerSession session = server.getSessionByID(consumer.getSessionID());
+        return session != null && gate.mayTake(session.getUsername(),
+            (int) leases.values().stream().filter(session.getUsername()::equals).count());
+    }
 
     @Override
     public void registered(ActiveMQServer registered) {
@@ -28,9 +48,30 @@ final class LeasePlugin implements ActiveMQServerPlugin {
             ServerSession session = server.getSessionByID(consumer.getSessionID());
             if (session != null) {
                 leases.put(job, session.getUsername());
+                sessions.put(job, consumer.getSessionID());
                 since.put(job, System.nanoTime());
+                gate.took(session.getUsername());
             }
         }
+    }
+
+    @Override
+    public void messageAcknowledged(MessageReference reference, AckReason reason, ServerConsumer consumer) {
+        String job = reference.getMessage().getStringProperty(Queues.JOB);
+        if (job != null) {
+            sessions.remove(job);                      // its report may still wait
+        }
+    }
+
+    /** Jobs that a session has not finished are nobody's again. */
+    @Override
+    public void afterCloseSession(ServerSession session, boolean failed) {
+        sessions.forEach((job, holder) -> {
+            if (holder.equals(session.getName()) && sessions.remove(job, holder)) {
+                leases.remove(job);
+                since.remove(job);
+            }
+        });
     }
 
     /** Who has a job, or {@code null}. */
@@ -47,5 +88,6 @@ final class LeasePlugin implements ActiveMQServerPlugin {
     void forget(String job) {
         leases.remove(job);
         since.remove(job);
+        sessions.remove(job);
     }
 }

@@ -59,14 +59,23 @@ public final class AnswerCheck {
     }
 
     /**
+     * An answer that is not the recorded one.
+     *
+     * @param text      where, what was recorded, and what the bot answers here
+     * @param failsHere true if the bot fails here and was not recorded to
+     */
+    public record Otherwise(String text, boolean failsHere) {
+    }
+
+    /**
      * Asks a bot again.
      *
      * @param entrant how it is started here
-     * @throws DisprovedException if it answers something else than is recorded
+     * @return the first answer that is not the recorded one, or {@code null}
      */
-    public void check(RecordedMatch match, int player, Entrant entrant) throws DisprovedException {
+    public Otherwise difference(RecordedMatch match, int player, Entrant entrant) {
         Player bot = contest.player(entrant);
-        String[] found = {null};
+        Otherwise[] found = {null};
         ScheduledFuture<?> end = CLOCK.schedule(bot::close, PATIENCE_S, TimeUnit.SECONDS);
         try {
             new Feed(match, again(match), player, entrant.protocol(), bot).run(lastRepeatable(match, player),
@@ -75,9 +84,19 @@ public final class AnswerCheck {
             end.cancel(false);
             bot.close();
         }
-        if (found[0] != null) {
+        return found[0];
+    }
+
+    /**
+     * Asks a bot again that has to answer as it did.
+     *
+     * @throws DisprovedException if it answers something else than is recorded
+     */
+    public void check(RecordedMatch match, int player, Entrant entrant) throws DisprovedException {
+        Otherwise found = difference(match, player, entrant);
+        if (found != null) {
             throw new DisprovedException(match.source() + ": " + entrant.name() + " answers otherwise when it is asked "
-                + "again: " + found[0]);
+                + "again: " + found.text());
         }
     }
 
@@ -98,16 +117,17 @@ public final class AnswerCheck {
         return Integer.MAX_VALUE;
     }
 
-    /** What disproves a turn, or {@code null}. */
-    private static String difference(FedTurn turn) {
+    /** Compares a turn; {@code null} if the answer is the recorded one. */
+    private static Otherwise difference(FedTurn turn) {
         String recorded = turn.recordedFault();
         if (!turn.differences().isEmpty()) {
-            return turn.differences().get(0).toString();
+            return new Otherwise(turn.differences().get(0).toString(), false);
         }
         boolean same = turn.fault() == null ? recorded == null
             : recorded != null && FaultMessages.withoutTimes(turn.fault()).equals(FaultMessages.withoutTimes(recorded));
-        return same ? null : "turn " + turn.number() + ": found "
+        return same ? null : new Otherwise("turn " + turn.number() + ": found "
             + (recorded == null ? "a command" : "the fault '" + recorded + "'") + ", expected "
-            + (turn.fault() == null ? "a command" : "the fault '" + turn.fault() + "'");
+            + (turn.fault() == null ? "a command" : "the fault '" + turn.fault() + "'"),
+            turn.fault() != null && recorded == null);
     }
 }

@@ -5,8 +5,25 @@ public final class DisprovedException extends Exception {
 
     private static final long serialVersionUID = 1;
 
-    /** A game that is disproved. */
-    public DisprovedException(String message) {
+    private final boolean computed;
+
+    private DisprovedException(String message, boolean computed) {
         super(message);
+        this.computed = computed;
+    }
+
+    /** A report that cannot be used, which may have an honest reason. */
+    public DisprovedException(String message) {
+        this(message, false);
+    }
+
+    /** A game of which the referee computes something else from the recorded commands. */
+    public static DisprovedException computed(String message) {
+        return new DisprovedException(message, true);
+    }
+
+    /** True if the referee computes something else. No honest worker of the same rules reports such a game. */
+    public boolean isComputed() {
+        return computed;
     }
 }

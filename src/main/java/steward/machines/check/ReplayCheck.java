@@ -74,8 +74,9 @@ public final class ReplayCheck {
      * @param turns how many were played
      * @param facts what a result does not contain
      * @param seats one for each player
+     * @param nanos that all answers took together; 0 if they are not summed up
      */
-    public record Outcome(int turns, GameFacts facts, List<Seat> seats) {
+    public record Outcome(int turns, GameFacts facts, List<Seat> seats, long nanos) {
 
         /** Copies the list. */
         public Outcome {
@@ -147,7 +148,7 @@ public final class ReplayCheck {
             seats.add(new Seat(standing.get(player).integer("rank"), standing.get(player).number("score", 0),
                 faults[player], asked[player], mean[player], worst[player], first[player]));
         }
-        return new Outcome(turns, facts, seats);
+        return new Outcome(turns, facts, seats, 0);
     }
 
     /** What was measured; 0 where nothing is said. */

@@ -9,6 +9,8 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import steward.bot.FaultMessages;
+import steward.bot.TimeBasis;
 import steward.contest.Contest;
 import steward.contest.GameFacts;
 import steward.files.JarFolder;
@@ -99,7 +101,7 @@ public final class TranscriptCheck {
             Playing playing = new Playing(source, GzipText.bytes(gzip), expected, replay, turns);
             playing.play();
             return playing;
-        } catch (ReplayException | SceneException problem) {
+        } catch (ReplayException | SceneException | ArithmeticException problem) {
             throw new DisprovedException(String.valueOf(problem.getMessage()));
         } catch (JacksonException problem) {
             throw new DisprovedException(source + ": found no JSON: " + JsonProblem.message(problem));
@@ -128,6 +130,7 @@ public final class TranscriptCheck {
         private final JsonLine last;
         private ReplayCheck.Outcome outcome;
         private JsonParser nanos;
+        private long spent;
         private int from;
         private int number = 1;
 
@@ -185,10 +188,10 @@ public final class TranscriptCheck {
 
         void play() throws DisprovedException {
             byte[] times = last.array(TranscriptWriter.NANOS);
+            nanos = RecordedTurn.parser(times);
+            nanos.nextToken();
             if (listener != null) {
                 listener.start(game, again.codec());
-                nanos = RecordedTurn.parser(times);
-                nanos.nextToken();
             }
             while (!game.isOver()) {
                 number++;
@@ -199,7 +202,7 @@ public final class TranscriptCheck {
                 }
                 byte[] line = from < text.length ? line() : new byte[0];
                 if (from == text.length) {
-                    throw new DisprovedException(source + ": ends after turn " + game.turn()
+                    throw DisprovedException.computed(source + ": ends after turn " + game.turn()
                         + ", expected the rest of the game");
                 }
                 turn(line);
@@ -209,7 +212,7 @@ public final class TranscriptCheck {
             }
             line();
             if (from < text.length) {
-                throw new DisprovedException(source + ": goes on after turn " + game.turn()
+                throw DisprovedException.computed(source + ": goes on after turn " + game.turn()
                     + ", expected the end of the game");
             }
             outcome = end();
@@ -221,7 +224,7 @@ public final class TranscriptCheck {
             for (int player = 0; player < players; player++) {
                 if (game.isIn(player)) {
                     asked[player]++;
-                    turn.answer(player, null, null, listener == null ? 0 : nanos());
+                    turn.answer(player, null, null, nanos());
                 }
             }
             if (turns != null) {
@@ -264,13 +267,14 @@ public final class TranscriptCheck {
             for (int player = 0; player < players; player++) {
                 if (game.isIn(player) && read.asked(player)) {
                     asked[player]++;
-                    long time = listener == null ? 0 : nanos();
+                    long time = nanos();
                     if (texts[player] == null) {
                         turn.answer(player, messages[player], stderr[player], time);
                     } else if (texts[player].length() > LONGEST_FAULT) {
                         throw new DisprovedException(source + ":" + number + ": faults[" + player + "]: found "
                             + texts[player].length() + " characters, expected at most " + LONGEST_FAULT);
                     } else {
+                        checkLate(player, texts[player], time);
                         turn.fail(player, texts[player], stderr[player], time);
                         faults[player] = turn.fault(player);
                     }
@@ -281,9 +285,18 @@ public final class TranscriptCheck {
             }
             Difference wrong = again.prepare(read);
             if (wrong != null) {
-                throw new DisprovedException(source + ": cannot be played again: " + wrong);
+                throw DisprovedException.computed(source + ": cannot be played again: " + wrong);
             }
             play(turn);
+        }
+
+        /** Refuses a missed deadline that the worker's own measurement does not allow. */
+        private void checkLate(int player, String fault, long time) throws DisprovedException {
+            long limit = contest.time().limit(asked[player] - 1);
+            if (FaultMessages.isTime(fault) && contest.time().basis() == TimeBasis.WALL && time < limit) {
+                throw new DisprovedException(source + ":" + number + ": faults[" + player + "]: found '" + fault
+                    + "' after " + time / 1000 + " us, expected a late answer only after " + limit / 1000 + " us");
+            }
         }
 
         private long nanos() {
@@ -291,6 +304,7 @@ public final class TranscriptCheck {
             if (token != JsonToken.VALUE_NUMBER_INT || nanos.getLongValue() < 0) {
                 throw wrongTimes(TranscriptWriter.NANOS);
             }
+            spent = Math.addExact(spent, nanos.getLongValue());
             return nanos.getLongValue();
         }
 
@@ -302,8 +316,8 @@ public final class TranscriptCheck {
         private ReplayCheck.Outcome end() throws DisprovedException {
             String found = last.text(TranscriptWriter.STATES);
             if (!found.equals(states.hex())) {
-                throw new DisprovedException(source + ": differs when it is played again: found states of the hash "
-                    + found + ", expected " + states.hex());
+                throw DisprovedException.computed(source + ": differs when it is played again: found states of the "
+                    + "hash " + found + ", expected " + states.hex());
             }
             List<long[]> times = new ArrayList<>();
             TIMES.forEach(name -> times.add(numbers(name)));
@@ -322,7 +336,7 @@ public final class TranscriptCheck {
             if (listener != null) {
                 listener.end(result);
             }
-            return new ReplayCheck.Outcome(game.turn(), GameFacts.of(game, digest), seats);
+            return new ReplayCheck.Outcome(game.turn(), GameFacts.of(game, digest), seats, spent);
         }
 
         private long[] numbers(String name) {

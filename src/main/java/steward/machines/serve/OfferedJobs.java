@@ -13,8 +13,9 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import java.util.function.BiConsumer;
 import java.util.function.BooleanSupplier;
-import java.util.function.Consumer;
+import java.util.function.LongSupplier;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import steward.machines.broker.LeagueBroker;
@@ -33,10 +34,9 @@ final class OfferedJobs {
     private static final long ALONE_NANOS = TimeUnit.SECONDS.toNanos(5);
 
     private final LeagueBroker broker;
-    private final long leaseNanos;
     private final BooleanSupplier anyConnected;
     private final Predicate<Collection<String>> canPlay;
-    private final Consumer<String> teller;
+    private final BiConsumer<String, String> ended;
     private final SecureRandom random = new SecureRandom();
     private final Map<String, Offer> offers = new ConcurrentHashMap<>();
     private volatile boolean closed;
@@ -60,18 +60,16 @@ final class OfferedJobs {
     /**
      * None are offered yet.
      *
-     * @param leaseNanos   after which a job is taken away from a worker
      * @param anyConnected whether a worker plays
      * @param canPlay      whether one that plays has these bundles, or may have them
-     * @param teller       is told what happens, by any thread
+     * @param ended        is told which worker has kept a job for too long, and what to say of it
      */
-    OfferedJobs(LeagueBroker broker, long leaseNanos, BooleanSupplier anyConnected,
-                Predicate<Collection<String>> canPlay, Consumer<String> teller) {
+    OfferedJobs(LeagueBroker broker, BooleanSupplier anyConnected, Predicate<Collection<String>> canPlay,
+                BiConsumer<String, String> ended) {
         this.broker = broker;
-        this.leaseNanos = leaseNanos;
         this.anyConnected = anyConnected;
         this.canPlay = canPlay;
-        this.teller = teller;
+        this.ended = ended;
     }
 
     /** How many have gone together, on average; 1 if none have. */
@@ -82,9 +80,10 @@ final class OfferedJobs {
     /**
      * Offers games, as many as fit into a message.
      *
+     * @param lease after how many nanoseconds they are taken away from a worker, as of now: what is known grows
      * @return {@code null} if somebody else has to play them
      */
-    Told play(List<GameJob.Game> wanted) throws InterruptedException {
+    Told play(List<GameJob.Game> wanted, LongSupplier lease) throws InterruptedException {
         byte[] id = new byte[16];
         random.nextBytes(id);
         String job = HexFormat.of().formatHex(id);
@@ -105,7 +104,7 @@ final class OfferedJobs {
         offers.put(job, offer);
         try {
             broker.offer(job, offer.needs(), new GameJob(job, asked).bytes());
-            Told told = await(job, offer);
+            Told told = await(job, offer, lease);
             if (told == null) {
                 broker.withdraw(job);
                 return null;
@@ -123,7 +122,7 @@ final class OfferedJobs {
         return 6 * bot.name().length() + 200;
     }
 
-    private Told await(String job, Offer offer) throws InterruptedException {
+    private Told await(String job, Offer offer, LongSupplier lease) throws InterruptedException {
         long alone = 0;
         while (!closed) {
             try {
@@ -136,9 +135,9 @@ final class OfferedJobs {
                 if (!canPlay.test(offer.needs())) {
                     return null;
                 }
-                if (broker.heldNanos(job) > leaseNanos) {
-                    teller.accept("worker " + broker.holder(job) + " has not finished its games within "
-                        + TimeUnit.NANOSECONDS.toSeconds(leaseNanos) + " s; they go to others");
+                if (broker.heldNanos(job) > lease.getAsLong()) {
+                    ended.accept(broker.holder(job), "it has not finished its games within "
+                        + TimeUnit.NANOSECONDS.toSeconds(broker.heldNanos(job)) + " s, and they go to others");
                     return null;
                 }
             } catch (ExecutionException impossible) {

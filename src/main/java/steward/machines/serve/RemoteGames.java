@@ -4,16 +4,13 @@ import java.net.InetSocketAddress;
 import java.nio.charset.StandardCharsets;
 import java.security.SecureRandom;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Collection;
 import java.util.Collections;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
 import java.util.Set;
 import java.util.TreeMap;
-import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import steward.contest.Contest;
@@ -42,8 +39,9 @@ import steward.scene.json.SceneException;
 
 /**
  * Games of a league that workers play. A result counts only for a job that the broker handed to the worker that sends
- * it. What a game came to follows from its commands, which are played again; in a worker's first games, and in a share
- * of the others, the bots are asked again. A worker that is caught is revoked and its games are set aside.
+ * it. What a game came to follows from its commands, which are played again: a worker that says something else is
+ * revoked, and its games are set aside. In a worker's first games, and in a share of the others, the bots are asked
+ * again; what they answer is evidence, and convicts nobody.
  *
  * <p>Over 400 lines: each word of a worker is answered here, and each game believed or not.
  */
@@ -67,9 +65,11 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
     private final Consumer<String> teller;
     private final SecureRandom random = new SecureRandom();
     private final OfferedJobs offered;
+    private final GamePace pace;
+    private final WorkerPauses pauses = new WorkerPauses(System::nanoTime);
+    private final WorkerGate gate = new WorkerGate(pauses);
     private final JobSize size = new JobSize();
-    private final Map<String, Bundle> bundles = new ConcurrentHashMap<>();
-    private final Map<String, Bundle> byStamp = new ConcurrentHashMap<>();
+    private final OfferedBundles bundles = new OfferedBundles();
     private final Thread listening = new Thread(this::listen, "what workers say");
     private volatile WorkerList list;
     private volatile boolean closed;
@@ -83,12 +83,6 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
     private final Map<String, WorkerState> workers = new TreeMap<>();
     private int taken;
     private String stamp;
-
-    /** Sets the games of a machine aside. */
-    public interface SettingAside {
-        /** See {@link steward.league.play.LeagueRun#setAside}. */
-        int setAside(String machine, String why) throws InterruptedException;
-    }
 
     /**
      * How workers are served.
@@ -117,25 +111,52 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
         share = service.share();
         version = service.version();
         rules = RulesFingerprint.of(contest.setup());
-        reported = new ReportedGames(folder, season, contest, types);
+        reported = new ReportedGames(folder, season, contest, types, teller);
         stamp = WorkerList.stamp(folder);
         list = WorkerList.read(folder);
         settings.active().forEach(Bundle::of);         // what cannot be sent is said before any game is played
         BrokerKey key = new BrokerKey(folder);
         key.make();
         broker = new LeagueBroker(service.address(), key, list.workers().stream().map(WorkerList.Worker::name).toList(),
-            (name, secret) -> list.admits(name, secret));
-        offered = new OfferedJobs(broker, service.leaseNanos(), () -> anyConnected, this::canPlay, teller);
+            (name, secret) -> list.admits(name, secret), gate);
+        pace = new GamePace(service.leaseNanos());
+        offered = new OfferedJobs(broker, () -> anyConnected, this::canPlay, (worker, why) ->
+            unplayed(state(worker), why));
         listening.setDaemon(true);
         listening.start();
     }
 
-    /** Says how games are set aside; before any are played. */
-    public void onCaught(SettingAside how) {
+    /** Says how games are set aside, and has it done for workers revoked before; before any are played. */
+    public void onCaught(SettingAside how) throws InterruptedException {
         setter = how;
+        for (WorkerList.Worker worker : list.workers()) {
+            setAside(worker);
+        }
     }
 
-    // ---- games -----------------------------------------------------------------------------------
+    /** Sets the games of a worker aside if the list says so and it has not been done. */
+    private void setAside(WorkerList.Worker worker) throws InterruptedException {
+        WorkerState state;
+        synchronized (this) {
+            state = worker.aside() || workers.containsKey(worker.name()) ? state(worker.name()) : null;
+            if (state == null || state.caught == worker.aside()) {
+                return;
+            }
+            state.caught = worker.aside();             // or it is pardoned
+            state.slots = 0;
+        }
+        if (worker.aside()) {
+            int games = setAside(state);
+            if (games > 0) {
+                say("worker " + state.name + " is revoked; " + games + " of its games are set aside and played again");
+            }
+        }
+    }
+
+    private int setAside(WorkerState state) throws InterruptedException {
+        return setter.setAside(WorkerState.machine(state.name), WorkerBook.ASIDE + "worker " + state.name
+            + " was caught");
+    }
 
     @Override
     public synchronized int takePlace(long waitMs) throws InterruptedException {
@@ -151,8 +172,12 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
 
     /** As many jobs as workers do at the same time, and some that wait, so that nobody has to. */
     private int places() {
-        int slots = workers.values().stream().mapToInt(worker -> worker.slots).sum();
+        int slots = workers.values().stream().mapToInt(this::slots).sum();
         return Math.min(MOST, slots + (slots + 3) / 4);
+    }
+
+    private int slots(WorkerState worker) {
+        return pauses.places(worker.name, worker.slots);
     }
 
     @Override
@@ -172,13 +197,16 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
             throw unusable;
         }
         OfferedJobs.Told told = offered.play(games.stream().map(game -> new GameJob.Game(game.task().seed(),
-            game.members().stream().map(this::seat).toList())).toList());
+            game.members().stream().map(bundles::seat).toList())).toList(), () -> pace.patience(games));
         List<List<StoredGame>> played = new ArrayList<>(Collections.nCopies(games.size(), null));
         int begun = told == null ? 0 : told.games().size();
         int believed = 0;
+        if (told == null) {
+            pace.ended(games);
+        }
         for (int k = 0; k < begun && unusable == null; k++) {
             try {
-                played.set(k, believed(games.get(k), told.worker(), told.games().get(k)));
+                played.set(k, believed(games.get(k), told, told.games().get(k)));
                 believed += played.get(k) == null ? 0 : 1;
             } catch (InputException problem) {
                 unusable = problem;                    // the games before it count
@@ -194,36 +222,19 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
 
     @Override
     public boolean canPlay(List<Member> members) {
-        List<String> needs = members.stream().map(member -> byStamp.get(key(member))).filter(Objects::nonNull)
-            .map(Bundle::hash).toList();
-        return canPlay(needs);
+        return canPlay(bundles.known(members));
     }
 
     /** Whether a worker that is connected has not said of any of these bundles that it does not run there. */
     private synchronized boolean canPlay(Collection<String> needs) {
-        return !anyConnected || workers.values().stream().anyMatch(worker -> worker.slots > 0
+        return !anyConnected || workers.values().stream().anyMatch(worker -> slots(worker) > 0
             && Collections.disjoint(worker.unfit, needs));
     }
 
-    /** A bot as jobs name it. */
-    private GameJob.Seat seat(Member member) {
-        Bundle bundle = bundle(member);
-        return new GameJob.Seat(member.entrant().name(), bundle.hash(), bundle.bytes().length);
-    }
-
-    private static String key(Member member) {
-        return member.bot().name() + "\n" + member.stamp();
-    }
-
-    private Bundle bundle(Member member) {
-        Bundle bundle = byStamp.computeIfAbsent(key(member), key -> Bundle.of(member.bot()));
-        bundles.put(bundle.hash(), bundle);
-        return bundle;
-    }
-
     /** The game as its transcripts tell it; {@code null} if they are disproved, with consequences for the worker. */
-    private List<StoredGame> believed(Game game, String worker, WorkerWord.Played played) throws InterruptedException {
-        WorkerState state = state(worker);
+    private List<StoredGame> believed(Game game, OfferedJobs.Told told, WorkerWord.Played played)
+            throws InterruptedException {
+        WorkerState state = state(told.worker());
         if (played.problem() != null || played.transcripts().isEmpty()) {
             unplayed(state, shown(played.problem()));
             return null;
@@ -236,16 +247,16 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
                 if (state.caught) {
                     return null;
                 }
-                machine = WorkerState.machine(worker) + state.machine;
+                machine = WorkerState.machine(state.name) + state.machine;
             }
-            attempts = reported.attempts(game, played, machine);
+            attempts = reported.attempts(game, played, machine, told.nanos());
             boolean again;
             synchronized (this) {
                 again = share > 0 && (state.checked < FIRST || random.nextDouble() < share);
                 state.checked += again ? 1 : 0;
             }
             if (again) {
-                reported.askAgain(game, played.transcripts().get(attempts.size() - 1));
+                reported.askAgain(game, state.name, played.transcripts().get(attempts.size() - 1));
             }
             synchronized (this) {
                 if (state.caught) {
@@ -254,9 +265,16 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
                 state.games++;
             }
             believed = true;
+            if (pauses.played(state.name)) {
+                say("worker " + state.name + " plays again");
+            }
             return attempts;
         } catch (DisprovedException wrong) {
-            caught(state, wrong.getMessage());
+            if (wrong.isComputed()) {
+                caught(state, wrong.getMessage());
+            } else {
+                unplayed(state, shown(wrong.getMessage()));
+            }
             return null;
         } finally {
             if (!believed) {
@@ -265,16 +283,17 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
         }
     }
 
-    /** Says why a worker has not played a game, unless it was the same the last time. */
+    /** Pauses a worker that has not played a game, and says why when it was not paused before. */
     private void unplayed(WorkerState state, String why) {
-        boolean isNew;
-        synchronized (this) {
-            isNew = !why.equals(state.problem);
-            state.problem = why;
+        if (pauses.failed(state.name)) {
+            say("worker " + state.name + " could not play a game: " + why + "; it is paused, and tried with one job "
+                + "after 1 s, 2 s, 4 s and so on");
         }
-        if (isNew) {
-            say("worker " + state.name + " could not play a game: " + why);
-        }
+    }
+
+    /** Notes a game that is stored, by whomever it was played. */
+    public void stored(StoredGame game) {
+        pace.played(game);
     }
 
     private void caught(WorkerState state, String why) throws InterruptedException {
@@ -287,7 +306,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
         }
         boolean interrupted = Thread.interrupted();    // which would keep the list from being written
         try {
-            WorkerList.revoke(folder, state.name, "caught: " + shown(why));
+            WorkerList.revoke(folder, state.name, "caught: " + shown(why), true);
         } catch (InputException gone) {
             say(gone.getMessage());
         } finally {
@@ -297,8 +316,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
         }
         list = WorkerList.read(folder);
         broker.disconnect(state.name);
-        int games = setter.setAside(WorkerState.machine(state.name), WorkerBook.ASIDE + "worker " + state.name
-            + " was caught");
+        int games = setAside(state);
         say("worker " + state.name + " is caught and revoked: " + why + "; " + games
             + " of its games are set aside and played again");
     }
@@ -335,8 +353,9 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
     }
 
     /** Looks who is there, and whether somebody was added or revoked. */
-    private void look() {
+    private void look() throws InterruptedException {
         Set<String> connected = broker.connected();
+        broker.offerAgain();
         synchronized (this) {
             workers.values().forEach(worker -> worker.slots = connected.contains(worker.name) ? worker.slots : 0);
             workers.values().stream().filter(worker -> worker.slots == 0).forEach(worker -> size.forget(worker.name));
@@ -361,6 +380,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
                 broker.disconnect(worker.name());
                 say("worker " + worker.name() + " is revoked");
             }
+            setAside(worker);
         }
     }
 
@@ -374,7 +394,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
             if (word instanceof WorkerWord.Hello hello) {
                 hello(state, hello);
             } else if (word instanceof WorkerWord.Fetch fetch) {
-                fetch(state, fetch);
+                broker.tell(state.name, bundles.piece(fetch));
             } else if (word instanceof WorkerWord.Result result) {
                 offered.told(state.name, result);
             } else if (word instanceof WorkerWord.Unfit unfit) {
@@ -414,6 +434,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
         }
         synchronized (this) {
             state.slots = slots;
+            gate.joined(state.name, slots);
             state.unfit.clear();                       // it may be another machine by now; it says them again
             state.version = shown(hello.version());
             state.machine = shown(hello.machine());
@@ -434,24 +455,12 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
     private void unfit(WorkerState state, WorkerWord.Unfit unfit) {
         boolean isNew;
         synchronized (this) {
-            isNew = bundles.containsKey(unfit.bundle()) && state.unfit.add(unfit.bundle());
+            isNew = bundles.has(unfit.bundle()) && state.unfit.add(unfit.bundle());
         }
         if (isNew) {
             say("worker " + state.name + " cannot play a bot: " + shown(unfit.reason()));
             offered.lookWhoCanPlay();
         }
-    }
-
-    private void fetch(WorkerState state, WorkerWord.Fetch fetch) {
-        String hash = fetch.bundle();
-        int from = fetch.from();
-        Bundle bundle = bundles.get(hash);
-        HeaderText answer = new HeaderText().put("type", "bundle").put("bundle", hash).put("from", from);
-        byte[] part = {};
-        if (bundle != null && from <= bundle.bytes().length) {
-            part = Arrays.copyOfRange(bundle.bytes(), from, Math.min(bundle.bytes().length, from + WireMessage.CHUNK));
-        }
-        broker.tell(state.name, WireMessage.bytes(answer.put("known", bundle != null), part));
     }
 
     private synchronized void leave(WorkerState state) {
@@ -467,15 +476,14 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
         teller.accept(what);
     }
 
-    // ---- for people ------------------------------------------------------------------------------
-
     /** All workers that have said anything. */
     public synchronized List<WorkerSeen> seen() {
         List<WorkerSeen> seen = new ArrayList<>();
         for (WorkerState worker : new HashMap<>(workers).values()) {
             double seconds = Math.max(1, System.nanoTime() - worker.began) / 1e9;
             seen.add(new WorkerSeen(worker.name, worker.slots, worker.games / seconds, worker.version,
-                System.currentTimeMillis() - worker.lastWord, worker.caught));
+                System.currentTimeMillis() - worker.lastWord, worker.caught,
+                reported.doubts(worker.name)));
         }
         seen.sort((one, other) -> one.name().compareTo(other.name()));
         return seen;

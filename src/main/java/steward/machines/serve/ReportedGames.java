@@ -4,9 +4,11 @@ import java.util.ArrayList;
 import java.util.HexFormat;
 import java.util.List;
 import java.util.concurrent.Semaphore;
+import java.util.function.Consumer;
 import steward.bot.FaultMessages;
 import steward.contest.Contest;
 import steward.contest.Hiccups;
+import steward.files.InputException;
 import steward.game.GameTypes;
 import steward.league.GameName;
 import steward.league.LeagueFolder;
@@ -18,6 +20,7 @@ import steward.league.play.Elsewhere;
 import steward.league.play.KeptGames;
 import steward.league.play.Roster.Member;
 import steward.machines.check.AnswerCheck;
+import steward.machines.check.AskedAgain;
 import steward.machines.check.DisprovedException;
 import steward.machines.check.GzipText;
 import steward.machines.check.ReplayCheck;
@@ -35,16 +38,19 @@ final class ReportedGames {
     private final Season season;
     private final TranscriptCheck transcripts;
     private final AnswerCheck answers;
+    private final AskedAgain askedAgain;
     private final KeptGames keeper;
     /** A worker may send hundreds of the longest transcripts at once: no more are unpacked than there is room for. */
     private final Semaphore room = new Semaphore((int) Math.max(1, Math.min(Runtime.getRuntime().availableProcessors(),
         Runtime.getRuntime().maxMemory() / (2 * MOST_MEMORY))));
 
-    ReportedGames(LeagueFolder folder, Season season, Contest contest, GameTypes types) {
+    ReportedGames(LeagueFolder folder, Season season, Contest contest, GameTypes types,
+                  Consumer<String> teller) {
         this.folder = folder;
         this.season = season;
         transcripts = new TranscriptCheck(contest);
         answers = new AnswerCheck(contest, types);
+        askedAgain = new AskedAgain(teller);
         keeper = new KeptGames(folder);
     }
 
@@ -52,15 +58,17 @@ final class ReportedGames {
      * The attempts at a game as their transcripts tell them.
      *
      * @param machine where they were played
+     * @param nanos   that the worker had the game, at most
      * @throws DisprovedException if it was not so
      */
-    List<StoredGame> attempts(Elsewhere.Game game, WorkerWord.Played played, String machine) throws DisprovedException,
-            InterruptedException {
+    List<StoredGame> attempts(Elsewhere.Game game, WorkerWord.Played played, String machine, long nanos)
+            throws DisprovedException, InterruptedException {
         List<StoredGame> attempts = new ArrayList<>();
+        long[] left = {nanos};
         room.acquire();
         try {
             for (int k = 0; k < played.transcripts().size(); k++) {
-                attempts.add(attempt(game, played, machine, k));
+                attempts.add(attempt(game, played, machine, k, left));
             }
         } catch (DisprovedException wrong) {
             attempts.forEach(attempt -> KeptGames.remove(folder, attempt));
@@ -71,8 +79,8 @@ final class ReportedGames {
         return attempts;
     }
 
-    private StoredGame attempt(Elsewhere.Game game, WorkerWord.Played played, String machine, int k)
-            throws DisprovedException {
+    private StoredGame attempt(Elsewhere.Game game, WorkerWord.Played played, String machine, int k,
+                               long... left) throws DisprovedException {
         Schedule.Task task = game.task();
         List<Member> members = game.members();
         byte[] sent = played.transcripts().get(k);
@@ -80,6 +88,11 @@ final class ReportedGames {
             members.stream().map(member -> member.version().identity()).toList(), k + 1);
         String source = "game " + HexFormat.of().formatHex(name);
         ReplayCheck.Outcome outcome = transcripts.check(source, sent, expected(game));
+        left[0] -= outcome.nanos();
+        if (left[0] < 0) {
+            throw new DisprovedException(source + ": found answers that took " + outcome.nanos() / 1000
+                + " us, expected no more than the time since the worker was handed the game");
+        }
         boolean last = k == played.transcripts().size() - 1;
         boolean starved = played.starved().get(k);
         boolean late = outcome.seats().stream().anyMatch(seat -> seat.fault() != null
@@ -120,10 +133,10 @@ final class ReportedGames {
     /**
      * Asks bots again what they were asked, those that do not draw by lot.
      *
-     * @param sent the transcript of the last attempt, compressed
-     * @throws DisprovedException if one answers otherwise
+     * @param worker that has played the game
+     * @param sent   the transcript of the last attempt, compressed
      */
-    void askAgain(Elsewhere.Game game, byte[] sent) throws DisprovedException, InterruptedException {
+    void askAgain(Elsewhere.Game game, String worker, byte[] sent) throws DisprovedException, InterruptedException {
         String source = "game of seed " + game.task().seed();
         RecordedMatch match;
         room.acquire();
@@ -135,8 +148,22 @@ final class ReportedGames {
         for (int seat = 0; seat < game.members().size(); seat++) {
             Member member = game.members().get(seat);
             if (!member.bot().random() && !member.version().random()) {
-                answers.check(match, seat, member.entrant());
+                int player = seat;
+                askedAgain.ask(member.version().display(), worker, () -> asked(match, player, member));
             }
         }
+    }
+
+    private AnswerCheck.Otherwise asked(RecordedMatch match, int player, Member member) {
+        try {
+            return answers.difference(match, player, member.entrant());
+        } catch (InputException problem) {
+            return new AnswerCheck.Otherwise(problem.getMessage(), true);
+        }
+    }
+
+    /** What is doubtful of a worker by the answers of its bots, a sentence each. */
+    List<String> doubts(String worker) {
+        return askedAgain.doubts(worker);
     }
 }

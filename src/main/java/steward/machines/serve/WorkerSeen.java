@@ -1,5 +1,7 @@
 package steward.machines.serve;
 
+import java.util.List;
+
 /**
  * A worker, for people.
  *
@@ -9,6 +11,8 @@ package steward.machines.serve;
  * @param version  of its program
  * @param silentMs since its last word
  * @param caught   whether it was caught
+ * @param doubts   what is doubtful by the answers of its bots, a sentence each
  */
-public record WorkerSeen(String name, int slots, double rate, String version, long silentMs, boolean caught) {
+public record WorkerSeen(String name, int slots, double rate, String version, long silentMs, boolean caught,
+                         List<String> doubts) {
 }

@@ -15,8 +15,6 @@ final class WorkerState {
     long began;
     long lastWord;
     boolean caught;
-    /** Why it could not play a game the last time, or {@code null}. */
-    String problem;
     /** Bundles that do not run there. */
     final Set<String> unfit = new HashSet<>();
 

@@ -12,6 +12,7 @@ import java.util.Base64;
 import java.util.HexFormat;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.UnaryOperator;
 import java.util.regex.Pattern;
 import steward.files.InputException;
 import steward.league.LeagueFolder;
@@ -21,7 +22,7 @@ import steward.scene.json.SceneException;
 
 /**
  * The workers of a league, in the private file {@code machines/workers.json}: of each its name, a hash of its secret,
- * and whether it is revoked, with the reason.
+ * and whether it is revoked, with the reason, and whether its games are to be set aside.
  *
  * @param workers in the order in which they were added
  */
@@ -41,8 +42,9 @@ public record WorkerList(List<Worker> workers) {
      * @param name    unlike the others'
      * @param hash    SHA-256 of its secret
      * @param revoked why it may play no more, or {@code null}
+     * @param aside   true if its games are not to count
      */
-    public record Worker(String name, String hash, String revoked) {
+    public record Worker(String name, String hash, String revoked, boolean aside) {
     }
 
     /** Copies the list. */
@@ -72,7 +74,8 @@ public record WorkerList(List<Worker> workers) {
             List<Worker> workers = new ArrayList<>();
             for (Block each : block.blocks("workers")) {
                 workers.add(new Worker(WorkerToken.pattern(each, "name", NAME), WorkerToken.pattern(each, "hash", HASH),
-                    each.has("revoked") ? each.text("revoked") : null));
+                    each.has("revoked") ? each.text("revoked") : null, each.flag("aside", false)));
+                each.done();
             }
             block.done();
             return new WorkerList(workers);
@@ -99,7 +102,7 @@ public record WorkerList(List<Worker> workers) {
                 .append(worker.name()).append("\", \"hash\": \"").append(worker.hash()).append('"');
             if (worker.revoked() != null) {
                 text.append(", \"revoked\": \"").append(worker.revoked().replaceAll("[^ -!#-\\[\\]-~]", "?"))
-                    .append('"');
+                    .append('"').append(worker.aside() ? ", \"aside\": true" : "");
             }
             text.append(" }");
         }
@@ -113,9 +116,10 @@ public record WorkerList(List<Worker> workers) {
     }
 
     /**
-     * Adds a worker: its token is written, and a key for the broker is made if there is none.
+     * Adds a worker, or one that is revoked anew: its token is written, and a key for the broker is made if there is
+     * none.
      *
-     * @throws InputException if there is one of the name, or the token cannot be written
+     * @throws InputException if one of the name may play, or the token cannot be written
      */
     public static void add(LeagueFolder folder, String name, Path token) {
         PrivateFile.alone(folder(folder), () -> added(folder, name, token));
@@ -127,11 +131,12 @@ public record WorkerList(List<Worker> workers) {
                 + "hyphens");
         }
         WorkerList list = read(folder);
-        if (list.of(name).isPresent()) {
-            throw new InputException("found a worker '" + name + "' already" + (list.of(name).get().revoked() == null
-                ? "" : ", revoked") + ", expected another name");
+        List<Worker> workers = new ArrayList<>(list.workers());
+        workers.removeIf(worker -> worker.name().equals(name) && worker.revoked() != null);
+        if (new WorkerList(workers).of(name).isPresent()) {
+            throw new InputException("found a worker '" + name + "' already, expected another name");
         }
-        if (list.workers().size() == MOST) {
+        if (workers.size() == MOST) {
             throw new InputException("found " + MOST + " workers, expected fewer before one is added");
         }
         BrokerKey key = new BrokerKey(folder);
@@ -140,21 +145,36 @@ public record WorkerList(List<Worker> workers) {
         new SecureRandom().nextBytes(random);
         String secret = Base64.getUrlEncoder().withoutPadding().encodeToString(random);
         PrivateFile.write(token, new WorkerToken(name, secret, key.fingerprint()).text(), false);
-        List<Worker> workers = new ArrayList<>(list.workers());
-        workers.add(new Worker(name, hash(secret), null));
+        workers.add(new Worker(name, hash(secret), null, false));
         return new WorkerList(workers).write(folder);
     }
 
     /**
      * Revokes a worker: a broker that runs closes its connection.
      *
+     * @param aside true if its games are not to count
      * @throws InputException if there is none of the name
      */
-    public static void revoke(LeagueFolder folder, String name, String why) {
-        PrivateFile.alone(folder(folder), () -> revoked(folder, name, why));
+    public static void revoke(LeagueFolder folder, String name, String why, boolean aside) {
+        PrivateFile.alone(folder(folder), () -> changed(folder, name, worker -> new Worker(name, worker.hash(),
+            worker.revoked() == null ? why : worker.revoked(), aside || worker.aside())));
     }
 
-    private static WorkerList revoked(LeagueFolder folder, String name, String why) {
+    /**
+     * Lets a revoked worker play again, with the token that it has.
+     *
+     * @throws InputException if there is none of the name, or it is not revoked
+     */
+    public static void pardon(LeagueFolder folder, String name) {
+        PrivateFile.alone(folder(folder), () -> changed(folder, name, worker -> {
+            if (worker.revoked() == null) {
+                throw new InputException("found the worker '" + name + "', who may play, expected one that is revoked");
+            }
+            return new Worker(name, worker.hash(), null, false);
+        }));
+    }
+
+    private static WorkerList changed(LeagueFolder folder, String name, UnaryOperator<Worker> change) {
         WorkerList list = read(folder);
         if (list.of(name).isEmpty()) {
             throw new InputException("found no worker '" + name + "', expected " + (list.workers().isEmpty()
@@ -162,8 +182,7 @@ public record WorkerList(List<Worker> workers) {
                     list.workers().stream().map(Worker::name).toList())));
         }
         return new WorkerList(list.workers().stream().map(worker ->
-            worker.name().equals(name) && worker.revoked() == null ? new Worker(name, worker.hash(), why) : worker)
-            .toList()).write(folder);
+            worker.name().equals(name) ? change.apply(worker) : worker).toList()).write(folder);
     }
 
     private static String hash(String secret) {

@@ -28,7 +28,9 @@ final class BotTrial {
                 @Override
                 public void commands(Turn turn) {
                     String fault = turn.fault(0);
-                    found[0] = fault != null && !FaultMessages.isTime(fault) ? fault : null;
+                    String wrote = turn.stderr(0);
+                    found[0] = fault == null || FaultMessages.isTime(fault) ? null
+                        : fault + (wrote == null || wrote.isBlank() ? "" : "; it wrote: " + wrote.strip());
                     throw new UncheckedIOException(new IOException("the trial is over"));
                 }
             });

@@ -49,6 +49,17 @@ public final class Worker {
     /** Bundles that do not run here, and why. */
     private final Map<String, String> unfit = new ConcurrentSkipListMap<>();
     private volatile boolean draining;
+    private volatile long lastJob = System.nanoTime();
+
+    /** The league does not take this worker: its token is not good, or the programs compute other results. */
+    public static final class RefusedException extends RuntimeException {
+
+        private static final long serialVersionUID = 1;
+
+        RefusedException(String message) {
+            super(message);
+        }
+    }
 
     /**
      * What a worker does.
@@ -89,6 +100,11 @@ public final class Worker {
         draining = true;
     }
 
+    /** Returns for how long it has had no job, in nanoseconds. */
+    public long idleNanos() {
+        return begun.get() > played.get() ? 0 : System.nanoTime() - lastJob;
+    }
+
     /** How many games were played and reported. */
     public long played() {
         return played.get();
@@ -102,7 +118,8 @@ public final class Worker {
     /**
      * Plays until it is over. Call once.
      *
-     * @throws InputException if the league sends it away
+     * @throws RefusedException if the league does not take it
+     * @throws InputException   if what the league says cannot be used
      */
     public void play() throws InterruptedException {
         long wait = SHORTEST_WAIT_MS;
@@ -114,7 +131,7 @@ public final class Worker {
                 session(client);
             } catch (BrokenException problem) {
                 if (problem.isRefused() && played.get() == before) {
-                    throw new InputException(problem.getMessage());
+                    throw new RefusedException(problem.getMessage());
                 }
                 String what = problem.getMessage() + "; it is tried again";
                 if (!what.equals(told)) {
@@ -176,7 +193,7 @@ public final class Worker {
             }
             LeagueWord word = word(bytes);
             if (word instanceof LeagueWord.Refused refused) {
-                throw new InputException(refused.reason());
+                throw new RefusedException(refused.reason());
             }
             if (word instanceof LeagueWord.Welcome welcome) {      // else it is of an earlier connection
                 return jobs(client, welcome);
@@ -194,7 +211,7 @@ public final class Worker {
             throw new InputException(problem.getMessage());
         } catch (JobPlay.OtherRulesException problem) {
             client.say(WireMessage.bytes(new HeaderText().put("type", "differs").put("rules", problem.own())));
-            throw new InputException(problem.getMessage());
+            throw new RefusedException(problem.getMessage());
         }
     }
 
@@ -240,6 +257,7 @@ public final class Worker {
         try {
             taker.finish(result.bytes());
             played.addAndGet(result.games().size());
+            lastJob = System.nanoTime();
             reported = true;
         } finally {
             begun.addAndGet(reported ? 0 : -result.games().size());

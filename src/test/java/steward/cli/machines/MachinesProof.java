@@ -38,26 +38,26 @@ import steward.league.store.GameStore;
  * <p>{@code --games N} (1000), {@code --stop S} seconds (30), {@code --pause MS} before a bot begins
  * (300), so that games take a while and processors are not what decides.
  */
-public final class MachinesProof {
+public class MachinesProof {
 
     private static final String ROW = "%-58s %s%n";
     private static final long PATIENCE_S = 1200;
     private static final int CLOSED_MS = 3000;
 
-    private final Path folder;
+    final Path folder;
     private final int games;
     private final int stopSeconds;
     private final Consumer<String> teller;
-    private final List<String> problems = new ArrayList<>();
-    private final List<Process> started = new ArrayList<>();
+    final List<String> problems = new ArrayList<>();
+    final List<Process> started = new ArrayList<>();
     private final int pauseMs;
-    private int port;
+    int port;
 
     /** A game without what is measured, and which game of the schedule it is: a decision is a lineup and its mirror. */
-    private record Row(String place, String game, String machine, boolean counts, long played) {
+    record Row(String place, String game, String machine, boolean counts, long played) {
     }
 
-    private MachinesProof(Path folder, int games, int stopSeconds, int pauseMs, Consumer<String> teller)
+    MachinesProof(Path folder, int games, int stopSeconds, int pauseMs, Consumer<String> teller)
             throws IOException {
         this.folder = folder;
         this.teller = teller;
@@ -101,18 +101,18 @@ public final class MachinesProof {
         return proof.problems;
     }
 
-    private static int option(List<String> options, String name, int otherwise) {
+    static int option(List<String> options, String name, int otherwise) {
         int place = options.indexOf(name);
         return place < 0 ? otherwise : Integer.parseInt(options.get(place + 1));
     }
 
-    private void tell(String what, Object found) {
+    void tell(String what, Object found) {
         teller.accept(String.format(ROW, what, found));
     }
 
     // ---- programs --------------------------------------------------------------------------------
 
-    private Process start(String name, String... arguments) throws IOException {
+    Process start(String name, String... arguments) throws IOException {
         List<String> words = new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
             "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC", "--enable-native-access=ALL-UNNAMED", "-Djava.io.tmpdir="
             + Files.createDirectories(folder.resolve("tmp")), "-cp", Stream.of(System.getProperty("java.class.path")
@@ -126,14 +126,14 @@ public final class MachinesProof {
         return process;
     }
 
-    private void run(String... arguments) {
+    void run(String... arguments) {
         ByteArrayOutputStream out = new ByteArrayOutputStream();
         if (Main.run(new Streams(out, out, false, false), arguments) != 0) {
             throw new IllegalStateException(out.toString(StandardCharsets.UTF_8));
         }
     }
 
-    private void make(String league) {
+    void make(String league) {
         String path = folder.resolve(league).toString();
         TextShellBots bots = new TextShellBots(folder);
         String paused = "sh '" + folder.resolve("pause.sh") + "' " + pauseMs / 1000.0 + " ";
@@ -144,7 +144,7 @@ public final class MachinesProof {
         run("league", "add", path, "later=codingame:" + paused + bots.idler(6));
     }
 
-    private Process worker(String name, int join) throws IOException {
+    Process worker(String name, int join) throws IOException {
         return start("worker " + name, "worker", "--join", "127.0.0.1:" + join, "--token-file",
             folder.resolve(name + ".token").toString(), "--bundles", folder.resolve("bundles " + name).toString(),
             "--sandbox", "off");
@@ -155,17 +155,17 @@ public final class MachinesProof {
             "127.0.0.1:" + port);
     }
 
-    private static void signal(String name, Process process) throws IOException, InterruptedException {
+    static void signal(String name, Process process) throws IOException, InterruptedException {
         new ProcessBuilder("kill", "-s", name, Long.toString(process.pid())).start().waitFor();
     }
 
-    private static int free() throws IOException {
+    static int free() throws IOException {
         try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
             return socket.getLocalPort();
         }
     }
 
-    private List<Row> rows(String league) {
+    List<Row> rows(String league) {
         List<Row> rows = new ArrayList<>();
         LeagueFolder path = new LeagueFolder(folder.resolve(league));
         if (!Files.exists(path.database())) {
@@ -315,7 +315,7 @@ public final class MachinesProof {
         }
     }
 
-    private void check(boolean holds, String problem) {
+    void check(boolean holds, String problem) {
         if (!holds) {
             problems.add(problem);
         }

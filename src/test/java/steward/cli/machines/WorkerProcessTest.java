@@ -177,6 +177,26 @@ class WorkerProcessTest {
         assertTrue(read("ending.err").endsWith("interrupted; " + after + " games played\n"), read("ending.err"));
     }
 
+    @Test
+    void endsWhenItIsIdleOrAFileSaysSoAndDiffersWhenItIsRefused() throws Exception {
+        CompletableFuture<String> league = serve(24);
+        Process idle = worker("idle", List.of(), "--idle", "2s", "--json");
+        Process told = worker("told", List.of(), "--stop-file", folder.resolve("stop").toString());
+        await(() -> stored("told") >= 1 || league.isDone());
+        Files.createFile(folder.resolve("stop"));
+        assertEquals(0, end(told, league), () -> read("told.err"));
+        done("worker", "add", folder.resolve("night").toString(), "gone", "--out", token("gone").toString());
+        done("worker", "revoke", folder.resolve("night").toString(), "gone");
+        Cli cli = Cli.run("worker", "--join", "127.0.0.1:" + port, "--token-file", token("gone").toString(),
+            "--sandbox", "off");
+        assertEquals(1, cli.status(), cli.err());
+        assertTrue(cli.err().contains("the league refuses the token: it is wrong or revoked"), cli.err());
+        assertTrue(league.get(200, TimeUnit.SECONDS).startsWith("24 games of duel\n"));
+        assertEquals(0, end(idle, league), () -> read("idle.err"));
+        assertTrue(read("idle.err").matches("(?s)\\{\"time\":\"\\d{4}-[^\"]*Z\",\"event\":\"joined 127.0.0.1:.*"),
+            read("idle.err"));
+    }
+
     /** The files of the worker may have 4 KiB each: beyond that the system refuses to write, as on a full disk. */
     @Test
     void aWorkerThatCannotStoreABotSaysSoAndOthersPlay() throws Exception {
@@ -208,7 +228,8 @@ class WorkerProcessTest {
         Files.setPosixFilePermissions(token("open"), PosixFilePermissions.fromString("rw-r--r--"));
         Cli cli = Cli.run("worker", "--join", "no-such-host.invalid:1", "--token-file", token("open").toString(),
             "--sandbox", "off");
-        cli.assertRefused("expected a file of yours alone: chmod 600 " + token("open"));
+        assertEquals(1, cli.status(), cli.err());
+        assertTrue(cli.err().contains("expected a file of yours alone: chmod 600 " + token("open")), cli.err());
         assertTrue(cli.err().contains("no-such-host.invalid:1: found an unknown host"), cli.err());
     }
 

@@ -39,7 +39,7 @@ final class ServedBroker implements AutoCloseable {
         }
         WorkerList list = WorkerList.read(league);
         broker = new LeagueBroker(new InetSocketAddress("127.0.0.1", port), new BrokerKey(league),
-            Arrays.asList(workers), list::admits);
+            Arrays.asList(workers), list::admits, Gate.OPEN);
     }
 
     WorkerToken token(String worker) {

@@ -61,7 +61,8 @@ class TranscriptTest {
     private static void compare(PlayedGame game) throws DisprovedException {
         ReplayCheck.Outcome found = game.check();
         assertEquals(new ReplayCheck(game.contest(), Games.types()).check("a replay",
-            GzipText.compressed(game.replay()), game.expected()), found, "as the replay tells it");
+            GzipText.compressed(game.replay()), game.expected()), new ReplayCheck.Outcome(found.turns(),
+            found.facts(), found.seats(), 0), "as the replay tells it");
         assertEquals(game.facts(), found.facts(), "as the log of the game told it");
         assertEquals(game.result().turns(), found.turns());
         for (int player = 0; player < found.seats().size(); player++) {
@@ -151,6 +152,18 @@ class TranscriptTest {
         public String turn(String line) {
             return "";
         }
+    }
+
+    @Test
+    @Tag("process")
+    void aMissedDeadlineIsBelievedWhereTheMeasuredTimeAllowsIt() throws Exception {
+        PlayedGame game = PlayedGame.of(Contest.of(Games.open("duel"), List.of("one=codingame:sleep 5",
+            "two=codingame:sleep 5"), Protocol.JSON, 0.1).isolatedBy(() -> Isolation.OFF), 3);
+        ReplayCheck.Outcome outcome = game.check();
+        assertTrue(outcome.seats().get(0).fault().startsWith("no answer within 100 ms"), outcome::toString);
+        assertTrue(outcome.nanos() >= 100_000_000, outcome::toString);
+        assertTrue(game.disproof("\"answerNanos\":[", "\"answerNanos\":[99999999,").contains("faults[0]: found 'no "
+            + "answer within 100 ms (waited "), "an earlier time");
     }
 
     @Test

@@ -60,9 +60,20 @@ class TokenTest {
         assertFalse(list.admits("b", token.secret()));
         assertFalse(list.admits(null, null));
         assertThrows(InputException.class, () -> WorkerList.add(league, "a", folder.resolve("b.token")));
-        WorkerList.revoke(league, "a", "by \"hand\"\n");
+        WorkerList.revoke(league, "a", "by \"hand\"\n", false);
         assertFalse(WorkerList.read(league).admits("a", token.secret()));
         assertEquals("by ?hand??", WorkerList.read(league).of("a").orElseThrow().revoked());
+        WorkerList.revoke(league, "a", "again", true);
+        WorkerList.Worker aside = WorkerList.read(league).of("a").orElseThrow();
+        assertEquals("by ?hand?? true", aside.revoked() + " " + aside.aside());
+        WorkerList.pardon(league, "a");
+        assertTrue(WorkerList.read(league).admits("a", token.secret()));
+        assertThrows(InputException.class, () -> WorkerList.pardon(league, "a"), "may play");
+        WorkerList.revoke(league, "a", "by hand", true);
+        WorkerList.add(league, "a", folder.resolve("anew.token"));
+        assertFalse(WorkerList.read(league).admits("a", token.secret()), "a new token");
+        assertTrue(WorkerList.read(league).admits("a", WorkerToken.read(folder.resolve("anew.token")).secret()));
+        assertEquals(1, WorkerList.read(league).workers().size());
     }
 
     @Test

@@ -1,6 +1,7 @@
 package steward.cli.league.run;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.HashMap;
@@ -112,6 +113,10 @@ final class LeagueWatch implements AutoCloseable {
     }
 
     private byte[] page(String address) {
+        if (address.equals("metrics")) {
+            return LeagueMetrics.text(run.games(), run.stored(), progress.rate(),
+                machines == null ? List.of() : machines.workers()).getBytes(StandardCharsets.UTF_8);
+        }
         Matcher matcher = REPLAY.matcher(address);
         if (!matcher.matches()) {
             return null;

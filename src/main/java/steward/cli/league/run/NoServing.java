@@ -12,6 +12,11 @@ import steward.league.Season;
 public final class NoServing implements Serving {
 
     @Override
+    public boolean isServed() {
+        return false;
+    }
+
+    @Override
     public Service start(LeagueFolder folder, Season season, Contest contest, LeagueSettings settings,
                          Consumer<String> teller) {
         return null;

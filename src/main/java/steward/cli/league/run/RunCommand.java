@@ -122,7 +122,7 @@ public final class RunCommand implements Callable<Integer> {
     @Override
     @SuppressWarnings("try")                           // the lock is only closed, never used
     public Integer call() throws InterruptedException {
-        threads.check();
+        threads.check(serving.isServed() ? 0 : 1);      // a league with workers may play nothing itself
         watch.check(check);
         check.that(watch.watch() || !open, "--open is for --watch, expected both");
         StopRule rule = until.rule();

@@ -25,7 +25,7 @@ public interface Serving {
          * @param book    who played which games before this run, read anew at each call
          * @param changed is called then, by any thread
          */
-        void follow(LeagueRun run, Supplier<WorkerBook> book, Runnable changed);
+        void follow(LeagueRun run, Supplier<WorkerBook> book, Runnable changed) throws InterruptedException;
 
         /** A game that is handed over to be stored, by any thread. */
         void stored(StoredGame game);
@@ -36,6 +36,9 @@ public interface Serving {
         @Override
         void close();
     }
+
+    /** True if the call says that other machines may play. */
+    boolean isServed();
 
     /**
      * Begins to serve, if the call says so.

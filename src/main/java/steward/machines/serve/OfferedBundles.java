@@ -1,0 +1,54 @@
+package steward.machines.serve;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.concurrent.ConcurrentHashMap;
+import steward.league.play.Roster.Member;
+import steward.machines.bundle.Bundle;
+import steward.machines.wire.GameJob;
+import steward.machines.wire.HeaderText;
+import steward.machines.wire.WireMessage;
+import steward.machines.wire.WorkerWord;
+
+/** Bundles of the bots that were offered to workers. Thread-safe. */
+final class OfferedBundles {
+
+    private final Map<String, Bundle> byHash = new ConcurrentHashMap<>();
+    private final Map<String, Bundle> byStamp = new ConcurrentHashMap<>();
+
+    /** Returns a bot as jobs name it. */
+    GameJob.Seat seat(Member member) {
+        Bundle bundle = byStamp.computeIfAbsent(key(member), key -> Bundle.of(member.bot()));
+        byHash.put(bundle.hash(), bundle);
+        return new GameJob.Seat(member.entrant().name(), bundle.hash(), bundle.bytes().length);
+    }
+
+    private static String key(Member member) {
+        return member.bot().name() + "\n" + member.stamp();
+    }
+
+    /** Returns the hashes of those bots that were offered. */
+    List<String> known(List<Member> members) {
+        return members.stream().map(member -> byStamp.get(key(member))).filter(Objects::nonNull).map(Bundle::hash)
+            .toList();
+    }
+
+    /** True if there is a bundle of this hash. */
+    boolean has(String hash) {
+        return byHash.containsKey(hash);
+    }
+
+    /** Returns the message with a piece of a bundle. */
+    byte[] piece(WorkerWord.Fetch fetch) {
+        int from = fetch.from();
+        Bundle bundle = byHash.get(fetch.bundle());
+        byte[] part = {};
+        if (bundle != null && from <= bundle.bytes().length) {
+            part = Arrays.copyOfRange(bundle.bytes(), from, Math.min(bundle.bytes().length, from + WireMessage.CHUNK));
+        }
+        return WireMessage.bytes(new HeaderText().put("type", "bundle").put("bundle", fetch.bundle()).put("from", from)
+            .put("known", bundle != null), part);
+    }
+}

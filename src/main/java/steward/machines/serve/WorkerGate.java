@@ -1,0 +1,33 @@
+package steward.machines.serve;
+
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+import steward.machines.broker.Gate;
+
+/** Says to the broker who may be handed jobs: workers that are not paused, as many as they said they play. */
+final class WorkerGate implements Gate {
+
+    private final WorkerPauses pauses;
+    /** Jobs that each worker may have at the same time: twice its places, as a report and its job's end are apart. */
+    private final Map<String, Integer> most = new ConcurrentHashMap<>();
+
+    WorkerGate(WorkerPauses pauses) {
+        this.pauses = pauses;
+    }
+
+    /** Notes that a worker has joined. */
+    void joined(String worker, int slots) {
+        most.put(worker, 2 * slots + 2);
+        pauses.joined(worker);
+    }
+
+    @Override
+    public boolean mayTake(String worker, int jobs) {
+        return jobs < most.getOrDefault(worker, 0) && pauses.mayTake(worker);
+    }
+
+    @Override
+    public void took(String worker) {
+        pauses.took(worker);
+    }
+}

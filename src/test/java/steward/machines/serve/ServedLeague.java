@@ -1,0 +1,199 @@
+package steward.machines.serve;
+
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.ServerSocket;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.io.TempDir;
+import steward.bot.isolation.Isolation;
+import steward.cli.Cli;
+import steward.cli.ShellBots;
+import steward.cli.TextShellBots;
+import steward.cli.shared.Games;
+import steward.contest.Contest;
+import steward.files.InputException;
+import steward.league.LeagueFolder;
+import steward.league.LeagueSettings;
+import steward.league.Season;
+import steward.league.store.GameQueries;
+import steward.league.store.GameStore;
+import steward.machines.broker.BrokerClient;
+import steward.machines.broker.BrokerClient.BrokenException;
+import steward.machines.token.WorkerToken;
+import steward.machines.wire.GameJob;
+import steward.machines.wire.HeaderText;
+import steward.machines.wire.WireMessage;
+import steward.machines.wire.WorkerWord;
+import steward.machines.worker.Worker;
+import steward.scene.RungLaw;
+
+/** Leagues in a temporary folder whose games are played by workers in this JVM. */
+abstract class ServedLeague {
+
+    @TempDir
+    Path folder;
+
+    TextShellBots bots;
+    int port;
+    final Map<Worker, Thread> playing = new HashMap<>();
+
+    @BeforeEach
+    void prepare() throws IOException {
+        assumeTrue(ShellBots.runnable(), "skipped: there is no /bin/sh");
+        ShellBots.shortDuel(folder);
+        ShellBots.drawn(folder.resolve("short.json"));
+        bots = new TextShellBots(folder);
+        try (ServerSocket free = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+            port = free.getLocalPort();
+        }
+    }
+
+    String done(String... words) {
+        Cli cli = Cli.league(folder, words).done();
+        return cli.out() + cli.err();
+    }
+
+    void make(String name) {
+        done("init", "TMP/" + name, "--scene", "TMP/short.json", "--seed", "5");
+        done("add", "TMP/" + name, "fast=codingame:" + bots.driver());
+        done("add", "TMP/" + name, "still=codingame:" + bots.idler(0));
+        done("add", "TMP/" + name, "wrong=codingame:" + bots.idler(3));
+    }
+
+    WorkerToken token(String league, String worker) {
+        done("worker", "add", "TMP/" + league, worker, "--out", "TMP/" + worker + ".token");
+        return WorkerToken.read(folder.resolve(worker + ".token"));
+    }
+
+    CompletableFuture<String> serve(String league, int games, String... more) {
+        List<String> words = new ArrayList<>(List.of("run", "TMP/" + league, "--games", Integer.toString(games),
+            "--serve", "127.0.0.1:" + port));
+        words.addAll(List.of(more));
+        return CompletableFuture.supplyAsync(() -> done(words.toArray(new String[0])));
+    }
+
+    Worker worker(WorkerToken token, int slots, long games) {
+        return new Worker(new Worker.Options("127.0.0.1", port, token, slots, games, Long.MAX_VALUE,
+            () -> Isolation.OFF, folder.resolve("bundles of " + token.worker()), "1", "a machine of the test"),
+            Games.types(), what -> { });
+    }
+
+    /** Plays until the league does not answer any more. */
+    Thread play(Worker worker) {
+        Thread thread = new Thread(() -> {
+            try {
+                worker.play();
+            } catch (InterruptedException | InputException | Worker.RefusedException end) {
+                return;
+            }
+        });
+        thread.setDaemon(true);
+        thread.start();
+        playing.put(worker, thread);
+        return thread;
+    }
+
+    /** Workers try for ever to join a league that has ended. */
+    @AfterEach
+    void endWorkers() throws InterruptedException {
+        playing.keySet().forEach(Worker::drain);
+        for (Thread thread : playing.values()) {
+            thread.join();
+        }
+    }
+
+    /** A connection, as soon as the league listens. */
+    BrokerClient client(WorkerToken token) throws BrokenException, InterruptedException {
+        return join(port, token);
+    }
+
+    static BrokerClient join(int port, WorkerToken token) throws BrokenException, InterruptedException {
+        for (int tries = 0; ; tries++) {
+            try {
+                return new BrokerClient("127.0.0.1", port, token, "process of " + token.worker());
+            } catch (BrokenException notYet) {
+                if (notYet.isRefused() || tries == 300) {
+                    throw notYet;
+                }
+                TimeUnit.MILLISECONDS.sleep(100);
+            }
+        }
+    }
+
+    record Row(String game, String machine, String problem, boolean counts) {
+    }
+
+    List<Row> games(String league) {
+        List<Row> rows = new ArrayList<>();
+        try (GameStore store = GameStore.read(new LeagueFolder(folder.resolve(league)))) {
+            Map<Integer, String> names = new HashMap<>();
+            store.versions().forEach(version -> names.put(version.id(), version.display()));
+            Season season = store.lastSeason().orElseThrow();
+            new GameQueries(store, store.season(season).orElseThrow(), season).games(game -> rows.add(new Row(
+                game.decision() + " " + game.seed() + " " + game.attempt() + " " + game.turns() + " "
+                    + game.seats().stream().map(seat -> names.get(seat.version()) + ":" + seat.rank() + ":"
+                        + seat.score() + ":" + seat.fault() + ":" + seat.answers()).toList(),
+                game.machine(), game.problem(), game.counts())));
+        }
+        return rows;
+    }
+
+    List<String> counting(String league) {
+        return games(league).stream().filter(Row::counts).map(Row::game).sorted().toList();
+    }
+
+    WorkerWord.Played played(GameJob.Game game) throws InterruptedException {
+        List<String> commands = game.seats().stream().map(GameJob.Seat::name).map(name -> name + "=codingame:"
+            + (name.equals("fast") ? bots.driver() : bots.idler(name.equals("wrong") ? 3 : 0))).toList();
+        return new WorkerWord.Played(List.of(HostileWorker.transcript(folder.resolve("short.json").toString(), commands,
+            game.seed(), 1)), List.of(false), null);
+    }
+
+    static void hello(BrokerClient client, String machine) throws BrokenException {
+        client.say(WireMessage.bytes(new HeaderText().put("type", "hello").put("version", "1")
+            .put("bits", RungLaw.keys()).put("machine", machine).put("slots", 1)));
+    }
+
+    /** Plays the first games of a job as it should. */
+    void report(BrokerClient.Taker taker, GameJob job, int games) throws BrokenException, InterruptedException {
+        List<WorkerWord.Played> played = new ArrayList<>();
+        for (GameJob.Game game : job.games().subList(0, games)) {
+            played.add(played(game));
+        }
+        taker.finish(new WorkerWord.Result(job.id(), played).bytes());
+    }
+
+    /** A league that serves and gives no games out. */
+    RemoteGames served(String league) {
+        return served(league, what -> { });
+    }
+
+    RemoteGames served(String league, Consumer<String> teller) {
+        LeagueFolder here = new LeagueFolder(folder.resolve(league));
+        LeagueSettings settings = here.read();
+        Contest contest = Contest.withoutBots(Games.open(here.scene(settings.scene())), 1);
+        return new RemoteGames(here, Season.of(contest.setup(), settings), contest, settings, Games.types(),
+            new RemoteGames.Service(new InetSocketAddress("127.0.0.1", port), 0.05, Long.MAX_VALUE, "1"), teller);
+    }
+
+    String refused(WorkerToken token) {
+        BrokenException problem = assertThrows(BrokenException.class,
+            () -> new BrokerClient("127.0.0.1", port, token, "process of " + token.worker()).close());
+        assertTrue(problem.isRefused(), problem.getMessage());
+        return problem.getMessage();
+    }
+}

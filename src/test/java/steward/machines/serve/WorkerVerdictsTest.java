@@ -1,0 +1,170 @@
+package steward.machines.serve;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import steward.machines.broker.BrokerClient;
+import steward.machines.broker.BrokerClient.BrokenException;
+import steward.machines.serve.HostileWorker.Way;
+import steward.machines.token.WorkerToken;
+
+/** What becomes of workers that lie, fail or keep games, and of honest ones with unusual bots. */
+@Tag("process")
+@Tag("slow")
+@Timeout(300)
+class WorkerVerdictsTest extends ServedLeague {
+
+    private HostileWorker hostile(Way way) {
+        return new HostileWorker(way, folder.resolve("short.json").toString(), (name, honest) -> "codingame:"
+            + (name.equals("fast") == honest ? bots.driver() : bots.idler(honest && name.equals("wrong") ? 3 : 0)));
+    }
+
+    private void alone(int games) {
+        make("alone");
+        done("run", "TMP/alone", "--games", Integer.toString(games), "--quiet", "--pause-after", "0");
+        make("many");
+    }
+
+    /** Plays a league beside a hostile worker, which ends with it. */
+    private String beside(HostileWorker hostile, int games, String... options) throws Exception {
+        WorkerToken token = token("many", "bad");
+        CompletableFuture<String> run = serve("many", games, options);
+        try (BrokerClient client = client(token)) {
+            hostile.play(client, run::isDone);
+        } catch (BrokenException closed) {
+            run.join();                                // which has ended, or has sent it away
+        }
+        return run.get(200, TimeUnit.SECONDS);
+    }
+
+    @Test
+    void aWorkerWhoseStatesDifferIsCaughtRevokedAndItsGamesAreSetAside() throws Exception {
+        alone(60);
+        WorkerToken other = token("many", "good");
+        WorkerToken token = token("many", "bad");
+        CompletableFuture<String> run = serve("many", 60, "--threads", "1", "--pause-after", "0");
+        play(worker(other, 1, Long.MAX_VALUE));
+        try (BrokerClient client = client(token)) {
+            HostileWorker hostile = hostile(Way.STATES);
+            assertThrows(BrokenException.class, () -> hostile.play(client, run::isDone), "its connection is closed");
+        }
+        String said = run.get(200, TimeUnit.SECONDS);
+
+        assertTrue(said.contains("worker bad is caught and revoked: "), said);
+        assertTrue(said.contains("differs when it is played again: found states of the hash x"), said);
+        Matcher count = Pattern.compile("; ([1-3]) of its games are set aside and played again").matcher(said);
+        assertTrue(count.find(), said);
+        String heading = "60 games of duel, " + count.group(1) + " more set aside, of workers that were caught\n";
+        assertTrue(said.contains(heading), said);
+        String table = done("table", "TMP/many");
+        assertTrue(table.startsWith(heading), table);
+        assertTrue(table.contains("worker bad: caught, 0 games, " + count.group(1)
+            + " more set aside, 0 faults, 0 hiccups\n"), table);
+        assertTrue(done("table", "TMP/many", "--json").contains("\"workers\":[{\"name\":\"bad\",\"state\":\"caught\","
+            + "\"games\":0,\"aside\":" + count.group(1) + ","));
+        done("page", "TMP/many", "--out", "TMP/page.html");
+        assertTrue(Files.readString(folder.resolve("page.html")).contains("\"name\":\"bad\",\"state\":\"caught\""));
+        assertEquals(counting("alone"), counting("many"), said);
+        assertTrue(done("worker", "list", "TMP/many").contains("bad (revoked: caught: game "));
+        try (RemoteGames games = served("many")) {
+            assertTrue(games.seen().isEmpty());
+            assertTrue(refused(token).contains("wrong or revoked"), "also by the next run");
+            done("worker", "pardon", "TMP/many", "bad");
+            client(token).close();
+        }
+    }
+
+    /** All follows from its commands: that they are not the bot's is for the operator to judge, with the evidence. */
+    @Test
+    void aWorkerThatAnswersForABotIsDoubtfulAndTheOperatorSetsItsGamesAside() throws Exception {
+        alone(60);
+        String said = beside(hostile(Way.ANSWERS), 60, "--threads", "1", "--pause-after", "0");
+        assertFalse(said.contains("caught"), said);
+        assertTrue(Pattern.compile("worker bad is doubtful: fast answered otherwise than here in 5 of \\d+ games that "
+            + "were asked again, here the same twice \\(no other worker to compare with\\), such as turn ")
+            .matcher(said).find(), said);
+        assertFalse(counting("alone").equals(counting("many")), "its games count");
+
+        done("worker", "revoke", "TMP/many", "bad", "--set-aside");
+        said = serve("many", 60, "--threads", "1", "--pause-after", "0").get(200, TimeUnit.SECONDS);
+        assertTrue(Pattern.compile("worker bad is revoked; \\d+ of its games are set aside")
+            .matcher(said).find(), said);
+        assertEquals(counting("alone"), counting("many"), said);
+    }
+
+    private void add(String name, String script) throws Exception {
+        Path file = folder.resolve(name + ".sh");
+        Files.writeString(file, "#!/bin/sh\nwhile read -r x y nextX nextY rest && read -r other; do\n" + script
+            + "\ndone\n");
+        done("add", "TMP/many", name + "=codingame:sh '" + file + "'");
+    }
+
+    @Test
+    void aWorkerIsHonestWhoseBotPlaysByTheClockOrFailsOnlyHere() throws Exception {
+        make("many");
+        add("clock", "echo \"$nextX $nextY $(($(date +%s%N) / 1000 % 100))\"");
+        add("there", "case \"$0\" in *bundles*) echo \"$nextX $nextY 50\" ;; *) exit 3 ;; esac");
+        WorkerToken token = token("many", "good");
+        CompletableFuture<String> run = serve("many", 60, "--threads", "1", "--pause-after", "0");
+        play(worker(token, 1, Long.MAX_VALUE));
+        String said = run.get(200, TimeUnit.SECONDS);
+        assertTrue(said.contains("clock plays by the clock: each time it is asked it answers otherwise: turn 1"), said);
+        assertTrue(said.contains("there fails on the league's machine, and does not on worker good: turn 1: found a "
+            + "command, expected the fault 'exited with status 3"), said);
+        assertEquals(2, said.split("it is not asked again in this run", -1).length - 1, "each is said once: " + said);
+        assertTrue(said.startsWith("60 games of duel\n") || said.contains("\n60 games of duel\n"), said);
+        assertFalse(said.contains("caught") || said.contains("doubtful: clock"), said);
+        assertEquals("good\n", done("worker", "list", "TMP/many"));
+    }
+
+    @Test
+    void latenessThatTheWorkersOwnTimesDoNotAllowIsNotBelieved() throws Exception {
+        alone(40);
+        String said = beside(hostile(Way.EARLY), 40, "--threads", "1", "--pause-after", "0");
+        assertTrue(said.contains("worker bad could not play a game: game "), said);
+        assertTrue(said.contains("after 0 us, expected a late answer only after 60000000"), said);
+        assertEquals(counting("alone"), counting("many"), said);
+    }
+
+    @Test
+    void latenessThatHasNotPassedIsNotBelieved() throws Exception {
+        alone(40);
+        String said = beside(hostile(Way.LATE), 40, "--threads", "1", "--pause-after", "0");
+        assertTrue(said.contains("us, expected no more than the time since the worker was handed the game"), said);
+        assertEquals(counting("alone"), counting("many"), said);
+    }
+
+    /** The lease is ten minutes, and the schedule may be 64 decisions ahead. */
+    @Test
+    void aWorkerThatKeepsItsGamesStopsNobody() throws Exception {
+        alone(300);
+        long began = System.nanoTime();
+        String said = beside(hostile(Way.KEEPS), 300, "--threads", "1", "--pause-after", "0");
+        assertTrue(System.nanoTime() - began < TimeUnit.MINUTES.toNanos(4), said);
+        assertTrue(said.contains("worker bad could not play a game: it has not finished its games within "), said);
+        assertEquals(counting("alone"), counting("many"), said);
+    }
+
+    /** A full disk, say: it is told once, and the worker is tried less and less often. */
+    @Test
+    void aWorkerThatFailsAtEachGameIsPaused() throws Exception {
+        alone(120);
+        HostileWorker full = hostile(Way.FAILS);
+        String said = beside(full, 120, "--threads", "1", "--pause-after", "0");
+        assertEquals(2, said.split("bad could not play a game: no space left", -1).length, said);
+        assertTrue(said.contains("; it is paused, and tried with one job after 1 s, 2 s, 4 s and so on\n"), said);
+        assertTrue(full.jobs() <= 15, () -> "found " + full.jobs() + " jobs: " + said);
+        assertEquals(counting("alone"), counting("many"), said);
+    }
+}
