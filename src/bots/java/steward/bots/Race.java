@@ -1,6 +1,6 @@
 package steward.bots;
 
-/** What the setup frame says about the race: fixed for the match. Lengths in u, masses in pod masses. */
+/** Setup frame of a race: the facts fixed for the match. Lengths in u, masses in pod masses. */
 final class Race {
 
     int player;

@@ -41,7 +41,7 @@ public abstract class JsonAnswer {
      */
     protected abstract String field(String name, JsonParser in);
 
-    /** What is missing or too much once all fields are read, or {@code null}. */
+    /** Returns the error once all fields are read, a field missing or too much, or {@code null}. */
     protected abstract String complete();
 
     /** The message of the last valid answer, or {@code null}. */
@@ -138,7 +138,7 @@ public abstract class JsonAnswer {
         return value == Math.rint(value) && value >= least && value <= most;
     }
 
-    /** What stands there, for an error. */
+    /** Describes the value found, for an error. */
     protected static String found(JsonParser in) {
         JsonToken token = in.currentToken();
         if (token == null) {

@@ -11,7 +11,7 @@ public enum Arithmetic {
     /** Closed forms without cancellation, in doubles. */
     DOUBLE,
 
-    /** The same quadratic with the rounding errors of its products and sums added back. */
+    /** The quadratic of {@link #DOUBLE} with the rounding errors of its products and sums added back. */
     COMPENSATED,
 
     /**

@@ -1,12 +1,12 @@
 package steward.physics;
 
 /**
- * What a contact means, per pair of kinds of bodies and per kind against walls. Symmetric; immutable except for the
+ * Meanings of contacts, per pair of kinds of bodies and per kind against walls. Symmetric; immutable except for the
  * {@code set} methods, which are for building it.
  */
 public final class Contacts {
 
-    /** What happens when two bodies, or a body and a wall, touch. */
+    /** Treatment of a touch of two bodies, or of a body and a wall. */
     public enum Meaning {
         /** Nothing: the two ignore each other. */
         NONE,
@@ -87,12 +87,12 @@ public final class Contacts {
         return kinds;
     }
 
-    /** What a contact of two kinds means, in either order. */
+    /** Returns the meaning of a contact of two kinds, in either order. */
     public Meaning between(int kindA, int kindB) {
         return pairs[kindA * kinds + kindB];
     }
 
-    /** What a contact of a kind with any wall means. */
+    /** Returns the meaning of a contact of a kind with any wall. */
     public Meaning withWall(int kind) {
         return walls[kind];
     }

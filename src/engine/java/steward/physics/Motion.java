@@ -14,13 +14,13 @@ public class Motion {
     /** From this distance on a number is not taken for the whole number next to it: 1e-5. */
     private static final double SNAP = 1e-5;
 
-    /** What a step is about. */
+    /** Quantity that a step changes. */
     public enum Of {
         /** The share of speed that is lost. */
         DRAG,
-        /** What velocity components become. */
+        /** Components of velocities. */
         VELOCITY,
-        /** What coordinates become. */
+        /** Coordinates of positions. */
         POSITION
     }
 
@@ -101,7 +101,7 @@ public class Motion {
             this.text = text;
         }
 
-        /** What the step is about. */
+        /** Returns the quantity that the step changes. */
         public Of about() {
             return about;
         }

@@ -38,7 +38,7 @@ public record PhysicsParts(ImpactLaw law, Arithmetic arithmetic, Contacts contac
         this(law, arithmetic, new Contacts(1), List.of(), null, false);
     }
 
-    /** The same parts in another arithmetic. */
+    /** Returns these parts with another arithmetic. */
     public PhysicsParts withArithmetic(Arithmetic other) {
         return new PhysicsParts(law, other, contacts, walls, reaction, infiniteMasses, official);
     }

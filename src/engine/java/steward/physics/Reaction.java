@@ -11,7 +11,7 @@ package steward.physics;
 @FunctionalInterface
 public interface Reaction {
 
-    /** What is to happen. */
+    /** Answer to a contact. */
     enum Verdict {
         /** An impact under the scene's law. */
         BOUNCE,

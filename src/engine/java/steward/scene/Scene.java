@@ -45,7 +45,7 @@ public record Scene(String name, String gameId, int players, Optional<Field> fie
         return motion.step(Motion.Of.POSITION) != null;
     }
 
-    /** The same scene with another observer, for measurements inside turns. */
+    /** Returns this scene with another observer, for measurements inside turns. */
     @Internal
     public Scene withObserver(PhysicsObserver other) {
         return new Scene(name, gameId, players, field, law, drag, motion, time, choice, other, root);

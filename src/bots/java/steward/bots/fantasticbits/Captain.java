@@ -12,7 +12,7 @@ public final class Captain extends FantasticBitsBot {
 
     private static final int FLIPENDO_COST = 20;
     private static final int PETRIFICUS_COST = 10;
-    /** What a throw adds to the speed of a snaffle, in u per turn. */
+    /** Speed that a throw adds to a snaffle, in u per turn. */
     private static final double THROW_SPEED = 1000;
     /** How far a snaffle rolls per speed: 1 / friction. */
     private static final double ROLL = 4;

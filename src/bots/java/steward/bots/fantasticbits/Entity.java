@@ -4,7 +4,7 @@ package steward.bots.fantasticbits;
 final class Entity {
 
     int id;
-    /** What it is: {@code wizard}, {@code snaffle} or {@code bludger}. */
+    /** Kind of entity: {@code wizard}, {@code snaffle} or {@code bludger}. */
     String kind = "";
     /** -1 without owner. */
     int player = -1;

@@ -60,7 +60,7 @@ public final class FantasticBits extends AbstractGame {
         return new FantasticBits(this, pitch.copy());
     }
 
-    /** The same game on another pitch, with other scores and magic: for tests of the rules. */
+    /** Returns this game on another pitch, with other scores and magic: for tests of the rules. */
     public FantasticBits on(Pitch of, int[] newScores, int[] newMagic) {
         FantasticBits game = new FantasticBits(this, of);
         System.arraycopy(newScores, 0, game.scores, 0, scores.length);

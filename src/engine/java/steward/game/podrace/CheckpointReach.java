@@ -108,7 +108,8 @@ final class CheckpointReach {
         return false;
     }
 
-    /** What keeps pods from a checkpoint at one of the places that jitter gives it, or {@code null}. */
+    /** Names the obstacle that keeps pods from a checkpoint at one of the places that jitter gives it, or {@code null}.
+     */
     String barrier(double x, double y) {
         List<HalfPlane> near = new ArrayList<>();
         for (Obstacle obstacle : obstacles) {

@@ -80,7 +80,7 @@ public final class PokerChipRace extends AbstractGame {
     }
 
     /**
-     * The same game with other chips: for tests of the rules.
+     * Returns this game with other chips: for tests of the rules.
      *
      * @param of      a table for the same players
      * @param newLost per player when it has lost its last chip, below 0 while it is in; the others are out

@@ -29,7 +29,7 @@ public final class SearchRace extends AbstractGame {
     /** No checkpoint was passed in the last turn: the official value of a time that is not there. */
     public static final double NOT_PASSED = 2.0;
 
-    /** What a player wants the car to do. */
+    /** A player's command to the car. */
     public enum Order {
         /** Nothing. */
         NONE,
@@ -188,7 +188,7 @@ public final class SearchRace extends AbstractGame {
         bodies.y[0] += bodies.vy[0] * (1.0 - now);
     }
 
-    /** The same without moving the car: all times follow from where it is when the turn begins. */
+    /** Passes checkpoints without moving the car: all times follow from where it is when the turn begins. */
     private void passOnCourse() {
         double now = 0;
         double x = bodies.x[0];
@@ -334,7 +334,7 @@ public final class SearchRace extends AbstractGame {
         return asksForTimes;
     }
 
-    /** What the player wants for the next turn. */
+    /** Returns the player's command for the next turn. */
     public Order order() {
         return order;
     }

@@ -273,7 +273,7 @@ final class Cells {
         return appendFollowing(into, count);
     }
 
-    /** The same for three cells: the one given, and those one step before and after it. */
+    /** Collects the bodies of three cells: the one given, and those one step before and after it. */
     int gatherSide(int column, int row, int stepColumn, int stepRow, int[] into) {
         int count = append(heads[cellAt(column - stepColumn, row - stepRow)], into, 0);
         count = append(heads[cellAt(column, row)], into, count);

@@ -100,7 +100,7 @@ public final class QueueAdvance implements Advance {
             : law.separatingPairsReact() ? "separatingPairs react" : null;
     }
 
-    /** The same for a law and contacts. */
+    /** Returns why a law with these contacts needs a scan of all pairs, or {@code null}. */
     public static String refusal(ImpactLaw law, Contacts contacts) {
         return refusal(law) != null ? refusal(law)
             : contacts.hasReaches() ? "some contacts have a distance of their own" : null;

@@ -319,7 +319,7 @@ public final class Block {
         throw unexpected(name, expected);
     }
 
-    /** The same block for the same object, so that the fields read by two readers add up. */
+    /** A block of the same object, so that the fields read by two readers add up. */
     private Block child(String childPath, JsonObject value) {
         return children.computeIfAbsent(childPath, key -> new Block(source, key, value));
     }

@@ -3,8 +3,8 @@ package steward.scene.json;
 import steward.Internal;
 
 /**
- * How much a file may hold that a person writes: far more than a person would, and so little that it is read, or
- * refused, in a moment. Held while reading: the first value too many is the last one looked at.
+ * Limits of a file that a person writes: far more than a person would need, and so little that it is read, or refused,
+ * in a moment. Held while reading: the first value too many is the last one looked at.
  */
 @Internal
 public final class JsonLimits {

@@ -31,7 +31,7 @@ public final class PodRaceText implements TextCodec {
 
     private static final int FULL_TURN = 360;
 
-    /** What languages print for a double; Java alone would also read 1d, 0x1p3, NaN and Infinity. */
+    /** Decimals as languages print them; Java alone would also read 1d, 0x1p3, NaN and Infinity. */
     private static final Pattern DECIMAL = Pattern.compile("[+-]?(\\d+\\.?\\d*|\\.\\d+)([eE][+-]?\\d+)?");
 
     /** Two blanks or more behind Y stand for a thrust that is left out: what follows is a message. */

@@ -98,7 +98,7 @@ public final class PodRaceBatch {
     }
 
     /**
-     * The same for another edition of the rules.
+     * Games at the start, under another edition of the rules.
      *
      * @throws IllegalArgumentException as above
      */

@@ -76,7 +76,7 @@ public final class PodRaceSimulator {
     }
 
     /**
-     * The same for other numbers of players, pods and laps.
+     * A race with other numbers of players, pods and laps.
      *
      * @param checkpoints   as above
      * @param players       1 or more
@@ -89,7 +89,7 @@ public final class PodRaceSimulator {
     }
 
     /**
-     * The same for another edition of the rules.
+     * A race under another edition of the rules.
      *
      * @throws IllegalArgumentException as above
      */

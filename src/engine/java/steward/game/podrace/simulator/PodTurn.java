@@ -200,7 +200,7 @@ final class PodTurn {
         }
     }
 
-    /** The same for any pod, with the game's own direction. */
+    /** Applies the command of any pod, with the game's own direction. */
     private void steerExactly(int pod, double targetX, double targetY, int command) {
         int at = NUMBERS * pod;
         int to = SPEED * pod;

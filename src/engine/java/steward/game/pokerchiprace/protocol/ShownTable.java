@@ -42,7 +42,7 @@ final class ShownTable implements ServerView.Shown {
     private final Turn start;
     private final List<Turn> shown = new ArrayList<>();
 
-    /** What is on the table. */
+    /** Chips on the table, and scores. */
     private record Turn(List<ChipView.Chip> chips, int[] scores) {
     }
 
