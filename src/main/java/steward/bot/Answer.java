@@ -59,7 +59,7 @@ public final class Answer {
         return fault;
     }
 
-    /** What the player wrote to its stderr up to this answer, bounded; {@code null} when nothing. */
+    /** Returns the player's stderr up to this answer, bounded; {@code null} when nothing. */
     public String stderr() {
         return stderr;
     }

@@ -17,7 +17,7 @@ public final class AnswerReader {
     /** The longest line, in bytes without its line end. */
     public static final int LINE_LIMIT = 64 * 1024;
 
-    /** How much is read at once, in bytes: the most that the JDK reads without a copy and without allocating. */
+    /** Bytes that are read at once: the most that the JDK reads without a copy and without allocating. */
     private static final int READ = 8192;
 
     private static final byte[] NEWLINE = {'\n'};

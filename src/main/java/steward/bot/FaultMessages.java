@@ -22,8 +22,8 @@ public final class FaultMessages {
     private static final String UNREAD = "did not read its input within ";
 
     /**
-     * What is in brackets behind a limit, and the parts of {@link TimeSpent#text}. There are no brackets within: so the
-     * time that it takes grows with the length of a text, which may be a stranger's, and not with its square.
+     * Measured part in brackets behind a limit, and the parts of {@link TimeSpent#text}. There are no brackets within:
+     * so the time that it takes grows with the length of a text, which may be a stranger's, and not with its square.
      */
     private static final Pattern MEASURED =
         Pattern.compile(" \\((waited|used) [^()]*\\)|[:;] (computed \\d|this system does not show ).*");
@@ -90,7 +90,7 @@ public final class FaultMessages {
         return LATE + limit(limitNanos) + " of CPU time (used " + waited(usedNanos) + " in " + waited(takenNanos) + ")";
     }
 
-    /** The same fault without what was measured and differs from one occurrence to the next; others stay. */
+    /** Returns this fault without measured parts, which differ from one occurrence to the next; others stay. */
     public static String withoutTimes(String fault) {
         return MEASURED.matcher(fault).replaceAll("");
     }

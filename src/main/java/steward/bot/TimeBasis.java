@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.Locale;
 import java.util.Optional;
 
-/** What a player's time limits are limits of. */
+/** Clock by which a player's time limits are measured. */
 public enum TimeBasis {
 
     /** The time that passes from the frame to the answer, as on the site. */

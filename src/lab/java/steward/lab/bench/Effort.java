@@ -29,7 +29,7 @@ public enum Effort {
         return rounds;
     }
 
-    /** How much CPU time one measurement takes, in milliseconds. */
+    /** Returns the CPU time of one measurement, in milliseconds. */
     long roundMs() {
         return roundMs;
     }

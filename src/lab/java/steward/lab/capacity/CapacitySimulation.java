@@ -58,7 +58,7 @@ public final class CapacitySimulation {
     }
 
     /**
-     * What came of it.
+     * Result of a simulation.
      *
      * @param perSecond  games in a second that the busiest part of the process has worked on, half ones as halves
      * @param stored     games stored in a second, which depends on where in their course games are at begin and end
@@ -84,7 +84,7 @@ public final class CapacitySimulation {
     private record Step(long nanos, Runnable then) {
     }
 
-    /** What only one can do at a time. */
+    /** Server that takes one step at a time; the others wait in line. */
     private static final class Line {
         private final Deque<Step> waiting = new ArrayDeque<>();
         private boolean busy;

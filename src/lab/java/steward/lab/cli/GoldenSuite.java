@@ -12,7 +12,7 @@ import steward.lab.trial.Rung;
 import steward.physics.Arithmetic;
 import steward.scene.SceneFiles;
 
-/** What the golden hash covers: worlds on every rung, and every shipped scene with every arithmetic. */
+/** Turns that the golden hash covers: worlds on every rung, and every shipped scene with every arithmetic. */
 final class GoldenSuite {
 
     private static final String ACCURACY = "\"accuracy\"\\s*:\\s*\\{[^}]*}";

@@ -23,7 +23,7 @@ public final class StabilitySeconds {
     private static final int COLUMNS = 5;
     /** For a row that is not in the table. */
     private static final double UNKNOWN = 1;
-    /** What a row takes at least: the table itself, and the start of the code. */
+    /** Least seconds of a row: the table itself, and the start of the code. */
     private static final double LEAST = 0.005;
     /** How many impacts a crowd has in the normal version. */
     private static final double CROWD_IMPACTS = 1e6;

@@ -23,7 +23,7 @@ record BestAllocation(MadeUpLeague league) {
     private static final int HALVINGS = 100;
     private static final int STEPS = 20_000;
 
-    /** What it needs of the clusters with which a round robin gets there. */
+    /** Returns the clusters needed, as a share of those with which a round robin gets there. */
     double share() {
         int bots = league.bots();
         List<Stratum> strata = league.groups().stream().map(group -> group.inProportion(MANY)).toList();

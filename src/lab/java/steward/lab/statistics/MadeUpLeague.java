@@ -30,13 +30,14 @@ record MadeUpLeague(String name, int bots, boolean pooled, List<MadeUpGroup> gro
             RatingFit.of(bots, groups.stream().map(group -> group.truth(MANY)).toList(), pooled));
     }
 
-    /** The same bots, all of them against one: what such games can tell is the fit to them, and not to all pairings. */
+    /** Returns the league in which these bots all play against one: such games tell the fit to them, and not to all
+     * pairings. */
     MadeUpLeague gauntlet(int bot) {
         return of(name, bots, pooled,
             groups.stream().filter(group -> IntStream.of(group.bots()).anyMatch(each -> each == bot)).toList(), bot);
     }
 
-    /** The same games, compared with another truth. */
+    /** Returns the league of these games, compared with another truth. */
     MadeUpLeague comparedWith(RatingFit other) {
         return new MadeUpLeague(name, bots, pooled, groups, hero, other);
     }

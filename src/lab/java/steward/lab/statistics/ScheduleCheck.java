@@ -28,11 +28,11 @@ import steward.numerics.SplitMix64;
  */
 record ScheduleCheck(MadeUpLeague league, boolean adaptive, StopRule rule, int most) {
 
-    /** That of a league as it is made. */
+    /** Lag of a league as it is made. */
     private static final int LAG = 64;
 
     /**
-     * What came out.
+     * Result of a check.
      *
      * @param league    the bots
      * @param leagues   how many were played

@@ -77,7 +77,7 @@ public final class TimingSamples {
         return bytes[job];
     }
 
-    /** What a round gives when two kinds are compared in it. */
+    /** Value that a round gives when two kinds are compared in it. */
     @FunctionalInterface
     public interface OfRound {
 

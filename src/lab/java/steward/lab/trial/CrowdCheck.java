@@ -30,7 +30,7 @@ public final class CrowdCheck {
     }
 
     /**
-     * What was found.
+     * Result of a trial.
      *
      * @param impacts      how many impacts there were
      * @param turns        in how many turns
@@ -66,7 +66,7 @@ public final class CrowdCheck {
         return run(gas.bodies(), gas, rung, impacts, progress);
     }
 
-    /** The same with given bodies in the box of a gas. */
+    /** Plays given bodies in the box of a gas. */
     static Result run(Bodies bodies, Gas gas, Rung rung, long impacts, Progress progress) {
         Advance advance = rung.crowdAdvance(ImpactLaw.PHYSICS.withMaximumImpacts(Integer.MAX_VALUE), gas.walls());
         Watch watch = new Watch(bodies, gas.side(), rung.arithmetic().isOfficial());

@@ -48,7 +48,7 @@ public final class TreeSampler {
         this.byChildren = byChildren;
     }
 
-    /** What this system shows of this JVM, and so of other processes of the same user. */
+    /** Facilities of this system to look at this JVM, and so at other processes of the same user. */
     private static final class Support {
         static final boolean CPU = new ProcFile().read("/proc/self/stat");
         static final boolean THREADS = schedstat();
@@ -95,7 +95,7 @@ public final class TreeSampler {
         return file.hasNext() ? file.nextHundredths() * TreeSample.STEP : -1;
     }
 
-    /** What the processes have done up to now. */
+    /** Samples the processes: their totals up to now. */
     public TreeSample sample(long at) {
         return sample(at, true, false);
     }

@@ -19,7 +19,7 @@ import java.util.concurrent.TimeUnit;
 public record ProgramTrial(int status, String line) {
 
     private static final int NONE = -1;
-    /** How much of the output is kept, in bytes. */
+    /** Bytes of the output that are kept. */
     private static final int KEPT = 1 << 16;
     /** How often the output is read, in milliseconds: a program whose pipe is full waits so long. */
     private static final long LOOK_MS = 10;

@@ -14,10 +14,10 @@ import java.util.Set;
  */
 public record BotEnvironment(boolean clean, List<String> names) {
 
-    /** What is usual at each level. */
+    /** The usual environment of each level. */
     public static final BotEnvironment USUAL = new BotEnvironment(false, List.of());
 
-    /** What programs need to find others, and to write text and dates as their user does. */
+    /** Variables that programs need to find others, and to write text and dates as their user does. */
     private static final Set<String> SHORT_LIST = Set.of("PATH", "HOME", "USER", "LOGNAME", "SHELL", "LANG", "LANGUAGE",
         "TZ", "TERM", "TMPDIR", "JAVA_HOME");
 

@@ -189,7 +189,7 @@ public final class ControlGroup {
         }
     }
 
-    /** What a process writes 0 to that joins. */
+    /** The group's cgroup.procs file; a process joins the group by writing 0 to it. */
     Path joinFile() {
         return folder.resolve(PROCESSES);
     }

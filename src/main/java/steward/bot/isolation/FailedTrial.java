@@ -20,7 +20,7 @@ record FailedTrial(boolean switchedOff, boolean appArmor, boolean container) {
         "namespace|unshare|clone|[ug]id_?map|[ug]id map|setgroups|mount|/proc", Pattern.CASE_INSENSITIVE);
     private static final Pattern FORBIDDEN = Pattern.compile("Operation not permitted|Permission denied|No permissions",
         Pattern.CASE_INSENSITIVE);
-    /** What the kernel says where a machine may have no user namespaces. */
+    /** The kernel's words where a machine may have no user namespaces. */
     private static final String NO_MORE = "No space left on device";
     private static final Pattern TOO_OLD = Pattern.compile("unrecognized option|Unknown option");
     /** From here on the statuses mean that the bot of the trial could not be executed, and no step failed. */

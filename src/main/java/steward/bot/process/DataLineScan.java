@@ -12,9 +12,9 @@ import java.util.List;
  */
 final class DataLineScan {
 
-    /** How much is searched, in bytes. */
+    /** Bytes that are searched. */
     static final int LOOKED_AT = 1 << 20;
-    /** How much is kept, in bytes. */
+    /** Bytes that are kept. */
     static final int KEPT = 4 * 1024;
 
     private static final List<byte[]> TAGS = List.of(ascii("[TDATA]"), ascii("[PDATA]"), ascii("[PDATA+]"));

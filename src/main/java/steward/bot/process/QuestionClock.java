@@ -30,7 +30,7 @@ final class QuestionClock {
     /** A wake-up that is later than this, in nanoseconds, means that the referee did not run; below, it is usual. */
     static final long PAUSE = 1_000_000;
 
-    /** What {@link #look} returns when the time is up. */
+    /** Result of {@link #look} when the time is up. */
     static final long PASSED = 0;
 
     /** When the time is up, the asking thread is looked at a second time after so long: it may be between two reads. */
@@ -117,7 +117,7 @@ final class QuestionClock {
         return later(start, limit / QUARTER);
     }
 
-    /** What the answer may take by the wall clock. */
+    /** Returns the time that the answer may take by the wall clock. */
     long wallLimit() {
         boolean backstop = basis == TimeBasis.CPU && limit < Long.MAX_VALUE / TimeBasis.BACKSTOP;
         return backstop ? limit * TimeBasis.BACKSTOP : limit;
@@ -238,7 +238,7 @@ final class QuestionClock {
     }
 
     /**
-     * What is charged for an answer that has come before the watchdog found the time to be up.
+     * Returns the charge for an answer that has come before the watchdog found the time to be up.
      *
      * @return in nanoseconds; -1 if it is too much, and then {@link #taken} says how much
      */

@@ -64,7 +64,7 @@ public final class RestCase implements StabilityCase {
             tally.fastest));
     }
 
-    /** What the piles of a rung have shown. */
+    /** Counts over the piles of a rung. */
     private static final class Tally {
 
         private long most;

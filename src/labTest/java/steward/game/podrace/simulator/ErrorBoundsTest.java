@@ -25,9 +25,9 @@ class ErrorBoundsTest {
 
     private static final long SEED = Long.getLong("steward.seed", 41);
     private static final double TOUCH = 800;
-    /** What {@link PodTurn} leaves of its DOUBT for speeds and places that come from certified vectors. */
+    /** Rest of its DOUBT that {@link PodTurn} leaves for speeds and places that come from certified vectors. */
     private static final double SPEED_ERROR = 0x1p-27;
-    /** What both ways to see an angle may differ by, see {@link Headings}. */
+    /** Bound on the difference of both ways to see an angle, see {@link Headings}. */
     private static final double ANGLE_ERROR = 0x1p-36;
 
     private final SplitMix64 random = new SplitMix64(SEED);
