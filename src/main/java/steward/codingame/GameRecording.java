@@ -20,7 +20,7 @@ record GameRecording(double[][] checkpoints, State start, ShownFrame first, List
     static final int PODS = PLAYERS * PODS_PER_PLAYER;
 
     /**
-     * What is known between two turns.
+     * State between two turns, as far as it is known.
      *
      * @param pods     in order; empty if not recorded
      * @param counters per player; empty if not recorded
@@ -47,7 +47,7 @@ record GameRecording(double[][] checkpoints, State start, ShownFrame first, List
             return commands.stream().allMatch(lines -> lines == null || lines.isEmpty());
         }
 
-        /** What a pod was told, in words; none if nothing was said. */
+        /** Returns the command to a pod, in words; none if nothing was said. */
         String[] command(int pod) {
             List<String> lines = commands.get(pod / PODS_PER_PLAYER);
             int line = pod % PODS_PER_PLAYER;

@@ -68,7 +68,7 @@ final class GameRecordingReader {
         }
     }
 
-    /** What the server's referee was given names the map too. */
+    /** Checks the map against the input of the server's referee, which names the map too. */
     private void requireMap(String input, double[]... checkpoints) {
         Matcher map = MAP.matcher(input);
         if (!map.find()) {

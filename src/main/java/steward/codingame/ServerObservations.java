@@ -3,7 +3,7 @@ package steward.codingame;
 import steward.game.Game;
 import steward.replay.Observations;
 
-/** What a server saw of a match whose answers are played again, and how far it goes. */
+/** Observations of a match by a server whose answers are played again, and how far they go. */
 interface ServerObservations extends Observations {
 
     /** How many turns were recorded. */
@@ -15,7 +15,7 @@ interface ServerObservations extends Observations {
     /** Whether the server has ended the game: it says who has won. */
     boolean isOver();
 
-    /** The same game as we play it, before its first turn. */
+    /** Passes the game as we play it, before its first turn. */
     default void start(Game game) {
         // Most servers show all that is kept.
     }

@@ -55,24 +55,24 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
         this(setup, entrants, time, timeFactor, null, Isolation::usual, Entrant::player);
     }
 
-    /** The same, its replays signed. */
+    /** Returns this contest with its replays signed. */
     @Internal
     public Contest signedWith(SigningKey other) {
         return new Contest(setup, entrants, time, timeFactor, other, isolation, starter);
     }
 
-    /** The same between other bots. */
+    /** Returns this contest between other bots. */
     public Contest between(List<Entrant> others) {
         return new Contest(setup, others, time, timeFactor, key, isolation, starter);
     }
 
-    /** The same with bots kept apart in another way. */
+    /** Returns this contest with bots kept apart in another way. */
     @Internal
     public Contest isolatedBy(Supplier<Isolation> other) {
         return new Contest(setup, entrants, time, timeFactor, key, other, starter);
     }
 
-    /** The same with bots that are started in another way: in this JVM, to measure without processes. */
+    /** Returns this contest with bots that are started in another way: in this JVM, to measure without processes. */
     @Internal
     public Contest startedBy(BotStarter other) {
         return new Contest(setup, entrants, time, timeFactor, key, isolation, other);
@@ -99,7 +99,7 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
         return timeFactor == Double.POSITIVE_INFINITY ? "" : HoldMeans.text(isolation.get());
     }
 
-    /** The same, its limits those of something else. */
+    /** Returns this contest with limits on another clock. */
     public Contest limitedBy(TimeBasis basis) {
         return new Contest(setup, entrants, time.by(basis), timeFactor, key, isolation, starter);
     }
@@ -123,7 +123,7 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
             this(name, bot, protocol, words, null);
         }
 
-        /** The same under another name. */
+        /** Returns this entrant under another name. */
         public Entrant named(String other) {
             return new Entrant(other, bot, protocol, words, problem);
         }

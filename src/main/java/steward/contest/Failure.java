@@ -44,7 +44,7 @@ public record Failure(int player, int turn, String reason, List<String> stderr, 
         this(player, turn, reason, stderr, hints, null, null);
     }
 
-    /** The same without lines and hints, to save memory. */
+    /** Returns this failure without lines and hints, to save memory. */
     Failure brief() {
         return new Failure(player, turn, reason, List.of(), List.of(), time, burner);
     }
@@ -55,8 +55,8 @@ public record Failure(int player, int turn, String reason, List<String> stderr, 
     }
 
     /**
-     * What failures for the same reason have in common: the reason without what was received, and with {@code #} for
-     * each number. The status of an exit and the limit of an answer stay.
+     * Returns the common part of failures for the same reason: the reason without what was received, and with {@code #}
+     * for each number. The status of an exit and the limit of an answer stay.
      */
     public String kind() {
         return kind(reason);

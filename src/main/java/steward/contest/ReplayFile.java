@@ -56,7 +56,7 @@ public final class ReplayFile extends OutputStream {
         }
     }
 
-    /** What could not be written any more is remembered, see {@link #problem}; nothing is thrown. */
+    /** Closes the file; a failure to write is remembered, see {@link #problem}, and nothing is thrown. */
     @Override
     public void close() {
         try {
@@ -66,7 +66,7 @@ public final class ReplayFile extends OutputStream {
         }
     }
 
-    /** What went wrong with the file, and what has become of it; {@code null} if nothing. */
+    /** Describes the failure of the file, and its fate; {@code null} if there was none. */
     public String problem() {
         if (problem == null) {
             return null;

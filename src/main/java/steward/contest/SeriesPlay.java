@@ -67,7 +67,7 @@ public final class SeriesPlay {
                         String refused, Series.Played before) {
     }
 
-    /** What is played. */
+    /** Returns the series that is played. */
     public Series series() {
         return series;
     }
@@ -86,7 +86,7 @@ public final class SeriesPlay {
         play(threads, game -> each.run());
     }
 
-    /** The same; what is called is told the game, by any thread. */
+    /** Plays all games; the consumer is told each game, by any thread. */
     @Internal
     public void play(int threads, Consumer<Series.Played> each) throws InterruptedException {
         int used = Math.min(threads, series.games());
@@ -164,7 +164,7 @@ public final class SeriesPlay {
         return game;
     }
 
-    /** The same game once more; the replay of the first, if it is kept, makes room. {@code null} if it cannot. */
+    /** Begins the game once more; the replay of the first, if it is kept, makes room. {@code null} if it cannot. */
     private Game again(Game game, Series.Played played) {
         try {
             Path kept = series.starvedFile(game.number(), game.attempts().played());

@@ -57,7 +57,7 @@ public final class BotIdentity {
         return hash.hex();
     }
 
-    /** What would make it another one: changes when any of its files has been touched. No file is read. */
+    /** Returns a stamp of the bot: it changes when any of its files has been touched. No file is read. */
     public String stamp(LeagueBot bot) {
         StringBuilder stamps = new StringBuilder(bot.typed());
         BotCommand command = bot.parsed();

@@ -60,7 +60,7 @@ public record LeagueFolder(Path path) {
         return path.resolve("league.db");
     }
 
-    /** What a run holds while it plays. */
+    /** Returns the lock file, which a run holds while it plays. */
     public Path lock() {
         return path.resolve("league.lock");
     }

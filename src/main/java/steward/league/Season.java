@@ -5,7 +5,7 @@ import steward.scene.Scene;
 import steward.scene.SceneKey;
 
 /**
- * What all games of a season have in common, so that they can be compared: the scene, the time limits, the rules.
+ * Common conditions of all games of a season, so that they can be compared: the scene, the time limits, the rules.
  *
  * @param key       of all of it
  * @param sceneName the scene's name
@@ -35,7 +35,7 @@ public record Season(String key, String sceneName, String sceneKey, String limit
             rules, players, lowerScoreIsBetter);
     }
 
-    /** What differs from another season, for a person. */
+    /** Describes the difference to another season, for a person. */
     public String difference(Season other) {
         if (!sceneKey.equals(other.sceneKey)) {
             return sceneName.equals(other.sceneName) ? "the scene " + sceneName + " has been changed"

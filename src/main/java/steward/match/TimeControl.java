@@ -22,7 +22,7 @@ public record TimeControl(long firstNanos, long turnNanos, TimeBasis basis) {
         this(firstNanos, turnNanos, TimeBasis.WALL);
     }
 
-    /** The same limits of something else. */
+    /** Returns these limits on another clock. */
     public TimeControl by(TimeBasis other) {
         return new TimeControl(firstNanos, turnNanos, other);
     }

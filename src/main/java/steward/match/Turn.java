@@ -5,9 +5,7 @@ import steward.bot.Answer;
 import steward.bot.Burner;
 import steward.bot.TimeSpent;
 
-/**
- * What the players did in one turn; the referee reuses it from turn to turn. Arrays are indexed by player.
- */
+/** Actions of the players in one turn; the referee reuses it from turn to turn. Arrays are indexed by player. */
 public final class Turn {
 
     private int number;
@@ -126,7 +124,7 @@ public final class Turn {
         return messages[player];
     }
 
-    /** What the player wrote to stderr up to its answer, bounded, or {@code null}. */
+    /** Returns the player's stderr up to its answer, bounded, or {@code null}. */
     public String stderr(int player) {
         return stderr[player];
     }

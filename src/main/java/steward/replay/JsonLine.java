@@ -22,7 +22,7 @@ import tools.jackson.core.ObjectReadContext;
 @Internal
 public final class JsonLine {
 
-    /** How much of a value is quoted in an error, in characters. */
+    /** Characters of a value that an error quotes. */
     private static final int SHOWN = 40;
 
     /**

@@ -4,9 +4,9 @@ import steward.Internal;
 import tools.jackson.core.JsonGenerator;
 
 /**
- * What another referee saw of a match. A replay that keeps it in place of our own outcomes is marked as imported: its
- * verification compares everything that was observed, and passes over what was not. Each method adds fields to an
- * object that the caller opens and closes.
+ * Observations of a match by another referee. A replay that keeps it in place of our own outcomes is marked as
+ * imported: its verification compares everything that was observed, and passes over what was not. Each method adds
+ * fields to an object that the caller opens and closes.
  */
 @Internal
 public interface Observations {

@@ -6,7 +6,7 @@ import steward.Internal;
 import steward.match.Protocol;
 
 /**
- * What a replay says of its match before the first turn.
+ * Header of a replay: the facts of its match before the first turn.
  *
  * @param game       id of the game
  * @param scene      the scene as used, one line of JSON
@@ -54,12 +54,12 @@ public record ReplayHeader(String game, String scene, long seed, List<String> na
         this(game, scene, seed, names, bots, protocols, timeFactor, 1, null, null);
     }
 
-    /** The same, signed; or unsigned for {@code null}. */
+    /** Returns this header, signed; or unsigned for {@code null}. */
     ReplayHeader signedBy(String key) {
         return new ReplayHeader(game, scene, seed, names, bots, protocols, timeFactor, law, key, sandbox);
     }
 
-    /** The same, played by a version of the law: that of the scene's plan, where it is not the first. */
+    /** Returns this header of a version of the law: that of the scene's plan, where it is not the first. */
     public ReplayHeader ofLaw(int version) {
         return new ReplayHeader(game, scene, seed, names, bots, protocols, timeFactor, version, signer, sandbox);
     }

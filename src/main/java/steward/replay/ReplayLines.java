@@ -159,7 +159,7 @@ public final class ReplayLines {
         }
     }
 
-    /** What the players said and wrote, and the hash. */
+    /** Writes the texts that the players said and wrote, and the hash. */
     public void texts(Turn turn) {
         writeTexts(Text.MESSAGE, turn);
         writeTexts(Text.STDERR, turn);

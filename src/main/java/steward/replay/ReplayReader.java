@@ -184,7 +184,7 @@ public final class ReplayReader implements AutoCloseable {
         return headerLine.flag("imported");
     }
 
-    /** What to draw, as JSON, see {@link steward.game.Drawing}; only with a header. */
+    /** Returns the shapes to draw, as JSON, see {@link steward.game.Drawing}; only with a header. */
     public byte[] drawing() {
         return headerLine.object("drawing");
     }

@@ -110,7 +110,7 @@ final class MatchDisplay implements AutoCloseable {
         }
     }
 
-    /** What a match is to be written to: here, and to its file if it has one. */
+    /** Returns the stream that a match is written to: here, and to its file if it has one. */
     OutputStream with(OutputStream file) {
         return file == null ? recording : new TeeOutputStream(file, recording);
     }

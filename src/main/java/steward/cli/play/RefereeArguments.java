@@ -85,7 +85,7 @@ final class RefereeArguments {
         return bots;
     }
 
-    /** What a player, counted from 0, is to be called, or {@code null}. */
+    /** Returns the name that a player, counted from 0, is given, or {@code null}. */
     String nameOf(int player) {
         return value(name(player + 1));
     }

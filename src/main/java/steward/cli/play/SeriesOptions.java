@@ -16,7 +16,7 @@ import steward.text.NearestName;
 /** The options of many matches. */
 final class SeriesOptions {
 
-    /** What {@code --keep} takes. */
+    /** Values of {@code --keep}. */
     static final class Keeps implements Iterable<String> {
 
         @Override
@@ -25,7 +25,7 @@ final class SeriesOptions {
         }
     }
 
-    /** What {@code --hiccups} takes. */
+    /** Values of {@code --hiccups}. */
     static final class HiccupWords implements Iterable<String> {
 
         @Override
@@ -85,7 +85,7 @@ final class SeriesOptions {
         check.that(keep == null || out, "--keep: expected --out with it");
     }
 
-    /** What does not apply where each bot plays alone, or {@code null}. */
+    /** Returns the error of options that do not apply where each bot plays alone, or {@code null}. */
     String problemAlone() {
         return swap ? "--swap: the scene is for one player, and each bot plays alone: there are no sides to change"
             : keep().equals(KeptReplays.LOST) ? "--keep lost: the scene is for one player, and a game alone has no "

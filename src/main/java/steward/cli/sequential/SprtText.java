@@ -42,7 +42,7 @@ final class SprtText {
         return test.model().name().toLowerCase(Locale.ROOT);
     }
 
-    /** What is tested. */
+    /** Returns a line about the test: the bots, the hypotheses, the error rates. */
     String heading() {
         return TextFormat.plain(one + " - " + other) + ": " + model() + " Elo " + number(test.elo0()) + " (H0) or "
             + number(test.elo1()) + " (H1), alpha " + number(test.alpha()) + ", beta " + number(test.beta());

@@ -15,7 +15,7 @@ import picocli.CommandLine.RunLast;
  */
 public final class EmptyValues implements IExecutionStrategy {
 
-    /** What stands for files and folders in the help. */
+    /** Placeholders of files and folders in the help. */
     private static final Set<String> FILES = Set.of("FILE", "FILE|NAME", "DIR", "REPLAY", "NEW", "HTML", "SCENE",
         "PUB", "KEY");
 

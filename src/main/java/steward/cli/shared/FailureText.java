@@ -12,7 +12,7 @@ public final class FailureText {
     private FailureText() {
     }
 
-    /** What belongs below the line with the reason: the last lines of its stderr, and hints. */
+    /** Prints the lines below the one with the reason: the last lines of its stderr, and hints. */
     public static void print(PrintStream out, Failure failure, String indent) {
         if (failure.stderr().isEmpty()) {
             out.println(indent + "it wrote nothing to its stderr");

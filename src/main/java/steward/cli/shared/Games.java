@@ -63,7 +63,7 @@ public final class Games {
         return setup;
     }
 
-    /** What the official scene of a game is, in a few words: the game itself says it. */
+    /** Describes the official scene of a game in a few words: the game itself says it. */
     public static String about(String scene) {
         Scene of = open(scene).scene();
         return types().types().stream().filter(type -> type.id().equals(of.gameId())).findFirst().orElseThrow()

@@ -34,7 +34,7 @@ public final class AdaptivePairing implements Pairing {
     public static final int FIRST = 4;
     /** Of the games of a round robin. */
     static final double LEAST = 0.2;
-    /** What all pairs that are settled count together, against those that are not. */
+    /** Weight of all settled pairs together, against those that are not. */
     static final double SETTLED = 0.5;
     /** If there are no more groups than this, each plays once before doubt decides: what never played has no weight. */
     static final int FEW = 1000;
@@ -108,7 +108,7 @@ public final class AdaptivePairing implements Pairing {
         }
     }
 
-    /** What each group is worth, or {@code null} if nothing is in doubt. */
+    /** Returns the worth of a game of each group, or {@code null} if nothing is in doubt. */
     private double[] worth(Ratings found) {
         List<int[]> open = new ArrayList<>();
         List<int[]> settled = new ArrayList<>();

@@ -40,7 +40,7 @@ public final class LeagueEnd implements IntPredicate {
         return last;
     }
 
-    /** What was known when it ended, or {@code null}. */
+    /** Returns the ratings when the rule was met, or {@code null}. */
     public Ratings met() {
         return met;
     }

@@ -19,7 +19,7 @@ public final class KeptGames implements GamePlay.Recordings {
 
     private final LeagueFolder folder;
 
-    /** Those of a league. */
+    /** Finds the kept replays of a league. */
     public KeptGames(LeagueFolder folder) {
         this.folder = folder;
     }

@@ -217,7 +217,7 @@ public final class LeagueRun {
         return null;
     }
 
-    /** What is played elsewhere. */
+    /** Games that are played elsewhere. */
     private final class Far implements FarGames.Run {
 
         @Override

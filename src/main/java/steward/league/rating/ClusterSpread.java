@@ -191,7 +191,7 @@ final class ClusterSpread {
     }
 
     /**
-     * What the model says of a stratum.
+     * Computes means and variances of a stratum by the model.
      *
      * @param mean      to be filled: points and ties of a game, of the model or of the stratum itself
      * @param told      to be filled: variance of the points, covariance, variance of ties of all weighted games

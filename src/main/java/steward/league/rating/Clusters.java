@@ -146,7 +146,7 @@ final class Clusters {
     }
 
     /**
-     * What a fit takes.
+     * Returns the strata for a fit.
      *
      * @param places of versions in the fit, ascending as the versions; groups with others are left out
      */

@@ -90,7 +90,7 @@ public record Difference(double value, double variance, double freedom, double s
         return anytimeBar(AnytimeBar.ALPHA);
     }
 
-    /** The same for another probability to be ever outside. */
+    /** Returns the bar for another probability to be ever outside. */
     public double anytimeBar(double alpha) {
         return Math.min(MOST_BAR, RatingFit.ELO * AnytimeBar.of(variance, freedom, alpha));
     }

@@ -65,9 +65,9 @@ public final class Normal {
     }
 
     /**
-     * What Student's t is as far out as z is in the normal distribution (D. L. Wallace, "Bounds on normal
-     * approximations to Student's and the chi-square distributions", Annals of Mathematical Statistics 30, 1959, solved
-     * for t): z = sqrt(f log(1 + t^2/f)) (8 f + 1)/(8 f + 3).
+     * Returns the quantile of Student's t that is as far out as z is in the normal distribution (D. L. Wallace, "Bounds
+     * on normal approximations to Student's and the chi-square distributions", Annals of Mathematical Statistics 30,
+     * 1959, solved for t): z = sqrt(f log(1 + t^2/f)) (8 f + 1)/(8 f + 3).
      *
      * @param freedom degrees of freedom f
      */

@@ -5,7 +5,8 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 
-/** What a game weighs so that all pairings weigh the same, and all games together their number. */
+/** Weights of games by pairing: every pairing has the same total weight, and all weights add up to the number of games.
+ */
 final class PairingWeights {
 
     private PairingWeights() {

@@ -88,7 +88,7 @@ public record Ratings(List<Integer> versions, RatingFit fit, double... weights) 
         return List.of(RankRange.all(fit));
     }
 
-    /** How much more the first wins against the second than their ratings tell. */
+    /** Returns the residual of the first against the second beside their ratings. */
     public Residual residual(int one, int other) {
         return fit.residuals().of(place(one), place(other));
     }

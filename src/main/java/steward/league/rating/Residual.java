@@ -1,7 +1,7 @@
 package steward.league.rating;
 
 /**
- * What the games between two bots say beside their ratings.
+ * Residual of the games between two bots beside their ratings.
  *
  * @param share    of the points of the first; NaN without games
  * @param expected as the ratings tell

@@ -11,10 +11,10 @@ import steward.league.StoredGame;
 import steward.numerics.StateHash;
 
 /**
- * What the games of a season come to: points between any two versions, and sums for each. Games are added one by one or
- * many at once; the order does not matter. A game of n players counts as its n (n - 1) / 2 pairs, each with the weight
- * 2 / n, so that it tells as much as n - 1 games of two. Where each plays alone, the results of two bots on one map
- * count as a game between them. Games of one seed between the same bots are one cluster.
+ * Results of a season's games: points between any two versions, and sums for each. Games are added one by one or many
+ * at once; the order does not matter. A game of n players counts as its n (n - 1) / 2 pairs, each with the weight 2 /
+ * n, so that it tells as much as n - 1 games of two. Where each plays alone, the results of two bots on one map count
+ * as a game between them. Games of one seed between the same bots are one cluster.
  *
  * <p>Not thread-safe.
  */

@@ -40,7 +40,7 @@ public record Gsprt(double elo0, double elo1, double alpha, double beta, Model m
     static final double NORMALIZED = 800 / 2.302585092994046;
     private static final double LOGISTIC = 400 / 2.302585092994046;
 
-    /** What Elo means. */
+    /** Scale of Elo. */
     public enum Model {
         /** By the spread of the scores. */
         NORMALIZED,

@@ -19,7 +19,7 @@ import steward.league.rating.LeagueTable;
 import steward.league.rating.RatingPath;
 import steward.league.rating.Results;
 
-/** What is read of the games of one season: sums, decisions, lists. */
+/** Queries on the games of one season: sums, decisions, lists. */
 public final class GameQueries {
 
     private static final String SUMS = "SELECT version, count(*), sum(score), count(fault), sum(answers), "

@@ -296,7 +296,7 @@ public final class GameStore implements AutoCloseable {
         return add(season, games, () -> null);
     }
 
-    /** The same, and something more in the same transaction. */
+    /** Stores games, and something more in the same transaction. */
     int add(int season, List<StoredGame> games, Database.Work<?> more) {
         try {
             return database.inTransaction(() -> {

@@ -38,7 +38,7 @@ public final class PartStore implements AutoCloseable {
      */
     public record Head(int part, int parts, long games, long seed, String pairing) {
 
-        /** What differs from another, for a person; {@code null} if nothing. */
+        /** Describes the difference to another, for a person; {@code null} if there is none. */
         String difference(Head other) {
             return part != other.part || parts != other.parts
                 ? "part " + part + "/" + parts + ", expected part " + other.part + "/" + other.parts
@@ -127,7 +127,7 @@ public final class PartStore implements AutoCloseable {
         return head;
     }
 
-    /** What all its games have in common. */
+    /** Returns the season of all its games. */
     public Season season() {
         return season;
     }
@@ -137,7 +137,7 @@ public final class PartStore implements AutoCloseable {
         return games;
     }
 
-    /** What can be read of its games. */
+    /** Returns the queries on its games. */
     public GameQueries queries() {
         return new GameQueries(games, number, season);
     }

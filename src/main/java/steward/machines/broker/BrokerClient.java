@@ -167,7 +167,7 @@ public final class BrokerClient implements AutoCloseable {
         }
     }
 
-    /** What the league says to this worker next; {@code null} if nothing for so long. */
+    /** Returns the league's next message to this worker; {@code null} if nothing comes for so long. */
     public byte[] listen(long waitMs) throws BrokenException {
         try {
             ClientMessage message = told.receive(waitMs);

@@ -34,7 +34,7 @@ import steward.scene.json.SceneException;
  */
 public record UnpackedBundle(Path folder, BotCommand command, List<String> words) {
 
-    /** How much a bundle may come to when it is unpacked, in bytes. */
+    /** Bytes that a bundle may have at most when it is unpacked. */
     static final long LARGEST_UNPACKED = 1L << 30;
     private static final long TRIAL_MS = 10_000;
 

@@ -98,7 +98,7 @@ public final class AnswerCheck {
         return Integer.MAX_VALUE;
     }
 
-    /** What disproves a turn, or {@code null}. */
+    /** Names the difference that disproves a turn, or {@code null}. */
     private static String difference(FedTurn turn) {
         String recorded = turn.recordedFault();
         if (!turn.differences().isEmpty()) {

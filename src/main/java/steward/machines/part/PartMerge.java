@@ -91,7 +91,7 @@ public final class PartMerge {
     }
 
     /**
-     * What became of a part.
+     * Result of merging a part.
      *
      * @param added  games that are new
      * @param there  games that the league had already
@@ -290,7 +290,7 @@ public final class PartMerge {
             && !member.bot().random() && !version.random()).map(Member::entrant).findFirst();
     }
 
-    /** The same with its replay, if the league keeps it. */
+    /** Returns the game with its replay, if the league keeps it. */
     private StoredGame kept(PartStore part, StoredGame game, long place, Map<Integer, Version> versions) {
         byte[] replay = part.replay(place);
         Map<Integer, String> bots = versions.values().stream().distinct()

@@ -391,7 +391,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
         }
     }
 
-    /** That two programs do not compute the same. */
+    /** Describes the difference between two programs that do not compute the same. */
     private String apart(String worker, String theirs, String their, String own) {
         return "found Steward " + theirs + " (results " + their + ") on worker " + worker + " and Steward " + version
             + " (results " + own + ") in the league, expected versions that compute the same";

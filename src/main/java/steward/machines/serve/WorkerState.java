@@ -3,7 +3,7 @@ package steward.machines.serve;
 import java.util.HashSet;
 import java.util.Set;
 
-/** What is known of a worker. Guarded by {@link RemoteGames}. */
+/** State of a worker, as the league knows it. Guarded by {@link RemoteGames}. */
 final class WorkerState {
 
     final String name;

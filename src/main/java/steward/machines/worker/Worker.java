@@ -51,7 +51,7 @@ public final class Worker {
     private volatile boolean draining;
 
     /**
-     * What a worker does.
+     * Options of a worker.
      *
      * @param host      of the league
      * @param port      of its broker

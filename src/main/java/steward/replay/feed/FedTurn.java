@@ -4,7 +4,7 @@ import java.util.List;
 import steward.replay.verify.Difference;
 
 /**
- * What a bot did when it was sent a recorded turn, beside what was recorded of it.
+ * A bot's answer to a recorded turn, beside the recorded one.
  *
  * @param number        of the turn, counted from 1
  * @param replaced      whether its answer was played in place of the recorded one

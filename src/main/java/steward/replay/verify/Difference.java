@@ -41,8 +41,8 @@ public record Difference(int turn, String field, String recorded, String found) 
     }
 
     /**
-     * The same for a record of what another referee saw: fields that it does not have are passed over, and an array
-     * that it says is empty may be left out. {@code null} if all that was recorded agrees.
+     * Returns the first difference to a record of another referee's observations: fields that it does not have are
+     * passed over, and an array that it says is empty may be left out. {@code null} if all that was recorded agrees.
      */
     static Difference fromObserved(int turn, byte[] recorded, byte[] found) {
         List<Difference> differences = new ArrayList<>();

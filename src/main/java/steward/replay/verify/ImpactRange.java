@@ -59,7 +59,7 @@ final class ImpactRange {
         return time >= leastTime[impact] && time <= greatestTime[impact];
     }
 
-    /** The same of an impulse. */
+    /** True if a recorded impulse can be that of a referee with such errors. */
     boolean holdsImpulse(int impact, double impulse) {
         return impulse >= leastImpulse[impact] && impulse <= greatestImpulse[impact];
     }

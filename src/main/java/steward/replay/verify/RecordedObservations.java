@@ -14,8 +14,8 @@ import tools.jackson.core.JsonToken;
 import tools.jackson.core.ObjectReadContext;
 
 /**
- * What an imported replay holds of another referee's observations, to be written again: each value as it is recorded,
- * in the one spelling that is accepted.
+ * Writes another referee's observations again from an imported replay: each value as it is recorded, in the one
+ * spelling that is accepted.
  */
 final class RecordedObservations implements Observations {
 

@@ -24,7 +24,7 @@ import tools.jackson.core.ObjectReadContext;
 /** Plays a recorded match again, from its scene, seed, commands and faults. */
 public final class Resimulation {
 
-    /** How much of a wrong name errors show, in characters. */
+    /** Characters of a wrong name that errors show. */
     private static final int SHOWN = 60;
     private static final byte[] NULL = {'n', 'u', 'l', 'l'};
 
@@ -254,7 +254,7 @@ public final class Resimulation {
         return token == JsonToken.VALUE_NULL ? null : codec.state().readPartialCommand(in, player);
     }
 
-    /** What is wrong with the commands; they are read one by one to find it. */
+    /** Finds the error in the commands, read one by one. */
     private Difference readCarefully(RecordedTurn turn) {
         byte[] json = turn.commands();
         int player = 0;

@@ -19,7 +19,7 @@ public record SignatureCheck(Verdict verdict, SignerKey signer, String isolation
         this(verdict, signer, null);
     }
 
-    /** What was found. */
+    /** Result of the check. */
     public enum Verdict {
         /** The replay names no signer. */
         UNSIGNED,

@@ -46,7 +46,7 @@ public record Verification(int turns, int states, boolean whole, Difference diff
     }
 
     /**
-     * The same.
+     * Verifies a replay as {@link #of(ReplayReader, GameTypes)} does, and counts questions.
      *
      * @param asked counts in how many turns each player was asked, one element a player; or {@code null}
      * @throws ReplayException as above; also if there are not as many players

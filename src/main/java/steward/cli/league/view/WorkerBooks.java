@@ -25,7 +25,7 @@ public final class WorkerBooks {
         return book;
     }
 
-    /** What is shown of them where the league is not being played. */
+    /** Returns the workers' rows where the league is not being played. */
     static List<WorkerRow> rows(WorkerBook book) {
         return book.lines().stream().map(line -> new WorkerRow(line.name(), line.aside() > 0 ? "caught" : "",
             line.games(), line.aside(), Double.NaN, line.faults(), line.repeated(), null, -1, line.doubts())).toList();
