@@ -12,8 +12,10 @@ abstract sealed class ImpulseSolver permits PlainSolver, ExactSolver {
     /** Computes the impulse of a pair and applies it to the velocities. */
     abstract void exchange(Bodies bodies, int a, int b, double restitution, Impulse rule, SolvedImpulse solved);
 
-    /** Computes the impulse of a body and a wall and applies it. @return false if they do not approach: then only the
-     * normal is set */
+    /**
+     * Computes the impulse of a body and a wall and applies it. @return false if they do not approach: then only the
+     * normal is set
+     */
     abstract boolean exchangeWithWall(Bodies bodies, int a, int w, Wall wall, double restitution, Impulse rule,
                                       SolvedImpulse solved);
 

@@ -82,8 +82,10 @@ class CapacitySimulationTest {
         }
     }
 
-    /** A queue of games that wait to be stored does not raise the count: as long as it grows, games begin faster than
-     * they end. */
+    /**
+     * A queue of games that wait to be stored does not raise the count: as long as it grows, games begin faster than
+     * they end.
+     */
     @Test
     @Tag("slow")
     void aQueueThatStillGrowsIsNotCounted() {

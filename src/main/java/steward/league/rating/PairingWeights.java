@@ -5,14 +5,16 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 
-/** Weights of games by pairing: every pairing has the same total weight, and all weights add up to the number of games.
+/**
+ * Weights of games in the fit: pairings with {@link RatingFit#WHOLE} clusters or more all have the same total weight,
+ * those with fewer a part of it, and all weights add up to the number of games.
  */
 final class PairingWeights {
 
     private PairingWeights() {
     }
 
-    /** By stratum and pair; {@code pooled} as in {@link RatingFit#of}. */
+    /** Returns the weight of a game, by stratum and pair; {@code pooled} as in {@link RatingFit#of}. */
     static double[][] of(List<Stratum> strata, boolean pooled) {
         Map<List<Integer>, Integer> numbers = new HashMap<>();
         int[][] pairings = new int[strata.size()][];

@@ -6,12 +6,12 @@ import java.util.List;
 import steward.contest.Attempts;
 import steward.scene.json.Block;
 
-/** Message of a worker, read strictly. */
+/** Message of a worker to its league, read strictly. */
 public interface WorkerWord {
 
-    /** How many games a worker may play at the same time. */
+    /** Most games that a worker may play at the same time. */
     int MOST_SLOTS = 256;
-    /** How often a game may have been played. */
+    /** Most attempts at one game. */
     int MOST_ATTEMPTS = Attempts.MOST;
 
     /**
@@ -47,7 +47,7 @@ public interface WorkerWord {
             games = List.copyOf(games);
         }
 
-        /** The message that says it. */
+        /** Returns the encoded message. */
         public byte[] bytes() {
             List<HeaderText> texts = new ArrayList<>();
             List<byte[]> payloads = new ArrayList<>();

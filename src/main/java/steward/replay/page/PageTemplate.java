@@ -70,8 +70,10 @@ public final class PageTemplate {
         return policy(connect, "", "");
     }
 
-    /** Returns the policy that allows also the script and the style of another page, by their hashes as a policy has
-     * them. */
+    /**
+     * Returns the policy that allows also the script and the style of another page, by their hashes as a policy has
+     * them.
+     */
     public String policy(String connect, String otherScript, String otherStyle) {
         return "default-src 'none'; script-src " + hash(script) + otherScript + "; style-src " + hash(style)
             + otherStyle
