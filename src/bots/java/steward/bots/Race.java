@@ -17,7 +17,7 @@ final class Race {
     int maximumThrust = 200;
     int boostThrust = 650;
 
-    /** Whether the box from (0, 0) to (width, height) has walls. */
+    /** True if the box from (0, 0) to (width, height) has walls. */
     boolean walls;
     double width;
     double height;

@@ -35,7 +35,7 @@ public abstract class AbstractGame implements Game {
     @FunctionalInterface
     public interface Order {
 
-        /** Whether {@code one} is ahead of {@code other}. */
+        /** True if {@code one} is ahead of {@code other}. */
         boolean isAhead(int one, int other);
     }
 

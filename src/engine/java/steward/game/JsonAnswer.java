@@ -133,7 +133,7 @@ public abstract class JsonAnswer {
         return Double.isFinite(value) ? value : Double.NaN;
     }
 
-    /** Whether a number is a whole one of a range; 100.0 is one too, since some languages print it so. */
+    /** True if a number is a whole one of a range; 100.0 is one too, since some languages print it so. */
     protected static boolean isWhole(double value, int least, int most) {
         return value == Math.rint(value) && value >= least && value <= most;
     }

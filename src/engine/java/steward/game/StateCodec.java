@@ -33,7 +33,7 @@ public interface StateCodec {
     }
 
     /**
-     * Whether a faulty answer has given the player commands before its fault, which take effect all the same; {@link
+     * True if a faulty answer has given the player commands before its fault, which take effect all the same; {@link
      * #writeCommand} then writes them.
      */
     default boolean hasPartialCommand(int player) {

@@ -10,7 +10,7 @@ final class FusedMultiplyAdd {
     }
 
     /**
-     * Whether {@code Math.fma} is compiled to one instruction: HotSpot's flag {@code UseFMA}, which the JVM sets from
+     * True if {@code Math.fma} is compiled to one instruction: HotSpot's flag {@code UseFMA}, which the JVM sets from
      * the processor and the command line. False where the flag is unknown. Takes some milliseconds; call it once.
      */
     static boolean hasFastFma() {

@@ -66,7 +66,7 @@ public final class Contacts {
         return set(kindA, kindB, Meaning.ASK);
     }
 
-    /** Whether any contact begins at a distance of its own. */
+    /** True if any contact begins at a distance of its own. */
     public boolean hasReaches() {
         return reaches != null;
     }
@@ -97,22 +97,22 @@ public final class Contacts {
         return walls[kind];
     }
 
-    /** Whether any entry is {@code ASK}: only then a scene needs a {@link Reaction}. */
+    /** True if any entry is {@code ASK}: only then a scene needs a {@link Reaction}. */
     public boolean containsAsk() {
         return contains(pairs, Meaning.ASK) || contains(walls, Meaning.ASK);
     }
 
-    /** Whether any two kinds of bodies react: only then pairs are scanned. */
+    /** True if any two kinds of bodies react: only then pairs are scanned. */
     public boolean bodiesMeet() {
         return contains(pairs, Meaning.BOUNCE) || contains(pairs, Meaning.ASK);
     }
 
-    /** Whether any kind of body reacts to walls. */
+    /** True if any kind of body reacts to walls. */
     public boolean wallsMeet() {
         return contains(walls, Meaning.BOUNCE) || contains(walls, Meaning.ASK);
     }
 
-    /** Whether every entry is {@code BOUNCE}: then no contact has to be looked up. */
+    /** True if every entry is {@code BOUNCE}: then no contact has to be looked up. */
     public boolean allBounce() {
         return !contains(pairs, Meaning.NONE) && !contains(walls, Meaning.NONE) && !containsAsk();
     }

@@ -150,12 +150,12 @@ public class Motion {
         return null;
     }
 
-    /** Whether bodies lose their {@link Bodies#drag} share of speed. */
+    /** True if bodies lose their {@link Bodies#drag} share of speed. */
     public final boolean drag() {
         return step(Of.DRAG) != null;
     }
 
-    /** Whether velocities and positions both become whole numbers. */
+    /** True if velocities and positions both become whole numbers. */
     public final boolean endsInWholeNumbers() {
         return step(Of.VELOCITY) != null && step(Of.POSITION) != null;
     }

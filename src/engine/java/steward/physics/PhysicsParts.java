@@ -43,7 +43,7 @@ public record PhysicsParts(ImpactLaw law, Arithmetic arithmetic, Contacts contac
         return new PhysicsParts(law, other, contacts, walls, reaction, infiniteMasses, official);
     }
 
-    /** Whether a turn from impact to impact is the game's own way to advance. */
+    /** True if a turn from impact to impact is the game's own way to advance. */
     public boolean usesExpressionsOfGame() {
         return official != null && arithmetic.isOfficial();
     }

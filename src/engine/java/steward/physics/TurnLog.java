@@ -229,7 +229,7 @@ public final class TurnLog implements TurnSink {
         return factNumbers[FACT_NUMBERS * k + 4];
     }
 
-    /** Whether the turn ended at the bound on impacts. */
+    /** True if the turn ended at the bound on impacts. */
     public boolean limited() {
         return !Double.isNaN(limitTime);
     }

@@ -169,17 +169,17 @@ public record Accuracy(Way way, int steps, Arithmetic arithmetic) {
             : usesOfficialLoop(parts, bodies) ? new OfficialAdvance(parts) : advance(parts);
     }
 
-    /** Whether that is {@link QueueAdvance}: cells and an event queue instead of a scan of all pairs. */
+    /** True if that is {@link QueueAdvance}: cells and an event queue instead of a scan of all pairs. */
     boolean usesCells(ImpactLaw law, Contacts contacts, int bodies) {
         return way == Way.EVENT && bodies >= FEWEST_FOR_CELLS && QueueAdvance.refusal(law, contacts) == null;
     }
 
-    /** Whether that is the game's own, with its referee's expressions. */
+    /** True if that is the game's own, with its referee's expressions. */
     boolean usesExpressionsOfGame(PhysicsParts parts) {
         return way == Way.EVENT && parts.usesExpressionsOfGame();
     }
 
-    /** Whether that is {@link OfficialAdvance}. */
+    /** True if that is {@link OfficialAdvance}. */
     boolean usesOfficialLoop(PhysicsParts parts, int bodies) {
         return way == Way.EVENT && bodies > 0 && bodies <= OfficialAdvance.MOST_BODIES && OfficialAdvance.fits(parts);
     }

@@ -35,12 +35,12 @@ public record Scene(String name, String gameId, int players, Optional<Field> fie
         return choice.rung();
     }
 
-    /** Whether velocities become whole numbers at the end of a turn. */
+    /** True if velocities become whole numbers at the end of a turn. */
     public boolean roundsVelocity() {
         return motion.step(Motion.Of.VELOCITY) != null;
     }
 
-    /** Whether positions become whole numbers at the end of a turn. */
+    /** True if positions become whole numbers at the end of a turn. */
     public boolean roundsPosition() {
         return motion.step(Motion.Of.POSITION) != null;
     }

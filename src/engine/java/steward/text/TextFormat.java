@@ -119,7 +119,7 @@ public final class TextFormat {
     }
 
     /**
-     * Whether a character steers a terminal or shows a text otherwise than it is written: C0 and C1 controls, and the
+     * True if a character steers a terminal or shows a text otherwise than it is written: C0 and C1 controls, and the
      * marks, embeddings, overrides and isolates of the bidirectional algorithm (Unicode Standard Annex 9, section 2).
      */
     public static boolean isUnsafe(char c) {

@@ -115,22 +115,22 @@ public final class FaultMessages {
         return "exited with status " + status + " before answering" + meaning;
     }
 
-    /** Whether a fault is one of {@link #late} or {@link #overCpu}. */
+    /** True if a fault is one of {@link #late} or {@link #overCpu}. */
     public static boolean isLate(String fault) {
         return fault.startsWith(LATE);
     }
 
-    /** Whether a fault is one of time: {@link #late}, {@link #overCpu} or {@link #inputUnread}. */
+    /** True if a fault is one of time: {@link #late}, {@link #overCpu} or {@link #inputUnread}. */
     public static boolean isTime(String fault) {
         return isLate(fault) || fault.startsWith(UNREAD);
     }
 
-    /** Whether a fault is one of {@link #exited}, by itself or by a signal. */
+    /** True if a fault is one of {@link #exited}, by itself or by a signal. */
     public static boolean isExit(String fault) {
         return fault.startsWith("exited with status ") || fault.startsWith("killed by signal ");
     }
 
-    /** Whether a fault is that of {@link #exited} with just this status. */
+    /** True if a fault is that of {@link #exited} with just this status. */
     public static boolean isExit(String fault, int status) {
         return fault.equals(exited(status));
     }

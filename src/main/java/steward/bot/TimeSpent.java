@@ -43,7 +43,7 @@ public record TimeSpent(long limit, long taken, long unobserved, long computed, 
     }
 
     /**
-     * Whether the machine was starved: the bot waited at least half of its limit for a processor while others used
+     * True if the machine was starved: the bot waited at least half of its limit for a processor while others used
      * them. A bot that used up its CPU time is late by itself.
      */
     public boolean starved() {

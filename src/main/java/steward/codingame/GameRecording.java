@@ -42,7 +42,7 @@ record GameRecording(double[][] checkpoints, State start, ShownFrame first, List
      */
     record Turn(int frame, List<List<String>> commands, State after, List<Impact> impacts, List<ShownFrame> frames) {
 
-        /** Whether no player said anything. */
+        /** True if no player said anything. */
         boolean isSilent() {
             return commands.stream().allMatch(lines -> lines == null || lines.isEmpty());
         }

@@ -133,7 +133,7 @@ final class GameRecordingReader {
         return turns;
     }
 
-    /** Whether the frame is the referee's alone; otherwise it must be that of the player whose turn it is. */
+    /** True if the frame is the referee's alone; otherwise it must be that of the player whose turn it is. */
     private boolean isReferee(JsonNode frame, int number, int player) {
         JsonNode agent = frame.get("agentId");
         if (agent == null || agent.isNull()) {

@@ -9,10 +9,10 @@ interface ServerObservations extends Observations {
     /** How many turns were recorded. */
     int turns();
 
-    /** Whether no player said anything in a turn, counted from 1. */
+    /** True if no player said anything in a turn, counted from 1. */
     boolean isSilent(int turn);
 
-    /** Whether the server has ended the game: it says who has won. */
+    /** True if the server has ended the game: it says who has won. */
     boolean isOver();
 
     /** Passes the game as we play it, before its first turn. */

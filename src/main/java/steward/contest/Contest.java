@@ -267,7 +267,7 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
         return setup.textCodec(setup.create(0)).isPresent();
     }
 
-    /** Whether the scene's game speaks CodinGame's lines too; all games speak JSON. */
+    /** True if the scene's game speaks CodinGame's lines too; all games speak JSON. */
     boolean hasBothProtocols() {
         return hasText(setup);
     }
@@ -277,12 +277,12 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
         return setup.scene().players();
     }
 
-    /** Whether each bot plays alone, and results on the same map are compared. */
+    /** True if each bot plays alone, and results on the same map are compared. */
     public boolean isAlone() {
         return players() == 1;
     }
 
-    /** Whether lower scores are better in this game. */
+    /** True if lower scores are better in this game. */
     boolean lowerScoreIsBetter() {
         return setup.create(0).lowerScoreIsBetter();
     }

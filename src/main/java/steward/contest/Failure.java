@@ -49,7 +49,7 @@ public record Failure(int player, int turn, String reason, List<String> stderr, 
         return new Failure(player, turn, reason, List.of(), List.of(), time, burner);
     }
 
-    /** Whether it was late while other programs used the processors, see {@link TimeSpent#starved}. */
+    /** True if it was late while other programs used the processors, see {@link TimeSpent#starved}. */
     public boolean starved() {
         return time != null && time.starved();
     }

@@ -26,7 +26,7 @@ public enum KeptReplays {
         return Arrays.stream(values()).filter(each -> each.word().equals(word)).findFirst();
     }
 
-    /** Whether the replay of a game that is over is kept. */
+    /** True if the replay of a game that is over is kept. */
     boolean keeps(Contest contest, Series.Played game) {
         return switch (this) {
             case ALL -> true;

@@ -78,7 +78,7 @@ public final class ReplayFile extends OutputStream {
         return isOurs() ? what + "; the turns before are in it" : what;
     }
 
-    /** Whether anything went wrong with the file. */
+    /** True if anything went wrong with the file. */
     public boolean isBroken() {
         return problem != null;
     }
@@ -90,12 +90,12 @@ public final class ReplayFile extends OutputStream {
         }
     }
 
-    /** Whether the file was made here: what others have made, devices and links stay. */
+    /** True if the file was made here: what others have made, devices and links stay. */
     private boolean isOurs() {
         return file.isMade() && Files.isRegularFile(path, LinkOption.NOFOLLOW_LINKS);
     }
 
-    /** Whether there is a complete line after that of the header. */
+    /** True if there is a complete line after that of the header. */
     private boolean hasTurn() {
         byte[] bytes = new byte[1 << 13];
         int lines = 0;
@@ -140,7 +140,7 @@ public final class ReplayFile extends OutputStream {
         }
     }
 
-    /** Whether there is a replay: the file was made, and has not been removed. */
+    /** True if there is a replay: the file was made, and has not been removed. */
     public boolean exists() {
         return file.isMade() && Files.exists(path);
     }

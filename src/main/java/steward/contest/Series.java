@@ -74,7 +74,7 @@ public record Series(Contest contest, long first, int seeds, boolean swap, Path 
             return player;
         }
 
-        /** Whether there is a result, and all players failed in the same turn: then no player has earned it. */
+        /** True if there is a result, and all players failed in the same turn: then no player has earned it. */
         public boolean allFailed() {
             return result != null && result.players().size() > 1 && failures.size() == result.players().size()
                 && failures.stream().allMatch(failure -> failure.turn() == failures.get(0).turn());

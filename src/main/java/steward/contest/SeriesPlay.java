@@ -231,7 +231,7 @@ public final class SeriesPlay {
         return true;
     }
 
-    /** Whether {@link #breakOff} has been called. */
+    /** True if {@link #breakOff} has been called. */
     public synchronized boolean isBrokenOff() {
         return brokenOff;
     }

@@ -86,7 +86,7 @@ public final class LateFile extends OutputStream {
         }
     }
 
-    /** Whether it has been made: from then on it is this program's. */
+    /** True if it has been made: from then on it is this program's. */
     public boolean isMade() {
         return file != null;
     }

@@ -136,7 +136,7 @@ public final class OutputFiles {
         Files.move(part, file, StandardCopyOption.REPLACE_EXISTING);
     }
 
-    /** Whether both are the same file, there already or about to be; {@code null} is never the same. */
+    /** True if both are the same file, there already or about to be; {@code null} is never the same. */
     public static boolean isSame(Path one, Path other) {
         if (one == null || other == null) {
             return false;

@@ -214,7 +214,7 @@ public final class Schedule {
     }
 
     /**
-     * Whether games have been decided on that are not begun.
+     * True if games have been decided on that are not begun.
      *
      * @param most games in all
      */

@@ -74,14 +74,14 @@ public record MatchResult(int turns, String ending, List<PlayerResult> players, 
     }
 
     /**
-     * Whether there is no winner because those who share the first place all failed as programs: no draw of merit. So
+     * True if there is no winner because those who share the first place all failed as programs: no draw of merit. So
      * ends a match whose players all fail in the same turn.
      */
     public boolean allFailed() {
         return winner() < 0 && players.stream().allMatch(player -> player.rank() != 0 || player.fault() != null);
     }
 
-    /** Whether any player failed as a program. */
+    /** True if any player failed as a program. */
     public boolean anyFault() {
         return players.stream().anyMatch(player -> player.fault() != null);
     }

@@ -85,12 +85,12 @@ public final class Turn {
         return asked.length;
     }
 
-    /** Whether the player was asked: players who are out are not. */
+    /** True if the player was asked: players who are out are not. */
     public boolean asked(int player) {
         return asked[player];
     }
 
-    /** Whether the player gave a valid command. */
+    /** True if the player gave a valid command. */
     public boolean answered(int player) {
         return answered[player];
     }

@@ -11,7 +11,7 @@ import tools.jackson.core.JsonGenerator;
 @Internal
 public interface Observations {
 
-    /** Whether the state before the first turn was observed; otherwise the one that follows from the scene is kept. */
+    /** True if the state before the first turn was observed; otherwise the one that follows from the scene is kept. */
     boolean hasStart();
 
     /** Fields of the state before the first turn, in the form of {@link steward.game.StateCodec#writeState}. */

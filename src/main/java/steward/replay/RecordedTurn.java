@@ -47,7 +47,7 @@ public record RecordedTurn(int number, byte[] commands, String[] faults, String 
         return false;
     }
 
-    /** Whether a command of the player was recorded. */
+    /** True if a command of the player was recorded. */
     public boolean hasCommand(int player) {
         try (JsonParser in = parser(commands)) {
             in.nextToken();
@@ -61,7 +61,7 @@ public record RecordedTurn(int number, byte[] commands, String[] faults, String 
     }
 
     /**
-     * Whether the command of the player was recorded in these very bytes. It is not found in another spelling.
+     * True if the command of the player was recorded in these very bytes. It is not found in another spelling.
      *
      * @param json   a command as JSON, whole
      * @param length how many bytes of it count

@@ -98,7 +98,7 @@ public final class ReplayReader implements AutoCloseable {
         header = headerLine == null ? null : header(headerLine);
     }
 
-    /** Whether the line begins like a replay; a line that was cut off needs to agree only as far as it goes. */
+    /** True if the line begins like a replay; a line that was cut off needs to agree only as far as it goes. */
     private boolean isSignature(byte[] line) {
         byte[] signature = ReplayHeader.SIGNATURE.getBytes(StandardCharsets.UTF_8);
         int count = lineEnded ? signature.length : Math.min(signature.length, line.length);
@@ -179,7 +179,7 @@ public final class ReplayReader implements AutoCloseable {
         return header;
     }
 
-    /** Whether another referee played the match, and only what was observed of it is recorded; only with a header. */
+    /** True if another referee played the match, and only what was observed of it is recorded; only with a header. */
     public boolean imported() {
         return headerLine.flag("imported");
     }

@@ -14,7 +14,7 @@ final class Entity {
     double vy;
     /** The id of the snaffle that a wizard holds, or -1. */
     int snaffle = -1;
-    /** Whether a snaffle is held. */
+    /** True if a snaffle is held. */
     boolean held;
     /** Whether a wizard's spell is at work, or begins with the next turn, on the entity with this id; -1 for none. */
     int spellTarget = -1;

@@ -40,12 +40,12 @@ public final class Captures implements Reaction {
         return dx * dx + dy * dy;
     }
 
-    /** Whether a wizard holds a snaffle. */
+    /** True if a wizard holds a snaffle. */
     static boolean holds(Bodies bodies, int wizard) {
         return bodies.columns[Pitch.HELD][wizard] >= 0;
     }
 
-    /** Whether a wizard that holds nothing could take this snaffle if it were near. */
+    /** True if a wizard that holds nothing could take this snaffle if it were near. */
     static boolean isCapturable(Bodies bodies, int wizard, int snaffle) {
         return bodies.kind[snaffle] == SNAFFLE && bodies.columns[Pitch.WAIT][wizard] <= 0;
     }

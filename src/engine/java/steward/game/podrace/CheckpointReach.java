@@ -96,7 +96,7 @@ final class CheckpointReach {
         return begun;
     }
 
-    /** Whether a pod may start where the checkpoint counts. */
+    /** True if a pod may start where the checkpoint counts. */
     private boolean isNear(double[][] starts, double[] slack, double[] checkpoint) {
         for (int pod = 0; pod < starts.length; pod++) {
             double dx = starts[pod][0] - checkpoint[0];

@@ -34,12 +34,12 @@ final class FreePlaces {
         separation = new Separation(field, grown);
     }
 
-    /** Whether all places are one part. */
+    /** True if all places are one part. */
     boolean isOne() {
         return separation.size() == 0;
     }
 
-    /** Whether the steps are used up, so that parts may be missing. */
+    /** True if the steps are used up, so that parts may be missing. */
     boolean isExhausted() {
         return work < 0;
     }

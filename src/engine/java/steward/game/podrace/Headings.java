@@ -145,7 +145,7 @@ public final class Headings {
         return turns == 1 ? angle : turned(angle, (long) turns);
     }
 
-    /** Whether the angle is unset. */
+    /** True if the angle is unset. */
     public static boolean isUnset(double[] headings, int at) {
         return Double.isNaN(headings[at + BASE_X]);
     }

@@ -205,7 +205,7 @@ final class Separation {
         } while (count < before);
     }
 
-    /** Whether the places are parted; both must be free. */
+    /** True if the places are parted; both must be free. */
     boolean parts(double px, double py, double qx, double qy) {
         for (int k = 0; k < parent.length; k++) {
             parent[k] = k;

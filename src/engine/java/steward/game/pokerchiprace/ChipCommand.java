@@ -11,7 +11,7 @@ public record ChipCommand(double x, double y) {
     /** Nothing. */
     public static final ChipCommand WAIT = new ChipCommand(Double.NaN, Double.NaN);
 
-    /** Whether it is nothing. */
+    /** True if it is nothing. */
     public boolean waits() {
         return Double.isNaN(x);
     }

@@ -138,7 +138,7 @@ public final class ChipTable {
         owned[player] = 0;
     }
 
-    /** Whether no chip of a player is left. */
+    /** True if no chip of a player is left. */
     boolean isWithoutChips(int player) {
         for (int k = 0; k < owned[player]; k++) {
             if (bodies.indexOf(own[player][k]) >= 0) {

@@ -324,12 +324,12 @@ public final class SearchRace extends AbstractGame {
         return passTime;
     }
 
-    /** Whether the player has asked for these times in a turn before. */
+    /** True if the player has asked for these times in a turn before. */
     public boolean wantsTimes() {
         return wantsTimes;
     }
 
-    /** Whether the command for the next turn asks for these times. */
+    /** True if the command for the next turn asks for these times. */
     public boolean asksForTimes() {
         return asksForTimes;
     }

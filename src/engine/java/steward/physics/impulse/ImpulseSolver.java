@@ -19,10 +19,10 @@ abstract sealed class ImpulseSolver permits PlainSolver, ExactSolver {
     abstract boolean exchangeWithWall(Bodies bodies, int a, int w, Wall wall, double restitution, Impulse rule,
                                       SolvedImpulse solved);
 
-    /** Whether a pair approaches, as the search for impacts judges it. */
+    /** True if a pair approaches, as the search for impacts judges it. */
     abstract boolean areApproaching(Bodies bodies, int a, int b);
 
-    /** Whether a body touches a wall and approaches it, as the search for impacts judges it. */
+    /** True if a body touches a wall and approaches it, as the search for impacts judges it. */
     abstract boolean isPressed(Bodies bodies, int a, int w, Wall wall);
 
     /** The overlap of a pair after its impulse; 0 in contact, negative if they do not touch. */
@@ -31,7 +31,7 @@ abstract sealed class ImpulseSolver permits PlainSolver, ExactSolver {
     /** Moves a body along the normal of the last impulse, of which a pair's {@link #overlap} has been asked. */
     abstract void moveAlongNormal(Bodies bodies, int body, double by, SolvedImpulse solved);
 
-    /** Whether positions are known beyond their rounding, so that contact at a wall is not lost by rounding. */
+    /** True if positions are known beyond their rounding, so that contact at a wall is not lost by rounding. */
     boolean keepsRounding() {
         return false;
     }

@@ -188,7 +188,7 @@ final class Cells {
         Arrays.fill(heads, 0, cells, -1);
     }
 
-    /** Whether a body of this radius is kept in a cell. */
+    /** True if a body of this radius is kept in a cell. */
     boolean holds(double radius) {
         return radius <= largestInside;
     }

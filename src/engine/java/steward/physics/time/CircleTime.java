@@ -107,7 +107,7 @@ public abstract sealed class CircleTime permits CircleTime.Official, CircleTime.
         return until(dx, dy, dvx, dvy, touch);
     }
 
-    /** Whether two circles surely do not touch within a turn: most pairs, without a root or a division. */
+    /** True if two circles surely do not touch within a turn: most pairs, without a root or a division. */
     static boolean areFar(double dx, double dy, double dvx, double dvy, double touch) {
         double squared = dx * dx + dy * dy;
         double ss = touch * touch;

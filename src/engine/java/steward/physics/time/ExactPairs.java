@@ -152,7 +152,7 @@ public final class ExactPairs extends PairTime {
         return circles.firstTouch(until);
     }
 
-    /** Whether two bodies approach, by the exact sign of b. */
+    /** True if two bodies approach, by the exact sign of b. */
     public boolean areApproaching(Bodies bodies, int i, int j) {
         double xvx = (bodies.x[i] - bodies.x[j]) * (bodies.vx[i] - bodies.vx[j]);
         double yvy = (bodies.y[i] - bodies.y[j]) * (bodies.vy[i] - bodies.vy[j]);

@@ -51,22 +51,22 @@ public final class Block {
         return path;
     }
 
-    /** Whether the field is present, with any value. Counts as reading it. */
+    /** True if the field is present, with any value. Counts as reading it. */
     public boolean has(String name) {
         return ask(name) != null;
     }
 
-    /** Whether the field is present and a string. */
+    /** True if the field is present and a string. */
     public boolean isText(String name) {
         return ask(name) instanceof JsonText;
     }
 
-    /** Whether the field is present and an array. */
+    /** True if the field is present and an array. */
     public boolean isArray(String name) {
         return ask(name) instanceof JsonArray;
     }
 
-    /** Whether the field is present and an object. */
+    /** True if the field is present and an object. */
     public boolean isBlock(String name) {
         return ask(name) instanceof JsonObject;
     }
@@ -269,7 +269,7 @@ public final class Block {
         return with(block, new JsonObject(inner.place(), entries)).json();
     }
 
-    /** Whether the field is present, without counting as reading it: {@link #done()} may still refuse it. */
+    /** True if the field is present, without counting as reading it: {@link #done()} may still refuse it. */
     public boolean contains(String name) {
         return object.entries().containsKey(name);
     }

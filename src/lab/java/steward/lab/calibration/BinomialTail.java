@@ -57,7 +57,7 @@ public final class BinomialTail {
     }
 
     /**
-     * Whether more cases than a share allows were seen, beyond what chance explains: the two-sided interval at a level
+     * True if more cases than a share allows were seen, beyond what chance explains: the two-sided interval at a level
      * around what was seen does not reach it.
      *
      * @param seen   cases with a larger error, of {@code states}

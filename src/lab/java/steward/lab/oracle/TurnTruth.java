@@ -86,7 +86,7 @@ public final class TurnTruth {
         return pairs.length;
     }
 
-    /** Whether the turn reached the limit on impacts; then nothing may be compared with it. */
+    /** True if the turn reached the limit on impacts; then nothing may be compared with it. */
     public boolean limited() {
         return limited;
     }

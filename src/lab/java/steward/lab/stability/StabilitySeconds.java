@@ -60,7 +60,7 @@ public final class StabilitySeconds {
         return name + ";" + rung;
     }
 
-    /** Whether the row is in the table. */
+    /** True if the row is in the table. */
     public boolean knows(String name, String rung) {
         return rows.containsKey(key(name, rung));
     }

@@ -23,7 +23,7 @@ public final class WorkClock {
         return bytes ? threads.getThreadAllocatedBytes(Thread.currentThread().getId()) : 0;
     }
 
-    /** Whether the JVM tells what is allocated. */
+    /** True if the JVM tells what is allocated. */
     public boolean tellsBytes() {
         return bytes;
     }

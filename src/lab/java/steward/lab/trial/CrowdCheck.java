@@ -43,7 +43,7 @@ public final class CrowdCheck {
     public record Result(long impacts, long turns, long overlaps, long escapes, long apart, double worstGap,
                          double drift) {
 
-        /** Whether no impact was missed and no disc escaped. */
+        /** True if no impact was missed and no disc escaped. */
         public boolean isRight() {
             return overlaps == 0 && escapes == 0 && apart == 0;
         }

@@ -55,7 +55,7 @@ public record Rung(String name, boolean isEvent, boolean isExact, Arithmetic ari
         this(name, isEvent, isExact, arithmetic, maker, maker);
     }
 
-    /** Whether its expressions are chosen by us; the official ones are the server's, with their cancellation. */
+    /** True if its expressions are chosen by us; the official ones are the server's, with their cancellation. */
     public boolean isOurs() {
         return isEvent && !arithmetic.isOfficial();
     }

@@ -72,7 +72,7 @@ final class ProcFile {
         }
     }
 
-    /** Whether there is a further word. */
+    /** True if there is a further word. */
     boolean hasNext() {
         skipSpace();
         return at < length;

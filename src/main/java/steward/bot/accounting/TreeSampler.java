@@ -72,7 +72,7 @@ public final class TreeSampler {
         }
     }
 
-    /** Whether the system shows the CPU time of processes. */
+    /** True if the system shows the CPU time of processes. */
     public static boolean showsCpuTime() {
         return Support.CPU;
     }

@@ -25,7 +25,7 @@ public record ProgramTrial(int status, String line) {
     private static final long LOOK_MS = 10;
     private static final Path NOTHING = Path.of("/dev/null");
 
-    /** Whether it ended with status 0. */
+    /** True if it ended with status 0. */
     public boolean works() {
         return status == 0;
     }

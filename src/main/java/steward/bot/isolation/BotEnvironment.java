@@ -28,7 +28,7 @@ public record BotEnvironment(boolean clean, List<String> names) {
         names = List.copyOf(names);
     }
 
-    /** Whether a name looks like that of a secret: has TOKEN, SECRET or PASSWORD in it, or ends with _KEY. */
+    /** True if a name looks like that of a secret: has TOKEN, SECRET or PASSWORD in it, or ends with _KEY. */
     public static boolean isSecret(String name) {
         String upper = name.toUpperCase(Locale.ROOT);
         return upper.contains("TOKEN") || upper.contains("SECRET") || upper.contains("PASSWORD")

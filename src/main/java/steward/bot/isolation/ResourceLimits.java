@@ -81,7 +81,7 @@ public record ResourceLimits(long memory, long processes, long fileSize, long op
         return new ResourceLimits(0, 0, fileSize, openFiles);
     }
 
-    /** Whether there is no limit. */
+    /** True if there is no limit. */
     public boolean isNone() {
         return equals(NONE);
     }

@@ -45,12 +45,12 @@ public final class SandboxSupport {
         return problem(SandboxLevel.LIGHT) == null ? SandboxLevel.LIGHT : SandboxLevel.OFF;
     }
 
-    /** Whether bots are started by the small program that starts faster than a shell and others. */
+    /** True if bots are started by the small program that starts faster than a shell and others. */
     public static boolean isNative() {
         return NativeLauncher.program() != null;
     }
 
-    /** Whether this program runs as root, whose files are a bot's own at level light. */
+    /** True if this program runs as root, whose files are a bot's own at level light. */
     public static boolean isRoot() {
         return UserNumbers.isRoot();
     }

@@ -12,7 +12,7 @@ final class UserNumbers {
     private UserNumbers() {
     }
 
-    /** Whether this program runs as root, whose files and rights a bot would share. */
+    /** True if this program runs as root, whose files and rights a bot would share. */
     static boolean isRoot() {
         return number("unix:uid") == 0;
     }

@@ -35,7 +35,7 @@ final class DataLineScan {
         return start < count && isData(bytes, start, count) ? start : count;
     }
 
-    /** Whether the received part of a line begins like a data line. */
+    /** True if the received part of a line begins like a data line. */
     private static boolean isData(byte[] bytes, int from, int to) {
         for (byte[] tag : TAGS) {
             int same = 0;

@@ -101,7 +101,7 @@ final class QuestionClock {
         writing = true;
     }
 
-    /** Whether the next question needs to know what the processes have done before. */
+    /** True if the next question needs to know what the processes have done before. */
     boolean needsBaseline() {
         return basis == TimeBasis.CPU;
     }
@@ -210,7 +210,7 @@ final class QuestionClock {
         return PASSED;
     }
 
-    /** Whether there has been a sample in this question before. */
+    /** True if there has been a sample in this question before. */
     private synchronized boolean observe(long now) {
         boolean begun = ledger != null && ledgerOf == number;
         if (!begun) {
@@ -232,7 +232,7 @@ final class QuestionClock {
         return ledger.until() - ledger.since();
     }
 
-    /** Whether the processes have used up their CPU time. */
+    /** True if the processes have used up their CPU time. */
     private boolean overCpu() {
         return cpu() > limit;
     }
@@ -257,7 +257,7 @@ final class QuestionClock {
         return Math.min(passed, wallLimit());
     }
 
-    /** Whether the time was up while the frame could not be written, because the bot did not read. */
+    /** True if the time was up while the frame could not be written, because the bot did not read. */
     boolean unread() {
         return unread;
     }

@@ -71,7 +71,7 @@ final class PriceList {
         return price == null ? Double.NaN : measured ? price.nanos() : price.nanos() / PERCENT;
     }
 
-    /** Whether the prices are in nanoseconds and of this machine. */
+    /** True if the prices are in nanoseconds and of this machine. */
     boolean isMeasured() {
         return measured;
     }

@@ -47,7 +47,7 @@ public final class CallCheck {
         that(found == null || isWithin(found.longValue(), least, most), outside(option, found, least, most));
     }
 
-    /** Whether a number is in a range, both ends included. */
+    /** True if a number is in a range, both ends included. */
     public static boolean isWithin(long found, long least, long most) {
         return found >= least && found <= most;
     }

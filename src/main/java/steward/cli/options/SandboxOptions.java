@@ -105,7 +105,7 @@ public final class SandboxOptions {
         return List.copyOf(variables);
     }
 
-    /** Whether any is there. */
+    /** True if any is there. */
     public boolean isAny() {
         return level != null || network || isHold() || cleanEnvironment || memory != null || processes != null
             || fileSize != null || openFiles != null || !variables.isEmpty() || !visible.isEmpty();

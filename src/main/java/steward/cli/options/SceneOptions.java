@@ -23,7 +23,7 @@ public final class SceneOptions {
     @Mixin
     private final AccuracyOption accuracy = new AccuracyOption();
 
-    /** Whether the scene is read from the standard input. */
+    /** True if the scene is read from the standard input. */
     public boolean isPiped() {
         return StandardFiles.is(scene);
     }

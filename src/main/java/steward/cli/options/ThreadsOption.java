@@ -39,7 +39,7 @@ public final class ThreadsOption {
             "--threads: found '" + threads + "', expected 1 to " + CallCheck.MOST_THREADS + ", or auto");
     }
 
-    /** Whether it is there. */
+    /** True if it is there. */
     public boolean isGiven() {
         return threads != null;
     }

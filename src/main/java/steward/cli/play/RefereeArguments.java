@@ -49,7 +49,7 @@ final class RefereeArguments {
         return spec.findOption(option).getValue();
     }
 
-    /** Whether there is any player. */
+    /** True if there is any player. */
     boolean hasPlayers() {
         for (int player = 1; player <= MOST_PLAYERS; player++) {
             if (value(bot(player)) != null || value(name(player)) != null) {

@@ -93,7 +93,7 @@ final class SeriesOptions {
                 + "expected all, failed or none" : null;
     }
 
-    /** Whether there is to be more than one match. */
+    /** True if there is to be more than one match. */
     boolean isAny() {
         return games != null || swap;
     }

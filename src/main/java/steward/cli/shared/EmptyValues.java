@@ -33,7 +33,7 @@ public final class EmptyValues implements IExecutionStrategy {
         return new RunLast().execute(call);
     }
 
-    /** Whether a value is an empty text, or one of those of an option that can be repeated is. */
+    /** True if a value is an empty text, or one of those of an option that can be repeated is. */
     private static boolean isEmpty(Object value) {
         return "".equals(value) || value instanceof Collection<?> values && values.contains("");
     }

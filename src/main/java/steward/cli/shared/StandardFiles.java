@@ -21,7 +21,7 @@ public final class StandardFiles {
     private StandardFiles() {
     }
 
-    /** Whether a file as it was typed is one of the standard streams; {@code null} is not. */
+    /** True if a file as it was typed is one of the standard streams; {@code null} is not. */
     public static boolean is(String typed) {
         return DASH.equals(typed);
     }

@@ -120,7 +120,7 @@ public final class Streams {
         return Colour.of(errTerminal);
     }
 
-    /** Whether the output has no reader any more ({@code | head}), so that the command can stop. */
+    /** True if the output has no reader any more ({@code | head}), so that the command can stop. */
     public boolean outEnded() {
         return watched.problem != null;
     }

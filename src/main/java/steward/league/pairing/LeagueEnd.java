@@ -24,7 +24,7 @@ public final class LeagueEnd implements IntPredicate {
         this.versions = versions;
     }
 
-    /** Whether the schedule ends before a decision. */
+    /** True if the schedule ends before a decision. */
     @Override
     public boolean test(int decision) {
         if (decision == asked) {

@@ -21,7 +21,7 @@ public final class Looks {
         return Math.max(0, of(decision) - lag + 1);
     }
 
-    /** Whether there is a look before this decision. */
+    /** True if there is a look before this decision. */
     public static boolean isLook(int decision) {
         return of(decision) == decision;
     }

@@ -33,12 +33,12 @@ public record StopRule(double bars, boolean ranked, double equal) {
     /** One that never ends a league. */
     public static final StopRule NONE = new StopRule(Double.NaN, false, USUAL_EQUAL);
 
-    /** Whether it is there. */
+    /** True if it is there. */
     public boolean isAny() {
         return ranked || !Double.isNaN(bars);
     }
 
-    /** Whether enough is known. */
+    /** True if enough is known. */
     public boolean isMet(Ratings ratings) {
         return (Double.isNaN(bars) || ratings.versions().stream()
             .allMatch(version -> ratings.rating(version).anytimeBar() <= bars))

@@ -35,7 +35,7 @@ public record GamePlay(Season season, Contest contest, Recordings recordings, St
     /** Destination of the replays of games that are over. */
     public interface Recordings {
 
-        /** Whether anything has to be recorded. */
+        /** True if anything has to be recorded. */
         boolean isAny(LeagueSettings settings);
 
         /**

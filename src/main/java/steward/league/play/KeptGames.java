@@ -40,7 +40,7 @@ public final class KeptGames implements GamePlay.Recordings {
     }
 
     /**
-     * Whether the replay of a game that is over is kept.
+     * True if the replay of a game that is over is kept.
      *
      * @param result whether it has one
      * @param names  of the bots, by seat

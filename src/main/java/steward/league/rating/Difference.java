@@ -53,7 +53,7 @@ public record Difference(double value, double variance, double freedom, double s
     /** In Elo; a bar of so much says that nothing is known. */
     public static final double MOST_BAR = 9999;
 
-    /** Whether a bar says anything. */
+    /** True if a bar says anything. */
     public static boolean isKnown(double bar) {
         return bar < MOST_BAR;
     }

@@ -68,7 +68,7 @@ public record Ratings(List<Integer> versions, RatingFit fit, double... weights) 
     }
 
     /**
-     * Whether two versions of which one has won or lost nearly everything are surely not equal; the one with the higher
+     * True if two versions of which one has won or lost nearly everything are surely not equal; the one with the higher
      * rating is the better one then. May be asked at any time.
      *
      * @param alpha the probability with which this may ever be said wrongly

@@ -178,7 +178,7 @@ public final class Results {
         return clusters.strata(places);
     }
 
-    /** Whether each bot plays alone. */
+    /** True if each bot plays alone. */
     boolean alone() {
         return alone;
     }

@@ -354,7 +354,7 @@ public final class GameQueries {
         read(reader, GAME + "WHERE g.season = ? ORDER BY g.id, s.seat", season);
     }
 
-    /** Whether any game was played on a machine whose name begins so. */
+    /** True if any game was played on a machine whose name begins so. */
     public boolean isPlayedOn(String machine) {
         return database.with(() -> database.value("SELECT 1 FROM machine WHERE substr(name, 1, length(?)) = ? LIMIT 1",
             machine, machine) != null);

@@ -232,7 +232,7 @@ public final class GameStore implements AutoCloseable {
 
     // ---- games -----------------------------------------------------------------------------------
 
-    /** Whether a game of this name is there. */
+    /** True if a game of this name is there. */
     public boolean has(byte[] name) {
         return database.with(() -> database.value("SELECT 1 FROM game WHERE name = ?", (Object) name) != null);
     }

@@ -45,7 +45,7 @@ public final class Spsa {
         return path.size() - 1;
     }
 
-    /** Whether all steps have been made. */
+    /** True if all steps have been made. */
     public boolean isOver() {
         return step() >= steps;
     }

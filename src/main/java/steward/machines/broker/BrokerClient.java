@@ -54,7 +54,7 @@ public final class BrokerClient implements AutoCloseable {
             this.refused = refused;
         }
 
-        /** Whether it makes no sense to try again: the token is not good here, or the broker is another. */
+        /** True if it makes no sense to try again: the token is not good here, or the broker is another. */
         public boolean isRefused() {
             return refused;
         }

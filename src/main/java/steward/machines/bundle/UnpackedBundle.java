@@ -116,7 +116,7 @@ public record UnpackedBundle(Path folder, BotCommand command, List<String> words
         return files;
     }
 
-    /** Whether a name leads nowhere else: words apart by slashes, none of them empty or only dots. */
+    /** True if a name leads nowhere else: words apart by slashes, none of them empty or only dots. */
     static boolean isPlain(String name) {
         if (name.isEmpty() || name.length() > 1000 || name.indexOf('\\') >= 0 || name.indexOf(':') >= 0
             || name.chars().anyMatch(c -> c < ' ' || c == 0x7F)) {

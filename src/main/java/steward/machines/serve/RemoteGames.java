@@ -75,7 +75,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
     private volatile boolean closed;
     /** Why no game can be kept any more, or {@code null}. */
     private volatile InputException unusable;
-    /** Whether a worker plays; as of the last look. */
+    /** True if a worker plays; as of the last look. */
     private volatile boolean anyConnected;
     private volatile SettingAside setter = (machine, why) -> 0;
 
@@ -199,7 +199,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
         return canPlay(needs);
     }
 
-    /** Whether a worker that is connected has not said of any of these bundles that it does not run there. */
+    /** True if a worker that is connected has not said of any of these bundles that it does not run there. */
     private synchronized boolean canPlay(Collection<String> needs) {
         return !anyConnected || workers.values().stream().anyMatch(worker -> worker.slots > 0
             && Collections.disjoint(worker.unfit, needs));

@@ -170,7 +170,7 @@ public record WorkerList(List<Worker> workers) {
         return HexFormat.of().formatHex(BrokerKey.sha256(secret.getBytes(StandardCharsets.UTF_8)));
     }
 
-    /** Whether this is the secret of a worker that may play. */
+    /** True if this is the secret of a worker that may play. */
     public boolean admits(String name, String secret) {
         return name != null && secret != null && of(name).filter(worker -> worker.revoked() == null
             && MessageDigest.isEqual(worker.hash().getBytes(StandardCharsets.UTF_8),

@@ -21,7 +21,7 @@ public record FedTurn(int number, boolean replaced, String fault, String recorde
         differences = List.copyOf(differences);
     }
 
-    /** Whether it did what was recorded. */
+    /** True if it did what was recorded. */
     public boolean same() {
         return differences.isEmpty() && (fault == null ? recordedFault == null : fault.equals(recordedFault));
     }

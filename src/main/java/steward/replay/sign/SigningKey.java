@@ -54,7 +54,7 @@ public final class SigningKey {
         }
     }
 
-    /** Whether a file seems to hold a private key. */
+    /** True if a file seems to hold a private key. */
     public static boolean isPrivate(Path file) {
         return PemFile.isOf(file, PEM);
     }

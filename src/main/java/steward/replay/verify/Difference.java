@@ -97,7 +97,7 @@ public record Difference(int turn, String field, String recorded, String found) 
                 && none.isEmpty();
         }
 
-        /** Whether the fields that both have are in the same order. */
+        /** True if the fields that both have are in the same order. */
         private static boolean isInOrder(Set<?> recorded, Set<?> found) {
             List<Object> common = new ArrayList<>(found);
             common.retainAll(recorded);

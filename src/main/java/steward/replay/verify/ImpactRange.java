@@ -54,7 +54,7 @@ final class ImpactRange {
         }
     }
 
-    /** Whether a recorded time of an impact can be that of a referee with such errors. */
+    /** True if a recorded time of an impact can be that of a referee with such errors. */
     boolean holdsTime(int impact, double time) {
         return time >= leastTime[impact] && time <= greatestTime[impact];
     }

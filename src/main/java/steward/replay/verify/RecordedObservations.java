@@ -35,7 +35,7 @@ final class RecordedObservations implements Observations {
         outcomePlace = where;
     }
 
-    /** Whether an outcome has a state in which every body has its place. */
+    /** True if an outcome has a state in which every body has its place. */
     static boolean hasState(byte[] outcome) {
         JsonLine fields = new JsonLine("outcome", outcome);
         if (!fields.has("state")) {

@@ -340,7 +340,7 @@ public final class PodRaceSimulator {
         return counts[PodTurn.COUNTS * pod + PodTurn.TIMER] & PodTurn.TIMER_BITS;
     }
 
-    /** Whether the boost is left. */
+    /** True if the boost is left. */
     public boolean boostLeft(int pod) {
         return counts[PodTurn.COUNTS * pod + PodTurn.BOOST] != 0;
     }
