@@ -31,7 +31,7 @@ public abstract class AbstractGame implements Game {
     private int turn;
     private String ending;
 
-    /** Whether one player is ahead of another. */
+    /** Order of players while the game goes on. */
     @FunctionalInterface
     public interface Order {
 

@@ -3,7 +3,7 @@ package steward.numerics;
 import com.sun.management.HotSpotDiagnosticMXBean;
 import java.lang.management.ManagementFactory;
 
-/** Whether the processor has a fused multiply-add instruction. */
+/** Test for a fused multiply-add instruction of the processor. */
 final class FusedMultiplyAdd {
 
     private FusedMultiplyAdd() {

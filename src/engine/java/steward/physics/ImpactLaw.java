@@ -31,7 +31,7 @@ public record ImpactLaw(Restitution restitution, double minimumImpulse, boolean 
                         boolean separatingPairsReact, double batchWindow, ScanOrder scanOrder, double pushOut,
                         int maximumImpacts, double restSpeed) {
 
-    /** How the restitution of an impact follows from the two partners'. */
+    /** Rule by which the restitution of an impact follows from the two partners'. */
     public enum Restitution {
         /** Every impact is elastic: no restitution is looked up. */
         ELASTIC,

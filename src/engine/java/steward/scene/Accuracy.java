@@ -24,7 +24,7 @@ import steward.scene.json.Wording;
 import steward.text.NearestName;
 
 /**
- * How accurately a scene is computed: a rung of the ladder from {@code step/1}, the cheapest, to {@code event/exact}.
+ * Accuracy of a scene: a rung of the ladder from {@code step/1}, the cheapest, to {@code event/exact}.
  *
  * @param way        how a turn is advanced
  * @param steps      steps per turn, 1..{@value StepAdvance#MOST_STEPS}; 0 for {@code EVENT}
@@ -40,7 +40,7 @@ public record Accuracy(Way way, int steps, Arithmetic arithmetic) {
      */
     static final int FEWEST_FOR_CELLS = 24;
 
-    /** How a turn is advanced. */
+    /** Way to advance a turn. */
     public enum Way {
         /** From impact to impact at exact times. */
         EVENT,

@@ -16,7 +16,7 @@ import steward.physics.Wall;
 import steward.physics.queue.QueueAdvance;
 import steward.scene.json.Wording;
 
-/** Which parts of the engine a scene needs and why, and the physics built from just these. */
+/** Plan of a scene: the parts of the engine that it needs and why, and the physics built from just these. */
 public final class Plan {
 
     private final Scene scene;

@@ -3,7 +3,7 @@ package steward.text;
 import java.math.BigDecimal;
 import java.math.RoundingMode;
 
-/** How commands format numbers and texts, the same in every locale. */
+/** Form of numbers and texts in commands, the same in every locale. */
 public final class TextFormat {
 
     private static final double NANOS_PER_MS = 1e6;

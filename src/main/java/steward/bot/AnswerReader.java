@@ -22,7 +22,7 @@ public final class AnswerReader {
 
     private static final byte[] NEWLINE = {'\n'};
 
-    /** How waiting for an answer ended. */
+    /** Outcome of waiting for an answer. */
     public enum Outcome {
         /** All lines were received. */
         COMPLETE,

@@ -11,7 +11,7 @@ import steward.Internal;
  */
 public interface Player extends AutoCloseable {
 
-    /** How a call to {@link #ask} ended. */
+    /** Ending of a call to {@link #ask}. */
     enum Ending {
         /** The answer is complete; {@link Answer#length()} bytes are there. */
         ANSWERED,

@@ -66,7 +66,7 @@ record GameRecording(double[][] checkpoints, State start, ShownFrame first, List
     }
 
     /**
-     * How a player stands.
+     * Counters of a player.
      *
      * @param rank      0 for the best
      * @param turnsLeft to pass a checkpoint

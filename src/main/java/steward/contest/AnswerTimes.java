@@ -1,7 +1,7 @@
 package steward.contest;
 
 /**
- * How long one bot took to answer, in one game or in many: counted in buckets of equal relative width, so that games
+ * Times that one bot took to answer, in one game or in many: counted in buckets of equal relative width, so that games
  * add up and nothing grows with them. The first answers of games, which include the start of a program, are apart.
  *
  * <p>The buckets are those of HdrHistogram (G. Tene): below 2^7 ns one for each nanosecond, above 64 for each power of

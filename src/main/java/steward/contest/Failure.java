@@ -8,7 +8,7 @@ import steward.bot.FaultMessages;
 import steward.bot.TimeSpent;
 
 /**
- * How a bot failed as a program in one game.
+ * Failure of a bot as a program in one game.
  *
  * @param player its place in the game
  * @param turn   in which it failed, counted from 1

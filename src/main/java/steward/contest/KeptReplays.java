@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.Locale;
 import java.util.Optional;
 
-/** Which replays of a series are kept. */
+/** Choice of the replays of a series that are kept. */
 public enum KeptReplays {
 
     /** Every one; also that of a game that was broken off, if it has a turn. */

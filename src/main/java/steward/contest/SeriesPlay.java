@@ -23,7 +23,7 @@ import steward.match.MatchResult;
  */
 public final class SeriesPlay {
 
-    /** How one match is played, as {@link Contest#play} does. */
+    /** Play of one match, as {@link Contest#play} does it. */
     public interface MatchPlay {
 
         /** See {@link Contest#play}; in some attempts at a game bots are held, see {@link Attempts}. */

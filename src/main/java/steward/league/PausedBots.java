@@ -18,7 +18,7 @@ import java.util.TreeMap;
  */
 public final class PausedBots {
 
-    /** How a bot stands at a decision. */
+    /** State of a bot at a decision. */
     enum State {
         PLAYS, PAUSED,
         /** An answer that depends on games that are not over. */

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * How a match ended.
+ * Result of a match.
  *
  * @param turns   turns played
  * @param ending  one sentence without its full stop

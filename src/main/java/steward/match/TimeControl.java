@@ -4,7 +4,7 @@ import steward.bot.TimeBasis;
 import steward.scene.Time;
 
 /**
- * How long players may take.
+ * Time limits of players.
  *
  * @param firstNanos the limit of the first answer, in nanoseconds; it includes the start of a process
  * @param turnNanos  the limit of every later answer; {@code Long.MAX_VALUE} is no deadline

@@ -8,8 +8,9 @@ import steward.physics.HalfPlane;
 import steward.scene.Field;
 
 /**
- * Whether a pod can come near enough to a checkpoint. A checkpoint is out of reach for sure if all places that count
- * are in one obstacle, or beyond two straight walls, or parted from the starts by obstacles with no gap for a pod.
+ * Reachability of a checkpoint: true if a pod can come near enough to it. A checkpoint is out of reach for sure if all
+ * places that count are in one obstacle, or beyond two straight walls, or parted from the starts by obstacles with no
+ * gap for a pod.
  */
 final class CheckpointReach {
 

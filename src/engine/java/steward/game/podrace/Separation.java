@@ -10,7 +10,7 @@ import steward.scene.Bumper;
 import steward.scene.Field;
 
 /**
- * Whether walls and bumpers part two places, for the centre of a pod: each obstacle is grown by the pod's radius.
+ * Test for walls and bumpers that part two places, for the centre of a pod: each obstacle is grown by the pod's radius.
  */
 final class Separation {
 

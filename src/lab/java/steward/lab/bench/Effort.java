@@ -1,6 +1,6 @@
 package steward.lab.bench;
 
-/** How long to measure. */
+/** Amount of measuring. */
 public enum Effort {
     /** Seconds: to see that it works. */
     QUICK(50, 3, 20),

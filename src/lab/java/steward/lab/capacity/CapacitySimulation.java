@@ -47,7 +47,7 @@ public final class CapacitySimulation {
     private double playingNanos;
 
     /**
-     * Who plays.
+     * Setting of a simulation: the league's machine and its workers.
      *
      * @param processors of the league's machine
      * @param workers    games that they play at the same time, all together

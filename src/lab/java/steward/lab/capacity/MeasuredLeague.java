@@ -107,7 +107,7 @@ public final class MeasuredLeague {
     }
 
     /**
-     * How long is measured.
+     * Length of a measurement.
      *
      * @param perSecond   games that begin in a second at most
      * @param warmSeconds before

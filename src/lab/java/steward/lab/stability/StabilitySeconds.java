@@ -11,10 +11,10 @@ import steward.Internal;
 import steward.lab.trial.RunLength;
 
 /**
- * How long each row of the stability table takes, approximately: for announcements and for the time left. The resource
- * {@code stability-seconds.csv} has a line per case and rung, with the seconds of {@code steward stability --quick} and
- * of {@code steward stability} as their {@code --out} told them on a machine with two cores; the last column says how
- * many times as much work the long version does as the normal one, by the counts in the cases.
+ * Approximate seconds of each row of the stability table: for announcements and for the time left. The resource {@code
+ * stability-seconds.csv} has a line per case and rung, with the seconds of {@code steward stability --quick} and of
+ * {@code steward stability} as their {@code --out} told them on a machine with two cores; the last column says how many
+ * times as much work the long version does as the normal one, by the counts in the cases.
  */
 @Internal
 public final class StabilitySeconds {

@@ -3,7 +3,7 @@ package steward.lab.statistics;
 import java.util.Locale;
 
 /**
- * How often the truth was within the bars of differences, by pairing.
+ * Coverage of the bars of differences, by pairing: the share of leagues in which the truth was within.
  *
  * @param leagues how many were played
  * @param least   the lowest share over pairings whose expected score is in 5..95%; NaN if there is none

@@ -6,7 +6,7 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * Which variables a bot inherits. Without a wish for more or less: at {@link SandboxLevel#STRICT} a short list, at the
+ * Variables that a bot inherits. Without a wish for more or less: at {@link SandboxLevel#STRICT} a short list, at the
  * other levels all but those whose names look like secrets.
  *
  * @param clean whether it is the short list at every level

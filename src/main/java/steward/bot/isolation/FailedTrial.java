@@ -6,8 +6,8 @@ import java.nio.file.Path;
 import java.util.regex.Pattern;
 
 /**
- * Why a trial of a level failed: what the program said, and what is known to cause just that. A property of the machine
- * is named only where the step that failed is one that it forbids.
+ * Reason why a trial of a level failed: the program's words, and the known causes of just that. A property of the
+ * machine is named only where the step that failed is one that it forbids.
  *
  * @param switchedOff whether the kernel's switches for user namespaces are off
  * @param appArmor    whether AppArmor restricts them

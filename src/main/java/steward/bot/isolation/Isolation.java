@@ -6,7 +6,7 @@ import java.util.List;
 import steward.bot.hold.HoldPolicy;
 
 /**
- * How bots are started: at which level, and what they get in it.
+ * Isolation in which bots are started: the level, and the limits and files that they get in it.
  *
  * @param level       which works on this machine, see {@link SandboxSupport}
  * @param network     whether the loopback device of a network namespace is brought up

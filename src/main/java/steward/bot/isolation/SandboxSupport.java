@@ -5,7 +5,7 @@ import steward.bot.command.ProgramFinder;
 import steward.bot.command.ProgramTrial;
 import steward.text.TextFormat;
 
-/** Which levels work on this machine. Each is tried once in a JVM, when it is asked for. */
+/** Levels of isolation that work on this machine. Each is tried once in a JVM, when it is asked for. */
 public final class SandboxSupport {
 
     /** How long a trial may take, in milliseconds. */

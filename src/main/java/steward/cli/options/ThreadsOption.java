@@ -85,7 +85,7 @@ public final class ThreadsOption {
         return Math.max(1, Math.min(processors == 2 && idle ? 2 : processors - 1, CallCheck.MOST_THREADS));
     }
 
-    /** How busy other programs keep the processors. */
+    /** Load of the processors by other programs. */
     private static final class Load {
 
         private static final long SAMPLE_MS = 200;

@@ -12,7 +12,7 @@ import steward.league.sequential.ScoreCounts;
 import steward.text.TextFormat;
 import tools.jackson.core.JsonGenerator;
 
-/** How a test stands, for people and for programs. */
+/** Text on the state of a test, for people and for programs. */
 final class SprtText {
 
     /** Half the width of a bar that says nothing: a score at its end could be even. */

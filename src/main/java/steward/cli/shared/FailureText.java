@@ -4,7 +4,7 @@ import java.io.PrintStream;
 import steward.contest.Failure;
 import steward.text.TextFormat;
 
-/** Why a bot failed, for people. */
+/** Reason of a bot's failure, for people. */
 public final class FailureText {
 
     private static final int LONGEST_LAST = 120;

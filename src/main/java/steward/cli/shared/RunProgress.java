@@ -5,9 +5,9 @@ import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
 
 /**
- * How far a run of many parts is and how long all the rest will take, on one line of a terminal. Parts differ in length
- * by factors of thousands, so each counts by the time that it is expected to take; how much slower or faster this
- * machine is shows as the run goes on.
+ * Progress of a run of many parts, and the time that all the rest will take, on one line of a terminal. Parts differ in
+ * length by factors of thousands, so each counts by the time that it is expected to take; how much slower or faster
+ * this machine is shows as the run goes on.
  */
 public final class RunProgress {
 

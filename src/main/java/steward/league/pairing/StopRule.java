@@ -8,7 +8,7 @@ import steward.league.rating.Difference;
 import steward.league.rating.Ratings;
 
 /**
- * When enough is known. All by bars that hold at any time.
+ * Rule by which enough is known. All by bars that hold at any time.
  *
  * @param bars   ends when each bot's rating has a bar of at most so many Elo; NaN for no such end
  * @param ranked ends when every two neighbours in the table are ordered or equal

@@ -71,7 +71,7 @@ public final class LeagueRun {
     private Pauses pauses;
 
     /**
-     * How long to play.
+     * Limits of a run.
      *
      * @param threads games at the same time
      * @param games   that the schedule has in all when the run ends; {@code Long.MAX_VALUE} for no end
@@ -243,7 +243,7 @@ public final class LeagueRun {
         }
     }
 
-    /** Who plays games. */
+    /** Player of games. */
     private interface Player {
         /** As {@link Elsewhere#play}. */
         List<List<StoredGame>> play(List<Elsewhere.Game> games) throws InterruptedException;

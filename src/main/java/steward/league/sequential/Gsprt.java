@@ -48,7 +48,7 @@ public record Gsprt(double elo0, double elo1, double alpha, double beta, Model m
         LOGISTIC
     }
 
-    /** How it stands. */
+    /** State of a test. */
     public enum State {
         /** The difference is rather elo0 or less. */
         H0,

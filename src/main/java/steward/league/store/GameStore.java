@@ -262,7 +262,7 @@ public final class GameStore implements AutoCloseable {
     }
 
     /**
-     * How a game ended, by seat.
+     * Outcome of a game, by seat.
      *
      * @param ranks  0 is best
      * @param scores the game's own

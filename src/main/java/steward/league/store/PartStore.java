@@ -28,7 +28,7 @@ public final class PartStore implements AutoCloseable {
     private final int number;
 
     /**
-     * Which part of what.
+     * Head of a part: the part and the whole that it is of.
      *
      * @param part    from 1
      * @param parts   how many there are

@@ -42,7 +42,7 @@ public final class BrokerClient implements AutoCloseable {
     private final ClientProducer producer;
     private final ClientConsumer told;
 
-    /** Why there is no connection, or no longer. */
+    /** Failure of a connection: it could not be made, or it broke. */
     public static final class BrokenException extends Exception {
 
         private static final long serialVersionUID = 1;

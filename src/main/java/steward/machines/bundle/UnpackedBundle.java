@@ -43,7 +43,7 @@ public record UnpackedBundle(Path folder, BotCommand command, List<String> words
         words = List.copyOf(words);
     }
 
-    /** Whether a program can be started in a folder of its own by {@code env -C}. */
+    /** Test for programs that can be started in a folder of their own by {@code env -C}. */
     private static final class Change {
         static final boolean POSSIBLE = find();
 

@@ -91,7 +91,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
     }
 
     /**
-     * How workers are served.
+     * Service to workers: its address and its rules.
      *
      * @param address    to listen at
      * @param share      of the games whose bots are asked again, 0..1

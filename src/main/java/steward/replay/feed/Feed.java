@@ -20,7 +20,7 @@ import steward.replay.verify.Resimulation;
  */
 public final class Feed {
 
-    /** How feeding ended. */
+    /** Ending of feeding. */
     public enum Ending {
         /** All turns were sent in which the player was asked, and the end of the match if it has one. */
         WHOLE,

@@ -12,7 +12,7 @@ import tools.jackson.core.JsonToken;
 import tools.jackson.core.ObjectReadContext;
 
 /**
- * Where a recorded match and its re-simulation first differ.
+ * First place where a recorded match and its re-simulation differ.
  *
  * @param turn     counted from 1; 0 is the start, before the first turn
  * @param field    path of the field, such as {@code state.bodies[2].x}

@@ -7,8 +7,8 @@ import steward.physics.Impact;
 import steward.physics.TurnLog;
 
 /**
- * How far times and impulses of the impacts of a turn move when each sine and cosine of that turn is a unit in the last
- * place off: the range in which another referee's values must lie where they are not equal to the last bit.
+ * Range of the times and impulses of a turn's impacts when each sine and cosine of that turn is a unit in the last
+ * place off: another referee's values must lie in it where they are not equal to the last bit.
  */
 final class ImpactRange {
 

@@ -13,7 +13,7 @@ import steward.league.rating.Difference;
 import steward.league.rating.Ratings;
 import steward.text.TextFormat;
 
-/** When enough is known to end a league. */
+/** Options for when a league knows enough to end. */
 final class UntilOptions {
 
     private static final double MOST_ELO = 1000;

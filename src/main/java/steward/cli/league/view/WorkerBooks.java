@@ -8,7 +8,7 @@ import steward.league.store.GameQueries;
 import steward.league.store.GameStore;
 import steward.machines.check.WorkerBook;
 
-/** Who played the games of a league, from what is stored. */
+/** Players of a league's games, from what is stored. */
 public final class WorkerBooks {
 
     private WorkerBooks() {
