@@ -26,7 +26,7 @@ final class Race {
     double[] bumperY = new double[4];
     double[] bumperRadius = new double[4];
 
-    /** How many checkpoints a pod must pass to finish. */
+    /** Returns how many checkpoints a pod must pass to finish. */
     int toFinish() {
         return laps * checkpoints;
     }

@@ -78,7 +78,7 @@ public abstract class CommandsAnswer<C> extends JsonAnswer {
         return (C) commands[index];
     }
 
-    /** How many commands the last array had before the first {@code null}. */
+    /** Returns how many commands the last array had before the first {@code null}. */
     public final int given() {
         return given;
     }

@@ -14,7 +14,7 @@ import steward.physics.TurnLog;
  */
 public interface Game {
 
-    /** How many players there are. */
+    /** Returns the number of players. */
     int players();
 
     /** Turns played. */
@@ -25,7 +25,7 @@ public interface Game {
         return eliminationReason(player) == null;
     }
 
-    /** Why the player was eliminated, or {@code null}. */
+    /** Returns why the player was eliminated, or {@code null}. */
     String eliminationReason(int player);
 
     /**

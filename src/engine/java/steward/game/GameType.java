@@ -43,7 +43,8 @@ public interface GameType {
         return scene.json();
     }
 
-    /** How the site's server shows this game in its recordings; without, none of them can be imported this way. */
+    /** Returns how the site's server shows this game in its recordings; without, none of them can be imported this way.
+     */
     @Internal
     default Optional<ServerView> serverView() {
         return Optional.empty();

@@ -74,7 +74,7 @@ public final class TurnEvents {
         size = 0;
     }
 
-    /** How many there are. */
+    /** Returns how many there are. */
     public int size() {
         return size;
     }

@@ -26,7 +26,7 @@ final class WideFraction {
         return set(other.high, other.middle, other.low);
     }
 
-    /** How many binary digits are 0 before the first that is 1: 64 at most. */
+    /** Returns how many binary digits are 0 before the first that is 1: 64 at most. */
     int leadingZeros() {
         return Long.numberOfLeadingZeros(high);
     }

@@ -82,7 +82,7 @@ public final class Contacts {
         return this;
     }
 
-    /** How many kinds of bodies there are. */
+    /** Returns how many kinds of bodies there are. */
     public int kinds() {
         return kinds;
     }

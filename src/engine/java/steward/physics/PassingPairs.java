@@ -18,7 +18,7 @@ public final class PassingPairs {
         return size == 0;
     }
 
-    /** How many pairs there are. */
+    /** Returns the number of pairs. */
     public int size() {
         return size;
     }

@@ -36,7 +36,10 @@ public final class Answer {
         return bytes;
     }
 
-    /** How many bytes of {@link #bytes()} count; with a fault, what had been received by then (shortened or empty). */
+    /**
+     * Returns how many bytes of {@link #bytes()} count; with a fault, what had been received by then (shortened or
+     * empty).
+     */
     public int length() {
         return length;
     }
@@ -54,7 +57,7 @@ public final class Answer {
         return nanos;
     }
 
-    /** Why the player failed (limit and time waited, exit status, ...), or {@code null}. */
+    /** Returns why the player failed (limit and time waited, exit status, ...), or {@code null}. */
     public String fault() {
         return fault;
     }
@@ -79,7 +82,7 @@ public final class Answer {
         held = stopped;
     }
 
-    /** Where the time of a late answer went; {@code null} if it was not late, or the player is no process. */
+    /** Returns where the time of a late answer went; {@code null} if it was not late, or the player is no process. */
     public TimeSpent timeSpent() {
         return timeSpent;
     }

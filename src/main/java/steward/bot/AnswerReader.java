@@ -85,7 +85,8 @@ public final class AnswerReader {
         }
     }
 
-    /** Where the next line end is, or {@code to}. A method of its own, so that the compiler optimises the loop. */
+    /** Returns where the next line end is, or {@code to}. A method of its own, so that the compiler optimises the loop.
+     */
     private static int newline(byte[] bytes, int from, int to) {
         for (int i = from; i < to; i++) {
             if (bytes[i] == '\n') {

@@ -85,7 +85,7 @@ final class OldRefereeLines {
         return ended;
     }
 
-    /** How many lines have been read. */
+    /** Returns how many lines have been read. */
     int number() {
         return number;
     }

@@ -6,7 +6,7 @@ import steward.replay.Observations;
 /** Observations of a match by a server whose answers are played again, and how far they go. */
 interface ServerObservations extends Observations {
 
-    /** How many turns were recorded. */
+    /** Returns how many turns were recorded. */
     int turns();
 
     /** True if no player said anything in a turn, counted from 1. */

@@ -75,7 +75,7 @@ public final class AnswerTimes {
         return (highest << shift) + ((1L << shift) - 1);
     }
 
-    /** How many answers, the first ones of games left out. */
+    /** Returns how many answers, the first ones of games left out. */
     public long count() {
         return count;
     }

@@ -292,8 +292,8 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
     }
 
     /**
-     * Which bot plays as a player when the bots have moved up by {@code rotation} places. Where each plays alone, the
-     * bots take turns so.
+     * Returns which bot plays as a player when the bots have moved up by {@code rotation} places. Where each plays
+     * alone, the bots take turns so.
      */
     public int entrantOf(int player, int rotation) {
         return (player + rotation) % entrants.size();

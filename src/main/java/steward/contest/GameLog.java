@@ -170,12 +170,12 @@ public final class GameLog implements MatchListener {
         return List.copyOf(last);
     }
 
-    /** How many turns have been played; may be asked by any thread. */
+    /** Returns how many turns have been played; may be asked by any thread. */
     int turns() {
         return turns;
     }
 
-    /** How long answers took, by player; when the game is over. */
+    /** Returns how long answers took, by player; when the game is over. */
     public List<AnswerTimes> times() {
         return List.of(times);
     }

@@ -57,7 +57,7 @@ public final class PairedPlay {
     /** A game that has been played before. */
     public interface Known {
 
-        /** How it went, or {@code null} if that is not known. */
+        /** Returns how it went, or {@code null} if that is not known. */
         Outcome outcome(long seed, int rotation);
     }
 

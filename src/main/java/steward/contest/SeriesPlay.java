@@ -236,7 +236,7 @@ public final class SeriesPlay {
         return brokenOff;
     }
 
-    /** Why the series ended before its last game, or {@code null}. */
+    /** Returns why the series ended before its last game, or {@code null}. */
     public synchronized String stopped() {
         return stopped;
     }

@@ -40,7 +40,7 @@ public final class LateFile extends OutputStream {
         }
     }
 
-    /** Why a file could not be made or replaced, {@code null} if nothing is in the way. */
+    /** Returns why a file could not be made or replaced, {@code null} if nothing is in the way. */
     private static String problem(Path path) {
         Path folder = path.toAbsolutePath().getParent();
         try {

@@ -154,7 +154,7 @@ public final class OutputFiles {
         return new InputException(file + ": exists already, and is kept; --overwrite would replace it");
     }
 
-    /** Why a file or folder cannot be written, without its name. */
+    /** Returns why a file or folder cannot be written, without its name. */
     public static String reason(Path file, IOException problem) {
         Path folder = file.toAbsolutePath().getParent();
         if (problem instanceof AccessDeniedException) {

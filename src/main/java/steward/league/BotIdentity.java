@@ -92,7 +92,7 @@ public final class BotIdentity {
         return files;
     }
 
-    /** Where the bundled bots are: an archive, or their classes. */
+    /** Returns where the bundled bots are: an archive, or their classes. */
     private static List<Path> bundled() {
         URL list = BuiltinBots.class.getClassLoader().getResource(BuiltinBots.RESOURCE);
         if (list == null) {

@@ -99,7 +99,7 @@ public record LeagueSettings(String scene, long seed, String gauntlet, boolean a
         return hold() == HoldPolicy.BURNERS ? text : text + ", hold " + hold().word();
     }
 
-    /** Which bots are stopped while others are asked. */
+    /** Returns which bots are stopped while others are asked. */
     public HoldPolicy hold() {
         int option = sandbox.indexOf(HOLD);
         return option < 0 ? HoldPolicy.BURNERS : HoldPolicy.of(sandbox.get(option + 1)).orElse(HoldPolicy.BURNERS);
@@ -117,7 +117,7 @@ public record LeagueSettings(String scene, long seed, String gauntlet, boolean a
             bots);
     }
 
-    /** How bots are paired, as it is written in the file. */
+    /** Returns how bots are paired, as it is written in the file. */
     public String pairing() {
         return gauntlet != null ? LeagueReader.GAUNTLET + gauntlet
             : adaptive ? LeagueReader.ADAPTIVE : LeagueReader.ROUND_ROBIN;

@@ -98,7 +98,7 @@ public final class PausedBots {
             : row.decisions.computeIfAbsent(decision, any -> new Count());
     }
 
-    /** How a version stands at a decision; those {@code lag} or more back are over. */
+    /** Returns how a version stands at a decision; those {@code lag} or more back are over. */
     State at(int version, int decision) {
         Row row = row(version);
         while (!row.decisions.isEmpty() && row.decisions.firstKey() <= decision - lag && row.failures < most) {

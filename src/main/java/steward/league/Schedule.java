@@ -161,7 +161,7 @@ public final class Schedule {
         end = isEnd;
     }
 
-    /** How many games of the schedule have been played or given out. */
+    /** Returns how many games of the schedule have been played or given out. */
     public long games() {
         return games;
     }

@@ -80,7 +80,7 @@ public final class Turn {
         return number;
     }
 
-    /** How many players there are, including those who are out. */
+    /** Returns the number of players, including those who are out. */
     public int players() {
         return asked.length;
     }
@@ -103,12 +103,12 @@ public final class Turn {
         return answers[player] == null ? null : answers[player].text();
     }
 
-    /** How the player failed in this turn, or {@code null}. */
+    /** Returns how the player failed in this turn, or {@code null}. */
     public String fault(int player) {
         return faults[player];
     }
 
-    /** Where the time of a late answer went; {@code null} if it was not late, or the player is no process. */
+    /** Returns where the time of a late answer went; {@code null} if it was not late, or the player is no process. */
     public TimeSpent timeSpent(int player) {
         return timeSpent[player];
     }
@@ -129,7 +129,7 @@ public final class Turn {
         return stderr[player];
     }
 
-    /** How long the player took, in nanoseconds. */
+    /** Returns how long the player took, in nanoseconds. */
     public long nanos(int player) {
         return nanos[player];
     }

@@ -73,7 +73,7 @@ public record RecordedTurn(int number, byte[] commands, String[] faults, String 
             && Arrays.equals(commands, from, to, json, 0, length);
     }
 
-    /** Where an entry of the array of commands begins, or -1 if there are fewer. */
+    /** Returns where an entry of the array of commands begins, or -1 if there are fewer. */
     private int element(int number) {
         int passed = 0;
         int depth = 0;
@@ -99,7 +99,7 @@ public record RecordedTurn(int number, byte[] commands, String[] faults, String 
         return -1;
     }
 
-    /** How long the player took, in nanoseconds; 0 if that was not recorded. */
+    /** Returns how long the player took, in nanoseconds; 0 if that was not recorded. */
     public long nanos(int player) {
         if (times == null) {
             return 0;

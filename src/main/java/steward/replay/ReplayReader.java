@@ -281,7 +281,7 @@ public final class ReplayReader implements AutoCloseable {
         return plain ? text : null;
     }
 
-    /** How bots were kept apart, as the line of the signature says it; or {@code null} where it does not. */
+    /** Returns how bots were kept apart, as the line of the signature says it; or {@code null} where it does not. */
     public String isolation() {
         return signature != null && signature.has("isolation") ? signature.text("isolation") : null;
     }
@@ -371,7 +371,8 @@ public final class ReplayReader implements AutoCloseable {
     }
 
     /**
-     * Where the next line end is, or {@code to}. Eight bytes are tested at once: XOR with line feeds makes one zero.
+     * Returns where the next line end is, or {@code to}. Eight bytes are tested at once: XOR with line feeds makes one
+     * zero.
      */
     private static int lineEnd(byte[] bytes, int from, int to) {
         int at = from;

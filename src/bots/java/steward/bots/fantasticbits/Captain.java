@@ -110,7 +110,7 @@ public final class Captain extends FantasticBitsBot {
         orders.toss(wizard.x + 10 * (dx / far * speed - wizard.vx), wizard.y + 10 * (dy / far * speed - wizard.vy));
     }
 
-    /** How far the nearest rival or bludger is from a line, as far as it matters. */
+    /** Returns how far the nearest rival or bludger is from a line, as far as it matters. */
     private static double clearance(Situation now, Entity from, double x, double y) {
         double dx = x - from.x;
         double dy = y - from.y;

@@ -139,7 +139,7 @@ public final class Glutton extends ChipBot {
         }
     }
 
-    /** Where a place beyond a wall is after the bounces. */
+    /** Returns where a place beyond a wall is after the bounces. */
     private static double folded(double place, double wall) {
         double folded = place;
         for (int bounce = 0; Math.abs(folded) > wall && bounce < 20; bounce++) {

@@ -23,7 +23,7 @@ public enum Spell {
         return ALL[number];
     }
 
-    /** How many there are. */
+    /** Returns how many there are. */
     public static int count() {
         return ALL.length;
     }

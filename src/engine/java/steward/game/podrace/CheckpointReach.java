@@ -78,7 +78,7 @@ final class CheckpointReach {
         return shutOut;
     }
 
-    /** How near to a checkpoint without jitter a pod that reaches it can be at most. */
+    /** Returns how near to a checkpoint without jitter a pod that reaches it can be at most. */
     private double counts() {
         return checkpointRadius + ROUNDING + jitter * Math.sqrt(2);
     }

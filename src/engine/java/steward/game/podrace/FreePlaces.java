@@ -85,7 +85,7 @@ final class FreePlaces {
         return part;
     }
 
-    /** Where a circle goes into or out of an obstacle, in order; 0 if nowhere. */
+    /** Returns where a circle goes into or out of an obstacle, in order; 0 if nowhere. */
     private double[] angles(double x, double y, double radius) {
         Crossings crossings = new Crossings(x, y, radius);
         for (Bumper bumper : field.bumpers()) {

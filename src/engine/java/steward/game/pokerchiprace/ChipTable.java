@@ -158,7 +158,7 @@ public final class ChipTable {
         return sum;
     }
 
-    /** How many chips stand in a player's list. */
+    /** Returns how many chips stand in a player's list. */
     public int owned(int player) {
         return owned[player];
     }

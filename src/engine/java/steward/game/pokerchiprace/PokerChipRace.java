@@ -244,7 +244,7 @@ public final class PokerChipRace extends AbstractGame {
         return ranking.score(player);
     }
 
-    /** When a player has lost its last chip: the turn and the time within it; below 0 while it has one. */
+    /** Returns when a player has lost its last chip: the turn and the time within it; below 0 while it has one. */
     public double lost(int player) {
         return lost[player];
     }

@@ -319,7 +319,7 @@ public final class SearchRace extends AbstractGame {
         return timer;
     }
 
-    /** When in the last turn the last checkpoint was passed, {@link #NOT_PASSED} if none was. */
+    /** Returns when in the last turn the last checkpoint was passed, {@link #NOT_PASSED} if none was. */
     public double passTime() {
         return passTime;
     }

@@ -94,7 +94,7 @@ public final class QueueAdvance implements Advance {
         passing = ContactResponse.of(parts, collision, walls);
     }
 
-    /** Why a law needs a scan of all pairs after each impact, or {@code null} if it does not. */
+    /** Returns why a law needs a scan of all pairs after each impact, or {@code null} if it does not. */
     public static String refusal(ImpactLaw law) {
         return law.batchWindow() > 0 ? "impacts within batchWindow react together"
             : law.separatingPairsReact() ? "separatingPairs react" : null;

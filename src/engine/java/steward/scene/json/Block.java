@@ -274,7 +274,7 @@ public final class Block {
         return object.entries().containsKey(name);
     }
 
-    /** How errors name the file. */
+    /** Returns how errors name the file. */
     public String source() {
         return source;
     }
@@ -328,7 +328,7 @@ public final class Block {
         return path.isEmpty() ? name : path + "." + name;
     }
 
-    /** How an error names the value of a field. */
+    /** Returns how an error names the value of a field. */
     public String shown(String name) {
         Entry entry = object.entries().get(name);
         return entry == null ? "nothing" : entry.value().shown();

@@ -19,12 +19,12 @@ public enum Effort {
         this.roundMs = roundMs;
     }
 
-    /** How long each contender warms up, in milliseconds of CPU time. */
+    /** Returns how long each contender warms up, in milliseconds of CPU time. */
     public long warmUpMs() {
         return warmUpMs;
     }
 
-    /** How many measurements the median is taken of. */
+    /** Returns how many measurements the median is taken of. */
     public int rounds() {
         return rounds;
     }

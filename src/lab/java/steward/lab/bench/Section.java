@@ -11,7 +11,7 @@ public interface Section {
     /** Describes the measurement in one or two sentences for the page. */
     String about();
 
-    /** How often {@link #run} will report what is measured, approximately. */
+    /** Returns how often {@link #run} will report what is measured, approximately. */
     int steps(Effort effort);
 
     /**

@@ -134,7 +134,7 @@ public final class CapacitySimulation {
             delays == 0 ? 0 : delayNanos / delays / 1e6, insideNanos / time);
     }
 
-    /** How many games the part has worked on that had the least time left: that many can end, and no more. */
+    /** Returns how many games the part has worked on that had the least time left: that many can end, and no more. */
     private double busiest(double time) {
         double share = busyNanos / time / setting.processors();
         double games = busyNanos / (costs.total() * NANOS_PER_US);

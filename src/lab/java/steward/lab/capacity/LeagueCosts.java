@@ -47,7 +47,7 @@ public record LeagueCosts(double broker, double messages, double check, double a
     }
 
     /**
-     * How many games in a second a part can take at most.
+     * Returns how many games in a second a part can take at most.
      *
      * @param processors of the league's machine
      */

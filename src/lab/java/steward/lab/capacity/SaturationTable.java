@@ -90,7 +90,7 @@ public record SaturationTable(LeagueCosts costs, int processors, List<Row> rows,
         return counts;
     }
 
-    /** How many simulations {@link #of} makes. */
+    /** Returns how many simulations {@link #of} makes. */
     public static int steps(int workers) {
         return counts(workers).size() + 1 + LARGER.size();
     }

@@ -20,7 +20,7 @@ final class GoldenSuite {
     private GoldenSuite() {
     }
 
-    /** How many parts there are, of all games. */
+    /** Returns the number of parts, of all games. */
     static int count() {
         return GoldenHash.WORLDS * Rung.all().size() + SceneFiles.shipped().size() * (Arithmetic.values().length + 1);
     }

@@ -55,7 +55,7 @@ public record TradeoffHeadings(String headings, long podTurns, long differing, d
         private final double[] byVector = new double[4 * BLOCK];
     }
 
-    /** How many steps of progress {@link #measure} makes. */
+    /** Returns how many steps of progress {@link #measure} makes. */
     public static int steps(int podTurns) {
         return (podTurns + BLOCK - 1) / BLOCK;
     }

@@ -77,7 +77,7 @@ public final class TreeSampler {
         return Support.CPU;
     }
 
-    /** How many processors the machine has. */
+    /** Returns how many processors the machine has. */
     public static int processors() {
         return Support.PROCESSORS;
     }

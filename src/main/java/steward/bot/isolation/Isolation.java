@@ -81,8 +81,8 @@ public record Isolation(SandboxLevel level, boolean network, ResourceLimits limi
     }
 
     /**
-     * Which bots are stopped in fact: at {@link SandboxLevel#OFF} burners are not, since bots there can hide what they
-     * use.
+     * Returns which bots are stopped in fact: at {@link SandboxLevel#OFF} burners are not, since bots there can hide
+     * what they use.
      */
     public HoldPolicy holds() {
         return level == SandboxLevel.OFF && hold == HoldPolicy.BURNERS ? HoldPolicy.NEVER : hold;

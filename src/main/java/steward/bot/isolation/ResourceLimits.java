@@ -61,7 +61,7 @@ public record ResourceLimits(long memory, long processes, long fileSize, long op
         }
     }
 
-    /** Where this one has no limit, the other's. */
+    /** Returns where this one has no limit, the other's. */
     public ResourceLimits orElse(ResourceLimits other) {
         return new ResourceLimits(or(memory, other.memory), or(processes, other.processes),
             or(fileSize, other.fileSize), or(openFiles, other.openFiles));

@@ -31,7 +31,7 @@ public final class SandboxSupport {
         static final String PROBLEM = tried(List.of("setsid", "bwrap", "sh"), SandboxLevel.STRICT);
     }
 
-    /** Why a level does not work here, or {@code null} if it does. */
+    /** Returns why a level does not work here, or {@code null} if it does. */
     public static String problem(SandboxLevel level) {
         return switch (level) {
             case OFF -> null;

@@ -112,7 +112,7 @@ final class QuestionClock {
         writing = false;
     }
 
-    /** When the watchdog is to look for the first time. */
+    /** Returns when the watchdog is to look for the first time. */
     long firstLook() {
         return later(start, limit / QUARTER);
     }
@@ -173,8 +173,8 @@ final class QuestionClock {
     }
 
     /**
-     * How long the processes must have been computing, if all processors were theirs. A bot whose threads keep the
-     * referee from running is charged for that.
+     * Returns how long the processes must have been computing, if all processors were theirs. A bot whose threads keep
+     * the referee from running is charged for that.
      */
     private long computed() {
         return cpu() / TreeSampler.processors();
@@ -227,7 +227,7 @@ final class QuestionClock {
         return ledger != null && ledgerOf == number ? ledger.cpu() : 0;
     }
 
-    /** How long the samples of the question are apart: CPU time is counted from before the frame is written. */
+    /** Returns how long the samples of the question are apart: CPU time is counted from before the frame is written. */
     private synchronized long sampledSpan() {
         return ledger.until() - ledger.since();
     }
@@ -262,19 +262,19 @@ final class QuestionClock {
         return unread;
     }
 
-    /** How long ago the clock was started. */
+    /** Returns how long ago the clock was started. */
     long passed(long now) {
         return now - start;
     }
 
-    /** How long the bot had taken at the verdict, without what is not charged. */
+    /** Returns how long the bot had taken at the verdict, without what is not charged. */
     long taken() {
         return taken;
     }
 
     /**
-     * Where the time of a missed deadline went. The first call looks at the processes for the last time, so that it has
-     * to come before they are killed; later ones return the same.
+     * Returns where the time of a missed deadline went. The first call looks at the processes for the last time, so
+     * that it has to come before they are killed; later ones return the same.
      *
      * @param taken what was charged
      */
@@ -292,7 +292,7 @@ final class QuestionClock {
         return basis;
     }
 
-    /** When the clock was started. */
+    /** Returns when the clock was started. */
     long started() {
         return start;
     }

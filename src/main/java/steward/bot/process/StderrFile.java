@@ -81,7 +81,7 @@ final class StderrFile {
         }
     }
 
-    /** Where these files are made. */
+    /** Returns where these files are made. */
     static Path folder() {
         return Path.of(System.getProperty("java.io.tmpdir"));
     }
@@ -191,7 +191,7 @@ final class StderrFile {
         return count;
     }
 
-    /** Where the first whole line in the buffer begins; where none does, the first whole character. */
+    /** Returns where the first whole line in the buffer begins; where none does, the first whole character. */
     private int endStart(int length) {
         for (int i = 0; i < length - 1; i++) {
             if (buffer[i] == '\n') {

@@ -44,7 +44,7 @@ public final class ThreadsOption {
         return threads != null;
     }
 
-    /** How many games at the same time; warns if there are too few processors for them. */
+    /** Returns how many games at the same time; warns if there are too few processors for them. */
     public int count(Streams streams) {
         int processors = Runtime.getRuntime().availableProcessors();
         counted = counted == 0 ? threads(processors) : counted;

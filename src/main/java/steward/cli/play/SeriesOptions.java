@@ -98,7 +98,7 @@ final class SeriesOptions {
         return games != null || swap;
     }
 
-    /** How many seeds. */
+    /** Returns how many seeds. */
     int games() {
         return games == null ? 1 : games;
     }
@@ -120,7 +120,7 @@ final class SeriesOptions {
         return Optional.ofNullable(hiccups).flatMap(Hiccups::of).orElse(Hiccups.REPLAY);
     }
 
-    /** How many games at the same time; warns if there are too few processors for them. */
+    /** Returns how many games at the same time; warns if there are too few processors for them. */
     int threads(Streams streams) {
         return threads.count(streams);
     }

@@ -46,7 +46,7 @@ record FeedSession(Streams streams, RecordedMatch match, int player, BotCommand 
         int with(AttendedProcess process, FeedReport report, WaitingNotice waiting) throws InterruptedException;
     }
 
-    /** Where readable text goes. */
+    /** Returns where readable text goes. */
     PrintStream text() {
         return json || piped ? streams.err() : streams.out();
     }

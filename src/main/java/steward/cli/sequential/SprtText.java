@@ -74,7 +74,7 @@ final class SprtText {
         return Math.round(scores.games() * Math.max(least, expected));
     }
 
-    /** How it ended or stands. */
+    /** Returns how it ended or stands. */
     List<String> lines(ScoreCounts scores, Unused unused, Colour colour) {
         List<String> lines = new ArrayList<>();
         Gsprt.State state = test.state(scores);

@@ -32,7 +32,7 @@ public final class RunProgress {
         total = expected.stream().mapToDouble(Double::doubleValue).sum();
     }
 
-    /** How long all parts together are expected to take, in seconds. */
+    /** Returns how long all parts together are expected to take, in seconds. */
     public double total() {
         return total;
     }
@@ -78,7 +78,7 @@ public final class RunProgress {
     }
 
     /**
-     * How long the rest will take, in seconds.
+     * Returns how long the rest will take, in seconds.
      *
      * @param elapsed seconds of the run so far
      * @param done    expected seconds of what is done

@@ -125,7 +125,7 @@ public final class Streams {
         return watched.problem != null;
     }
 
-    /** Why the output could not be written, or {@code null}; a reader that has closed it is no problem. */
+    /** Returns why the output could not be written, or {@code null}; a reader that has closed it is no problem. */
     public String outProblem() {
         out.flush();
         return watched.problem == null || watched.problem.contains("Broken pipe") ? null : watched.problem;

@@ -445,7 +445,7 @@ public final class LeagueRun {
         return games;
     }
 
-    /** Why it ended before its time, or {@code null}. */
+    /** Returns why it ended before its time, or {@code null}. */
     public synchronized String stopped() {
         return stopped;
     }
@@ -455,12 +455,12 @@ public final class LeagueRun {
         return roster;
     }
 
-    /** How many games the schedule has had, in this run and before. */
+    /** Returns how many games the schedule has had, in this run and before. */
     public synchronized long games() {
         return schedule.games() - underWay;
     }
 
-    /** How many have been stored in this run, attempts included. */
+    /** Returns how many have been stored in this run, attempts included. */
     public long stored() {
         return writer.stored();
     }

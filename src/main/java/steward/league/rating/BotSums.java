@@ -29,7 +29,7 @@ public final class BotSums {
         worstNanos = Math.max(worstNanos, worst);
     }
 
-    /** How many count. */
+    /** Returns how many count. */
     public long games() {
         return games;
     }

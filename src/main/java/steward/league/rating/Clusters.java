@@ -185,7 +185,7 @@ final class Clusters {
         return Arrays.copyOf(numbers, to);
     }
 
-    /** How many clusters there are. */
+    /** Returns the number of clusters. */
     long count() {
         joinAll();
         return shapes.values().stream().flatMap(patterns -> patterns.values().stream()).mapToLong(Long::longValue)

@@ -236,7 +236,7 @@ public final class RatingFit {
         return strata;
     }
 
-    /** How many bots there are. */
+    /** Returns the number of bots. */
     public int bots() {
         return bots;
     }

@@ -164,7 +164,7 @@ public final class Results {
         clusters.add(scores.keySet().stream().mapToInt(Integer::intValue).toArray(), List.of(ranks), count);
     }
 
-    /** How many clusters there are: games of one seed between the same bots. */
+    /** Returns the number of clusters: games of one seed between the same bots. */
     public long clusters() {
         return clusters.count();
     }
@@ -202,17 +202,17 @@ public final class Results {
         return sums.getOrDefault(version, new BotSums());
     }
 
-    /** How many games count. */
+    /** Returns how many games count. */
     public long games() {
         return games;
     }
 
-    /** How many were played again since the machine was starved, and do not count. */
+    /** Returns how many were played again since the machine was starved, and do not count. */
     public long playedAgain() {
         return again;
     }
 
-    /** How many have no result. */
+    /** Returns how many have no result. */
     public long withoutResult() {
         return without;
     }

@@ -104,7 +104,7 @@ public final class Stratum {
         }
     }
 
-    /** How many clusters there are. */
+    /** Returns the number of clusters. */
     public long clusters() {
         return clusters;
     }

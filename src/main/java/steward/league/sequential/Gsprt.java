@@ -111,7 +111,7 @@ public record Gsprt(double elo0, double elo1, double alpha, double beta, Model m
         return Arrays.stream(logs(scores)).map(Math::abs).max().orElseThrow();
     }
 
-    /** How it stands. */
+    /** Returns how it stands. */
     public State state(ScoreCounts scores) {
         if (scores.observations() < LEAST) {
             return State.OPEN;

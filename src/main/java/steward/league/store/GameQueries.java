@@ -281,7 +281,7 @@ public final class GameQueries {
             + "WHERE season = ?", season));
     }
 
-    /** How the ratings of these versions went. */
+    /** Returns how the ratings of these versions went. */
     public RatingPath path(List<LeagueTable.Entry> entries) {
         RatingPath.Collector path = new RatingPath.Collector(entries);
         database.with(() -> {

@@ -124,7 +124,7 @@ public final class GameStore implements AutoCloseable {
         });
     }
 
-    /** How many games a season has, of whatever kind. */
+    /** Returns how many games a season has, of whatever kind. */
     public long games(int season) {
         return database.with(() -> ((Number) database.value("SELECT count(*) FROM game WHERE season = ?", season))
             .longValue());
@@ -224,7 +224,7 @@ public final class GameStore implements AutoCloseable {
         database.inTransaction(() -> database.update("UPDATE version SET bot = ? WHERE bot = ?", name, bot));
     }
 
-    /** How many games of any season a version has that count. */
+    /** Returns how many games of any season a version has that count. */
     public long gamesOf(int version) {
         return database.with(() -> ((Number) database.value("SELECT count(*) FROM seat WHERE season IN "
             + "(SELECT id FROM season) AND version = ?", version)).longValue());
@@ -237,7 +237,7 @@ public final class GameStore implements AutoCloseable {
         return database.with(() -> database.value("SELECT 1 FROM game WHERE name = ?", (Object) name) != null);
     }
 
-    /** How the game of this name ended; empty if it is not there, was played again or has no result. */
+    /** Returns how the game of this name ended; empty if it is not there, was played again or has no result. */
     public Optional<Outcome> outcome(byte[] name) {
         return database.with(() -> {
             List<Integer> ranks = new ArrayList<>();
@@ -433,7 +433,7 @@ public final class GameStore implements AutoCloseable {
         }
     }
 
-    /** Where it is. */
+    /** Returns where it is. */
     public Path file() {
         return database.file();
     }

@@ -122,7 +122,7 @@ public final class PartStore implements AutoCloseable {
         }
     }
 
-    /** Which part it is. */
+    /** Returns which part it is. */
     public Head head() {
         return head;
     }
@@ -142,7 +142,7 @@ public final class PartStore implements AutoCloseable {
         return new GameQueries(games, number, season);
     }
 
-    /** How many games it has. */
+    /** Returns how many games it has. */
     public long count() {
         return games.games(number);
     }

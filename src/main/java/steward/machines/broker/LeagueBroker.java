@@ -247,7 +247,7 @@ public final class LeagueBroker implements AutoCloseable {
         }
     }
 
-    /** Who has a job, or {@code null}. */
+    /** Returns who has a job, or {@code null}. */
     public String holder(String job) {
         return leases.holder(job);
     }

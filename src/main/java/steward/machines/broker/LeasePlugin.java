@@ -33,7 +33,7 @@ final class LeasePlugin implements ActiveMQServerPlugin {
         }
     }
 
-    /** Who has a job, or {@code null}. */
+    /** Returns who has a job, or {@code null}. */
     String holder(String job) {
         return leases.get(job);
     }

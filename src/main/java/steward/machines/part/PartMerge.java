@@ -83,7 +83,7 @@ public final class PartMerge {
             .computeIfAbsent(game.decision(), key -> new HashSet<>()).add(group(game.lineup())));
     }
 
-    /** Who meets in a decision: alone each on the same map. */
+    /** Returns who meets in a decision: alone each on the same map. */
     private String group(int... lineup) {
         int[] sorted = lineup.clone();
         Arrays.sort(sorted);

@@ -30,7 +30,7 @@ final class JobSize {
         means.remove(worker);
     }
 
-    /** How many games should go together, from 1 to so many; 1 if nothing is known. */
+    /** Returns how many games should go together, from 1 to so many; 1 if nothing is known. */
     synchronized int games(int most) {
         double slowest = means.values().stream().mapToDouble(mean -> mean).max().orElse(Double.POSITIVE_INFINITY);
         return (int) Math.max(1, Math.min(Math.min(most, GameJob.MOST_GAMES), JOB_NANOS / Math.max(1, slowest)));

@@ -74,7 +74,7 @@ final class OfferedJobs {
         this.teller = teller;
     }
 
-    /** How many have gone together, on average; 1 if none have. */
+    /** Returns how many have gone together, on average; 1 if none have. */
     synchronized double perJob() {
         return jobs == 0 ? 1 : (double) games / jobs;
     }
@@ -118,7 +118,7 @@ final class OfferedJobs {
         }
     }
 
-    /** How many characters a bot takes in a header, at most. */
+    /** Returns how many characters a bot takes in a header, at most. */
     private static int size(GameJob.Seat bot) {
         return 6 * bot.name().length() + 200;
     }

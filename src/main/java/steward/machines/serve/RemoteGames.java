@@ -161,7 +161,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
         notifyAll();
     }
 
-    /** How many games have gone together, on average. */
+    /** Returns how many games have gone together, on average. */
     public double perJob() {
         return offered.perJob();
     }

@@ -24,7 +24,7 @@ final class WorkerState {
         this.name = name;
     }
 
-    /** How the texts begin that say where its games were played. */
+    /** Returns how the texts begin that say where its games were played. */
     static String machine(String name) {
         return "worker " + name + ": ";
     }

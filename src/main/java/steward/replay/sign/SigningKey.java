@@ -105,7 +105,7 @@ public final class SigningKey {
         PemFile.write(beside, SignerKey.PEM, publicKey.encoded(), false);
     }
 
-    /** Where the public key of a private one is put. */
+    /** Returns where the public key of a private one is put. */
     public static Path publicFile(Path file) {
         return file.resolveSibling(file.getFileName() + ".pub");
     }

@@ -32,17 +32,17 @@ final class LineScanner {
         return text.getBytes(StandardCharsets.UTF_8);
     }
 
-    /** Where the commands of a turn begin. */
+    /** Returns where the commands of a turn begin. */
     static int commands(byte[] line, int number) {
         return skip(line, skipNumber(line, skip(line, 0, BEFORE_NUMBER), number), BEFORE_COMMANDS);
     }
 
-    /** Where the outcome begins, if its field name begins at {@code from}. */
+    /** Returns where the outcome begins, if its field name begins at {@code from}. */
     static int outcome(byte[] line, int from) {
         return skip(line, from, BEFORE_OUTCOME);
     }
 
-    /** Where the digits of the hash begin, if its field name begins at {@code from}. */
+    /** Returns where the digits of the hash begin, if its field name begins at {@code from}. */
     static int hash(byte[] line, int from) {
         return skip(line, from, BEFORE_HASH);
     }

@@ -106,7 +106,7 @@ public final class Resimulation {
         return game;
     }
 
-    /** How the site's server shows the game, or {@code null}. */
+    /** Returns how the site's server shows the game, or {@code null}. */
     ServerView serverView() {
         return serverView;
     }
