@@ -14,7 +14,7 @@ import steward.scene.json.Wording;
 @Internal
 public record AccuracyDemand(double maxPositionError, double share) {
 
-    /** As in {@code at most 0.01 u in 99.9% of states}. */
+    /** Returns the demand in words, as in {@code at most 0.01 u in 99.9% of states}. */
     public String text() {
         return "at most " + Wording.number(maxPositionError) + " u in " + percent(share) + " of states";
     }

@@ -45,7 +45,7 @@ public final class FaultMessages {
         return limit(limitNanos) + backstop + " (waited " + waited(waitedNanos) + ")";
     }
 
-    /** As {@link #late}, with what had been received: {@code : 1 of 2 lines came}. */
+    /** Returns {@link #late} with what had been received: {@code : 1 of 2 lines came}. */
     public static String late(long limitNanos, long waitedNanos, int lines, int expected, int partialBytes) {
         return withLines(late(limitNanos, waitedNanos), lines, expected, partialBytes);
     }

@@ -19,7 +19,7 @@ public enum TimeBasis {
     /** How many times the limit an answer may take by the wall clock where the limit is one of CPU time. */
     public static final int BACKSTOP = 10;
 
-    /** As it is written in a call. */
+    /** Returns the word as it is written in a call. */
     public String word() {
         return name().toLowerCase(Locale.ROOT);
     }

@@ -11,8 +11,8 @@ import tools.jackson.databind.json.JsonMapper;
 
 /**
  * Reads CodinGame's own JSON of a pod-race game. Frame 0 is the start; from then on, each frame is one player's answer,
- * player 0 and 1 in turn, and the key frame ends the turn. What a frame shows of the game stands in its
- * {@link FrameView}. Missing parts are left out where the rest makes sense without them. Errors name the frame.
+ * player 0 and 1 in turn, and the key frame ends the turn. The game as a frame shows it stands in its {@link
+ * FrameView}. Missing parts are left out where the rest makes sense without them. Errors name the frame.
  */
 final class GameRecordingReader {
 

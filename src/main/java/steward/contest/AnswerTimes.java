@@ -5,7 +5,7 @@ package steward.contest;
  * add up and nothing grows with them. The first answers of games, which include the start of a program, are apart.
  *
  * <p>The buckets are those of HdrHistogram (G. Tene): below 2^7 ns one for each nanosecond, above 64 for each power of
- * two. What is read from them is therefore at most 1/64 too high. The mean and the worst are exact.
+ * two. Times read from them are therefore at most 1/64 too high. The mean and the worst are exact.
  */
 public final class AnswerTimes {
 

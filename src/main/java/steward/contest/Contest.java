@@ -152,7 +152,8 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
         return withoutProblem(withFailing(setup, bots, usual, timeFactor));
     }
 
-    /** As {@link #of}, for a series: in a scene for one player any number of bots can each play alone. */
+    /** Makes a contest as {@link #of} does, for a series: in a scene for one player any number of bots can each play
+     * alone. */
     public static Contest ofSeries(GameSetup setup, List<String> bots, Protocol usual, double timeFactor) {
         return setup.scene().players() > 1 || bots.isEmpty() ? of(setup, bots, usual, timeFactor)
             : withoutProblem(create(setup, bots, usual, timeFactor));
@@ -168,8 +169,8 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
     }
 
     /**
-     * As {@link #of}, but a bot that cannot be started takes part, and fails when it is asked for the first time: for
-     * tools that let the other bots play on.
+     * Makes a contest as {@link #of} does, but a bot that cannot be started takes part, and fails when it is asked for
+     * the first time: for tools that let the other bots play on.
      */
     public static Contest withFailing(GameSetup setup, List<String> bots, Protocol usual, double timeFactor) {
         int players = setup.scene().players();

@@ -9,14 +9,14 @@ public enum KeptReplays {
 
     /** Every one; also that of a game that was broken off, if it has a turn. */
     ALL,
-    /** Of games that the first bot of the call has lost. */
+    /** Games that the first bot of the call has lost. */
     LOST,
-    /** Of games in which any bot failed, and of those without a result. */
+    /** Games in which any bot failed, and games without a result. */
     FAILED,
     /** Not one; nothing is recorded. */
     NONE;
 
-    /** As it is written in a call. */
+    /** Returns the word as it is written in a call. */
     public String word() {
         return name().toLowerCase(Locale.ROOT);
     }

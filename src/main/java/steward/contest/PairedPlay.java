@@ -15,8 +15,8 @@ import steward.match.MatchResult;
 
 /**
  * Play of some bots on one seed after the other, each seed from all seats, until the taker of the results has enough.
- * What it is handed comes in the order of seeds, however many threads play: when it says that it has enough, nothing
- * that is played besides counts.
+ * Results come to it in the order of seeds, however many threads play: when it says that it has enough, nothing that is
+ * played besides counts.
  */
 @Internal
 public final class PairedPlay {

@@ -12,7 +12,7 @@ import steward.Internal;
 
 /**
  * A file that is made when something is first written to it, so that a process which is killed before leaves no empty
- * one, and one that is to be replaced stays until then. What can be known before is found out when this is made:
+ * one, and one that is to be replaced stays until then. Errors that can be known before are found when this is made:
  * whether a new file can be made is tried. Devices and pipes, which are there already, are opened at once.
  *
  * <p>One thread at a time may use it.

@@ -31,7 +31,7 @@ public record LeagueBot(String name, String command, List<String> files, boolean
         return new LeagueBot(name, command, files, random, retired, decision);
     }
 
-    /** As it would be typed in a call. */
+    /** Returns the bot as it would be typed in a call. */
     public String typed() {
         return name + "=" + command;
     }

@@ -5,8 +5,8 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * Bots that failed in many games in a row, and are not chosen any more. Whether a bot is paused at a decision follows
- * from the results of the decisions before, so that neither threads nor interruptions change it:
+ * Bots that failed in many games in a row, and are not chosen any more. The pause of a bot at a decision follows from
+ * the results of the decisions before, so that neither threads nor interruptions change it:
  *
  * <ul>
  * <li>A bot whose last game at least {@code lag} decisions back was without failure plays: nothing is waited for.

@@ -24,8 +24,7 @@ public final class SafeText {
     }
 
     /**
-     * The fault of a player whose answer cannot be used. What is wrong may quote the answer, so it is made safe as
-     * well.
+     * The fault of a player whose answer cannot be used. The fault may quote the answer, so it is made safe as well.
      *
      * @param wrong what is wrong with the answer
      */

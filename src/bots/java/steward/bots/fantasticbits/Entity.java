@@ -16,7 +16,7 @@ final class Entity {
     int snaffle = -1;
     /** True if a snaffle is held. */
     boolean held;
-    /** Whether a wizard's spell is at work, or begins with the next turn, on the entity with this id; -1 for none. */
+    /** Id of the entity on which a wizard's spell is at work, or begins with the next turn; -1 for none. */
     int spellTarget = -1;
 
     /** The distance of two centres, in u. */

@@ -69,7 +69,7 @@ public final class FantasticBits extends AbstractGame {
     }
 
     /**
-     * Whether a wizard may be given a command now.
+     * Returns why a wizard may not be given a command now, or {@code null}.
      *
      * @param player of the wizard
      * @param wizard 0..1, of its player

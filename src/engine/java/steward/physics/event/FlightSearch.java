@@ -232,7 +232,7 @@ sealed class FlightSearch permits PreciseFlightSearch {
 
     /**
      * True if a pair surely separates, or surely does not touch within a time: the squared distance less s^2 is at
-     * least c + 2 b t. Without a root or a division, for most pairs. What overflows or underflows is not sure.
+     * least c + 2 b t. Without a root or a division, for most pairs. A sum that overflows or underflows is not sure.
      */
     static boolean isLate(double dx, double dy, double dvx, double dvy, double touch, double left) {
         double xvx = dx * dvx;

@@ -4,8 +4,8 @@ import steward.physics.Bodies;
 import steward.physics.Wall;
 
 /**
- * Computes impulses, and all that hangs on signs and roundings at an impact, in one arithmetic. What is done when, and
- * what is recorded, is the law's: {@link Collision}. One instance serves one thread; a result belongs to the last call.
+ * Computes impulses, and all that hangs on signs and roundings at an impact, in one arithmetic. The order of steps and
+ * the record are the law's: {@link Collision}. One instance serves one thread; a result belongs to the last call.
  */
 abstract sealed class ImpulseSolver permits PlainSolver, ExactSolver {
 

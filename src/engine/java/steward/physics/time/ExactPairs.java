@@ -29,8 +29,8 @@ import steward.physics.ImpactLaw;
 
 /**
  * Times of impact of circles for the arithmetic {@code EXACT}: a fast lower bound for all pairs, with exact decisions,
- * and the time itself in double-double for the pairs that {@code RefiningQueue} refines. Whether two touch, whether
- * they approach and whether they meet is decided by exact signs; a tangent path is a miss.
+ * and the time itself in double-double for the pairs that {@code RefiningQueue} refines. Exact signs decide if two
+ * touch, approach and meet; a tangent path is a miss.
  */
 public final class ExactPairs extends PairTime {
 

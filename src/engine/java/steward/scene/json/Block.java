@@ -86,7 +86,7 @@ public final class Block {
         return value;
     }
 
-    /** As the method without {@code whenAbsent}, which is the value of an absent field. */
+    /** Reads a field as the method without {@code whenAbsent} does, which is the value of an absent field. */
     public double number(String name, double low, double high, double whenAbsent) {
         return has(name) ? number(name, low, high) : whenAbsent;
     }
@@ -125,7 +125,7 @@ public final class Block {
         return (int) value;
     }
 
-    /** As the method without {@code whenAbsent}, which is the value of an absent field. */
+    /** Reads a field as the method without {@code whenAbsent} does, which is the value of an absent field. */
     public int integer(String name, int low, int high, int whenAbsent) {
         return has(name) ? integer(name, low, high) : whenAbsent;
     }
@@ -138,7 +138,7 @@ public final class Block {
         throw unexpected(name, "true or false");
     }
 
-    /** As the method without {@code whenAbsent}, which is the value of an absent field. */
+    /** Reads a field as the method without {@code whenAbsent} does, which is the value of an absent field. */
     public boolean flag(String name, boolean whenAbsent) {
         return has(name) ? flag(name) : whenAbsent;
     }
@@ -167,7 +167,7 @@ public final class Block {
         return values.get(text.text());
     }
 
-    /** As the method without {@code whenAbsent}, which is the value of an absent field. */
+    /** Reads a field as the method without {@code whenAbsent} does, which is the value of an absent field. */
     public <E> E choice(String name, Map<String, E> values, E whenAbsent) {
         return has(name) ? choice(name, values) : whenAbsent;
     }

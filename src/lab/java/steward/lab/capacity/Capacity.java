@@ -44,7 +44,7 @@ public record Capacity(double rate, int rounds, Sample alone, Sample served, Che
         return costs.broker() + costs.messages() + costs.check() + costs.share() * costs.again();
     }
 
-    /** So many microseconds a game as a share of one processor, at {@link #rate} games in a second. */
+    /** Returns so many microseconds a game as a share of one processor, at {@link #rate} games in a second. */
     public double ofOneProcessor(double micros) {
         return micros * rate / MICROS;
     }

@@ -8,7 +8,7 @@ import java.util.SplittableRandom;
 /**
  * A league's process and its workers in virtual time, event by event. Games take times of an exponential distribution,
  * everything in the process as long as it was measured to take. A step waits for its thread, if there is only one for
- * it, and then for a processor; processors are given in the order of asking. The same arguments give the same result.
+ * it, and then for a processor; processors are given in the order of asking. Equal arguments give equal results.
  *
  * <p>A place is a game under way: the schedule decides on it, the broker hands it out, a worker that is free plays it,
  * the broker takes the result, it is read, checked and handed over to be stored. Then the place is free for the next.

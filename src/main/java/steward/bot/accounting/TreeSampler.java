@@ -101,16 +101,16 @@ public final class TreeSampler {
     }
 
     /**
-     * As {@link #sample}, but quicker, for processes that should be waiting: no thread is taken for runnable, and the
-     * idle time of the machine is left out.
+     * Samples as {@link #sample} does, but quicker, for processes that should be waiting: no thread is taken for
+     * runnable, and the idle time of the machine is left out.
      */
     public TreeSample baseline(long at) {
         return sample(at, false, false);
     }
 
     /**
-     * As {@link #baseline}, but without the threads by which a JVM compiles and collects; where there are any, only
-     * what living threads used is known.
+     * Samples as {@link #baseline} does, but without the threads by which a JVM compiles and collects; where there are
+     * any, only what living threads used is known.
      */
     public TreeSample withoutCompilers(long at) {
         return sample(at, false, true);

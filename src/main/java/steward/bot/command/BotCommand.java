@@ -52,7 +52,7 @@ public record BotCommand(String name, Prefix prefix, List<String> words) {
         }
     }
 
-    /** As {@link #parse(String, Prefix)}; a program without a prefix uses JSON. */
+    /** Parses as {@link #parse(String, Prefix)} does; a program without a prefix uses JSON. */
     public static BotCommand parse(String text) {
         return parse(text, Prefix.JSON);
     }

@@ -14,7 +14,7 @@ public enum HoldPolicy {
     /** None: bots may think on. */
     NEVER;
 
-    /** As it is written in a call. */
+    /** Returns the word as it is written in a call. */
     public String word() {
         return name().toLowerCase(Locale.ROOT);
     }

@@ -22,7 +22,7 @@ public record ResourceLimits(long memory, long processes, long fileSize, long op
     /** A bot must be able to start a thread. */
     public static final long LEAST_PROCESSES = 4;
 
-    /** So many processes a Linux machine can have at most. */
+    /** Most processes that a Linux machine can have. */
     public static final long MOST_PROCESSES = 4_194_304;
 
     /** More than what is kept of a bot's stderr, which is a file. */
@@ -61,7 +61,7 @@ public record ResourceLimits(long memory, long processes, long fileSize, long op
         }
     }
 
-    /** Returns where this one has no limit, the other's. */
+    /** Returns these limits, with the other's where this one has none. */
     public ResourceLimits orElse(ResourceLimits other) {
         return new ResourceLimits(or(memory, other.memory), or(processes, other.processes),
             or(fileSize, other.fileSize), or(openFiles, other.openFiles));

@@ -15,7 +15,7 @@ public enum SandboxLevel {
     /** Also a file system that is read-only and shows little of the home directory, and limits. */
     STRICT;
 
-    /** As it is written in options, results and replays. */
+    /** Returns the word as it is written in options, results and replays. */
     public String word() {
         return name().toLowerCase(Locale.ROOT);
     }

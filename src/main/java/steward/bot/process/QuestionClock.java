@@ -22,7 +22,7 @@ import steward.bot.accounting.TreeSampler;
  * the verdict counts. Computing is charged in any case, as if the bot had had all processors.
  *
  * <p>Caveat: the fields of the asking thread are read by the watchdog without a lock, at worst while the next question
- * begins. What it then notes is noted for the next question and true of it: it never decides, since the decision is a
+ * begins. Its note is then one on the next question and true of it: it never decides, since the decision is a
  * compare-and-set in {@link Deadline} that fails then.
  */
 final class QuestionClock {
@@ -194,7 +194,7 @@ final class QuestionClock {
         return again ? Long.MAX_VALUE : Math.max(charged, limit - limit / EIGHTH);
     }
 
-    /** Whether the asking thread sleeps, at two looks in a row. */
+    /** Looks twice in a row whether the asking thread sleeps. */
     private long lookOnceMore(long now) {
         OwnThread.State state = asking.get();
         boolean before = asleep;

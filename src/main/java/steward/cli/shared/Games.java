@@ -52,7 +52,7 @@ public final class Games {
         return open(SceneFiles.load(scene), accuracy);
     }
 
-    /** As {@link #open(String, Accuracy)}; {@code -} is the scene on the standard input. */
+    /** Opens as {@link #open(String, Accuracy)} does; {@code -} is the scene on the standard input. */
     public static GameSetup open(String scene, Accuracy accuracy, Streams streams) {
         return open(StandardFiles.is(scene) ? StandardFiles.readScene(streams) : SceneFiles.load(scene), accuracy);
     }

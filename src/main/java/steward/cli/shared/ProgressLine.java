@@ -71,7 +71,7 @@ public final class ProgressLine implements AutoCloseable {
         }
     }
 
-    /** So many in all; by any thread. */
+    /** Sets how many there are in all; by any thread. */
     public void reach(int steps) {
         bar.stepTo(steps);
     }

@@ -49,7 +49,7 @@ public final class Normal {
         return Math.max(0, 0.5 - density(x) * sum);
     }
 
-    /** Returns where the probability above is {@code tail}, of more than 0 and at most 1/2. */
+    /** Returns the point above which the probability is {@code tail}, of more than 0 and at most 1/2. */
     public static double above(double tail) {
         double low = 0;
         double high = FARTHEST;

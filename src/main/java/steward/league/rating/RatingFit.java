@@ -25,7 +25,7 @@ public final class RatingFit {
     /** The prior's standard deviation, in Elo: strengths of 95% of all bots within about 3000. */
     static final double PRIOR_ELO = 750;
     static final double PRIOR = ELO * ELO / (PRIOR_ELO * PRIOR_ELO);
-    /** Of the logarithm of the weight of ties, whose standard deviation is 3: a factor of 20. */
+    /** Prior of the logarithm of the weight of ties, whose standard deviation is 3: a factor of 20. */
     static final double TIES_PRIOR = 1.0 / 9;
     private static final int MOST_STEPS = 100;
     /** A longer step is shortened: far from the top the parabola is a poor guide. */

@@ -140,6 +140,6 @@ public record Gsprt(double elo0, double elo1, double alpha, double beta, Model m
         return AnytimeBar.of(scores.variance() / (n - 1) / (SLOPE * SLOPE), n - 1, AnytimeBar.ALPHA) * SLOPE;
     }
 
-    /** Of the score by the natural rating, where both bots are even. */
+    /** Slope of the score by the natural rating, where both bots are even. */
     private static final double SLOPE = 0.25;
 }

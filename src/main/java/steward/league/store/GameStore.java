@@ -83,7 +83,7 @@ public final class GameStore implements AutoCloseable {
         return checked(Database.open(folder, true, false));
     }
 
-    /** As {@link #write}; each game is on the disk before the next, also if the power fails. */
+    /** Opens as {@link #write} does; each game is on the disk before the next, also if the power fails. */
     public static GameStore durable(LeagueFolder folder) {
         return checked(Database.open(folder, true, true));
     }
@@ -415,7 +415,7 @@ public final class GameStore implements AutoCloseable {
         return database.with(() -> ((Number) database.value("SELECT count(*) FROM game")).longValue());
     }
 
-    /** Whether the file is whole, as SQLite sees it: {@code ok}, or what is wrong. */
+    /** Returns {@code ok} if the file is whole, as SQLite sees it, or what is wrong. */
     public String integrity() {
         return (String) database.with(() -> database.value("PRAGMA integrity_check"));
     }

@@ -37,7 +37,7 @@ import steward.match.Protocol;
 import steward.replay.RecordedMatch;
 
 /**
- * Merges parts into a league. What is stored of a game is read from its replay, which is played again; of some games
+ * Merges parts into a league. The stored facts of a game are read from its replay, which is played again; of some games
  * the bots are asked again. A part of which anything is wrong is refused as a whole. Merging a part again changes
  * nothing.
  */

@@ -42,7 +42,7 @@ import steward.scene.json.SceneException;
 
 /**
  * Games of a league that workers play. A result counts only for a job that the broker handed to the worker that sends
- * it. What a game came to follows from its commands, which are played again; in a worker's first games, and in a share
+ * it. The result of a game follows from its commands, which are played again; in a worker's first games, and in a share
  * of the others, the bots are asked again. A worker that is caught is revoked and its games are set aside.
  *
  * <p>Over 400 lines: each word of a worker is answered here, and each game believed or not.

@@ -63,7 +63,7 @@ public record WorkerToken(String worker, String secret, String broker) {
         return text;
     }
 
-    /** As it stands in its file. */
+    /** Returns the token as it stands in its file. */
     public String text() {
         return "{ \"token\": 1, \"worker\": \"" + worker + "\", \"secret\": \"" + secret + "\", \"broker\": \"" + broker
             + "\" }\n";

@@ -135,8 +135,8 @@ public final class Resimulation {
     }
 
     /**
-     * As {@link #prepare}, for a turn of a match that is not over, in which no player failed and whose commands are
-     * written as games usually write them.
+     * Prepares as {@link #prepare} does, for a turn of a match that is not over, in which no player failed and whose
+     * commands are written as games usually write them.
      *
      * @param json where the array of commands begins at {@code from} and ends before {@code to}
      * @return the place behind the commands; or -1 if they have to be read by {@link #prepare}

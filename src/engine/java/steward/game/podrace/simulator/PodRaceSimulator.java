@@ -212,7 +212,7 @@ public final class PodRaceSimulator {
         System.arraycopy(other.counts, 0, counts, 0, counts.length);
     }
 
-    /** Whether a state of the other fits here. */
+    /** Checks that a state of the other fits here. */
     void checkAlike(PodRaceSimulator other) {
         if (pods != other.pods || perPlayer != other.perPlayer || checkpoints != other.checkpoints) {
             throw new IllegalArgumentException(other.words() + ", expected " + words());

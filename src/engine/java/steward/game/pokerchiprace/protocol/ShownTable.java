@@ -21,7 +21,7 @@ import tools.jackson.core.JsonGenerator;
  *             and t x y radius rotation other         for each of the points, then its message
  * then        an area per player and of all chips; a score per player
  * </pre>
- * What the server's referee was given, {@code refereeInput}, has a line {@code seed=} and the settings of the start.
+ * The input of the server's referee, {@code refereeInput}, has a line {@code seed=} and the settings of the start.
  */
 final class ShownTable implements ServerView.Shown {
 

@@ -17,8 +17,8 @@ import steward.physics.event.OfficialAdvance;
 /**
  * The bounds that the fast turn's proofs state, measured in 70 digits where they are closest: how far a certified
  * vector is from the true direction and from the game's, how far both ways to see a turn by 18 degrees differ, how far
- * a certified speed and place are from the game's, and that whoever is set aside stays out of reach. What was seen is
- * printed.
+ * a certified speed and place are from the game's, and that whoever is set aside stays out of reach. The figures seen
+ * are printed.
  */
 @Execution(ExecutionMode.CONCURRENT)
 class ErrorBoundsTest {
