@@ -7,8 +7,8 @@ import java.lang.annotation.RetentionPolicy;
 import java.lang.annotation.Target;
 
 /**
- * Public in name only, because another room of the program uses it: it may change or go with any version. What users
- * may build on is listed in {@code docs/api.md}.
+ * Public in name only, because another room of the program uses it: it may change or go with any version. The API for
+ * users is listed in {@code docs/api.md}.
  */
 @Documented
 @Retention(RetentionPolicy.CLASS)

@@ -64,7 +64,7 @@ public final class Contender extends PodBot {
             return best;
         }
 
-        /** How far a move brings a pod: the sum over all turns, so that earlier progress counts more. */
+        /** Returns how far a move brings a pod: the sum over all turns, so that earlier progress counts more. */
         private double worth(Race race, Pods pods, int pod, int move) {
             alone.clear();
             alone.add(pods, pod);

@@ -146,7 +146,8 @@ final class Forecast {
         }
     }
 
-    /** When two circles at distance (dx, dy) with relative velocity (vx, vy) touch; never unless they approach. */
+    /** Returns when two circles at distance (dx, dy) with relative velocity (vx, vy) touch; never unless they approach.
+     */
     private static double circles(double dx, double dy, double vx, double vy, double reach, double limit) {
         double approach = dx * vx + dy * vy;
         double gap = dx * dx + dy * dy - reach * reach;

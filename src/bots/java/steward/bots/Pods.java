@@ -102,7 +102,7 @@ final class Pods {
         return CHECKPOINT_WORTH * passed[pod] - toNext(race, pod);
     }
 
-    /** Whether a pod has passed more checkpoints than another, or as many and is nearer to the next. */
+    /** True if a pod has passed more checkpoints than another, or as many and is nearer to the next. */
     boolean isAhead(Race race, int pod, int other) {
         return passed[pod] != passed[other] ? passed[pod] > passed[other]
             : toNext(race, pod) < toNext(race, other);

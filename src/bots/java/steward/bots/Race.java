@@ -1,6 +1,6 @@
 package steward.bots;
 
-/** What the setup frame says about the race: fixed for the match. Lengths in u, masses in pod masses. */
+/** Setup frame of a race: the facts fixed for the match. Lengths in u, masses in pod masses. */
 final class Race {
 
     int player;
@@ -17,7 +17,7 @@ final class Race {
     int maximumThrust = 200;
     int boostThrust = 650;
 
-    /** Whether the box from (0, 0) to (width, height) has walls. */
+    /** True if the box from (0, 0) to (width, height) has walls. */
     boolean walls;
     double width;
     double height;
@@ -26,7 +26,7 @@ final class Race {
     double[] bumperY = new double[4];
     double[] bumperRadius = new double[4];
 
-    /** How many checkpoints a pod must pass to finish. */
+    /** Returns how many checkpoints a pod must pass to finish. */
     int toFinish() {
         return laps * checkpoints;
     }

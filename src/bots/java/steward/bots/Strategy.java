@@ -4,7 +4,7 @@ package steward.bots;
 interface Strategy {
 
     /**
-     * Decides one turn. The same calls in the same order get the same commands: no clock, no randomness.
+     * Decides one turn. Equal calls in equal order get equal commands: no clock, no randomness.
      *
      * @param race     fixed for the match
      * @param pods     the current state of all pods

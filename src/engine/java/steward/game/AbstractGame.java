@@ -11,7 +11,7 @@ import steward.numerics.StateHash;
 import steward.physics.TurnLog;
 
 /**
- * What every game repeats: the turn, who is out since when and why, how the game ended, and the impacts and events of
+ * Common part of every game: the turn, who is out since when and why, how the game ended, and the impacts and events of
  * the last turn. A game adds its rules, {@link #playTurn}, and its state.
  */
 public abstract class AbstractGame implements Game {
@@ -31,11 +31,11 @@ public abstract class AbstractGame implements Game {
     private int turn;
     private String ending;
 
-    /** Whether one player is ahead of another. */
+    /** Order of players while the game goes on. */
     @FunctionalInterface
     public interface Order {
 
-        /** Whether {@code one} is ahead of {@code other}. */
+        /** True if {@code one} is ahead of {@code other}. */
         boolean isAhead(int one, int other);
     }
 

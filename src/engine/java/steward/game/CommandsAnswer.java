@@ -58,7 +58,10 @@ public abstract class CommandsAnswer<C> extends JsonAnswer {
     /** Reads a field of a command that is neither x nor y. @return what is wrong, or {@code null} */
     protected abstract String commandField(String field, JsonParser in);
 
-    /** What is missing or too much in a command, or {@code null}; a right one is {@linkplain #keep kept}. */
+    /**
+     * Returns the error of a command, something missing or too much; {@code null} if right, and then {@linkplain #keep
+     * kept}.
+     */
     protected abstract String endCommand(int index);
 
     /** Keeps a command that is right. @return {@code null} */
@@ -73,7 +76,7 @@ public abstract class CommandsAnswer<C> extends JsonAnswer {
         return (C) commands[index];
     }
 
-    /** How many commands the last array had before the first {@code null}. */
+    /** Returns how many commands the last array had before the first {@code null}. */
     public final int given() {
         return given;
     }
@@ -151,19 +154,19 @@ public abstract class CommandsAnswer<C> extends JsonAnswer {
         return null;
     }
 
-    /** What is wrong with a command that needs a target, or {@code null}. */
+    /** Returns the error of a command that needs a target, or {@code null}. */
     protected final String missingTarget() {
         return Double.isNaN(x) ? ".x: found nothing, expected a number"
             : Double.isNaN(y) ? ".y: found nothing, expected a number" : null;
     }
 
-    /** What is wrong with a command that must have no target, or {@code null}. */
+    /** Returns the error of a command that must have no target, or {@code null}. */
     protected final String targetBeside(String field) {
         return Double.isNaN(x) && Double.isNaN(y) ? null
             : (Double.isNaN(x) ? ".y" : ".x") + ": found a number, expected nothing beside " + field;
     }
 
-    /** What is wrong with a flag, or {@code null}. */
+    /** Returns the error of a flag, or {@code null}. */
     protected static String flag(String field, JsonParser in) {
         return in.currentToken() == JsonToken.VALUE_TRUE ? null
             : field + ": found " + found(in) + ", expected true (or leave it out)";

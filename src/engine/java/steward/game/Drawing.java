@@ -2,7 +2,7 @@ package steward.game;
 
 import tools.jackson.core.JsonGenerator;
 
-/** What there is to draw of one {@link Game}, constant over the game; {@link DrawingJson} writes its shapes. */
+/** Shapes to draw of one {@link Game}, constant over the game; {@link DrawingJson} writes them. */
 @FunctionalInterface
 public interface Drawing {
 

@@ -14,18 +14,18 @@ import steward.physics.TurnLog;
  */
 public interface Game {
 
-    /** How many players there are. */
+    /** Returns the number of players. */
     int players();
 
     /** Turns played. */
     int turn();
 
-    /** Whether the player is not eliminated. */
+    /** True if the player is not eliminated. */
     default boolean isIn(int player) {
         return eliminationReason(player) == null;
     }
 
-    /** Why the player was eliminated, or {@code null}. */
+    /** Returns why the player was eliminated, or {@code null}. */
     String eliminationReason(int player);
 
     /**
@@ -54,7 +54,7 @@ public interface Game {
     /** Plays one turn with the commands read since the last; eliminated players have none. */
     void play();
 
-    /** Whether the game has ended: no further turn may be played. */
+    /** True if the game has ended: no further turn may be played. */
     boolean isOver();
 
     /** The standing, final once over: 0 for the best, players who tie share a rank (0, 1, 1, 3). */
@@ -74,7 +74,7 @@ public interface Game {
         return Collections.emptySortedMap();
     }
 
-    /** Whether a lower score is better, as where it is a time. */
+    /** True if a lower score is better, as where it is a time. */
     default boolean lowerScoreIsBetter() {
         return false;
     }

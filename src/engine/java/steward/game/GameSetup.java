@@ -41,7 +41,7 @@ public interface GameSetup {
         return plan().physics(null);
     }
 
-    /** What happens to speeds and positions at the end of a turn; a game may have rules of its own. */
+    /** Returns the rules for speeds and positions at the end of a turn; a game may have rules of its own. */
     default Motion motion() {
         return plan().motion();
     }

@@ -14,12 +14,12 @@ public interface GameType {
     /** The id of the game in scenes, such as {@code pod-race}. */
     String id();
 
-    /** What the game is, in a few words for a list of its official scenes. */
+    /** Describes the game in a few words for a list of its official scenes. */
     default String about() {
         return "the official rules of " + id();
     }
 
-    /** What one of its official scenes is, as {@link #about()}, where a game has several. */
+    /** Describes one of its official scenes, as {@link #about()}, where a game has several. */
     default String about(Scene scene) {
         return about();
     }
@@ -43,7 +43,8 @@ public interface GameType {
         return scene.json();
     }
 
-    /** How the site's server shows this game in its recordings; without, none of them can be imported this way. */
+    /** Returns how the site's server shows this game in its recordings; without, none of them can be imported this way.
+     */
     @Internal
     default Optional<ServerView> serverView() {
         return Optional.empty();

@@ -112,7 +112,7 @@ public record GameTypes(List<GameType> types) {
         return text.equals(scene.json()) ? setup : open(text, scene.root().source());
     }
 
-    /** How the site's server shows a game; empty also for an unknown one. */
+    /** Returns how the site's server shows a game; empty also for an unknown one. */
     @Internal
     public Optional<ServerView> serverView(String gameId) {
         return of(gameId).flatMap(GameType::serverView);

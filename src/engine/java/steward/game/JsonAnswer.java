@@ -39,7 +39,7 @@ public abstract class JsonAnswer {
      */
     protected abstract String field(String name, JsonParser in);
 
-    /** What is missing or too much once all fields are read, or {@code null}. */
+    /** Returns the error once all fields are read, a field missing or too much, or {@code null}. */
     protected abstract String complete();
 
     /** The message of the last valid answer, or {@code null}. */
@@ -131,12 +131,12 @@ public abstract class JsonAnswer {
         return Double.isFinite(value) ? value : Double.NaN;
     }
 
-    /** Whether a number is a whole one of a range; 100.0 is one too, since some languages print it so. */
+    /** True if a number is a whole one of a range; 100.0 is one too, since some languages print it so. */
     protected static boolean isWhole(double value, int least, int most) {
         return value == Math.rint(value) && value >= least && value <= most;
     }
 
-    /** What stands there, for an error. */
+    /** Describes the value found, for an error. */
     protected static String found(JsonParser in) {
         JsonToken token = in.currentToken();
         if (token == null) {

@@ -75,7 +75,7 @@ public final class JsonNumbers {
         }
     }
 
-    /** Whether a number is written without a fraction: -0.0 is not, for the sake of its sign. */
+    /** True if a number is written without a fraction: -0.0 is not, for the sake of its sign. */
     static boolean isWhole(double value) {
         long whole = (long) value;
         return whole == value && Math.abs(value) <= EXACT && (whole != 0 || 1 / value > 0);

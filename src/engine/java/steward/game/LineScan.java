@@ -80,7 +80,7 @@ public final class LineScan {
         return accept(quoted) && accept(':');
     }
 
-    /** Whether only blanks and line ends are left. */
+    /** True if only blanks and line ends are left. */
     public boolean isAtEnd() {
         for (; at < end; at++) {
             if (bytes[at] != ' ' && bytes[at] != '\t' && bytes[at] != '\r' && bytes[at] != '\n') {

@@ -9,13 +9,13 @@ import steward.numerics.SplitMix64;
 @FunctionalInterface
 public interface Pilot {
 
-    /** What a pilot is after. */
+    /** Purpose of a pilot. */
     enum Aim {
         /** To win, more or less. */
         WIN,
-        /** That all bodies come to the same place and stay there. */
+        /** All bodies come to the same place and stay there. */
         GATHER,
-        /** That bodies meet, whatever the state: the commands depend on the generator alone. */
+        /** Bodies meet, whatever the state: the commands depend on the generator alone. */
         MINGLE
     }
 

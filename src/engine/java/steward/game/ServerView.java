@@ -5,8 +5,8 @@ import steward.text.ViewLines;
 import tools.jackson.core.JsonGenerator;
 
 /**
- * What the site's server shows of a game in the views of its recordings, which {@code steward import} reads. A view is
- * that of one kind of game; everything else in a recording is the same for all.
+ * Reads a game's part of the views in recordings of the site's server, for {@code steward import}. A view is that of
+ * one kind of game; everything else in a recording is the same for all.
  *
  * <p>An imported turn holds what was shown, as fields of a recorded outcome, in their order; what was not shown is left
  * out. {@link #writeShown} writes the same of a turn of ours, with the same rounding, and may write more: verification

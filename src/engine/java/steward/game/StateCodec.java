@@ -7,7 +7,7 @@ import tools.jackson.core.JsonParser;
  * The commands and states of one {@link Game} as a replay keeps them, as JSON: complete, in full precision.
  *
  * <p>In some games the part of a faulty answer before its fault takes effect all the same: the lines before a bad one,
- * say. What was read of it then is a partial command.
+ * say. The part that was read then is a partial command.
  */
 public interface StateCodec {
 
@@ -22,8 +22,8 @@ public interface StateCodec {
     String readCommand(JsonParser in, int player);
 
     /**
-     * A faster {@link #readCommand}, for commands that are written as {@link #writeCommand} usually writes them. What
-     * it accepts, it reads to the same bit; it may reject anything.
+     * A faster {@link #readCommand}, for commands that are written as {@link #writeCommand} usually writes them.
+     * Commands that it accepts are read to the bit; it may reject anything.
      *
      * @param json where the value begins at {@code from} and ends before {@code to}
      * @return the place behind the value; or -1 if another reader has to be asked: then no command has changed
@@ -33,7 +33,7 @@ public interface StateCodec {
     }
 
     /**
-     * Whether a faulty answer has given the player commands before its fault, which take effect all the same; {@link
+     * True if a faulty answer has given the player commands before its fault, which take effect all the same; {@link
      * #writeCommand} then writes them.
      */
     default boolean hasPartialCommand(int player) {

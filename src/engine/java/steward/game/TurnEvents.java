@@ -32,7 +32,7 @@ public final class TurnEvents {
     }
 
     /**
-     * The same with a text that is made of a number, when a list is asked for.
+     * Adds an event whose text is made of a number, when a list is asked for.
      *
      * @param textOf the text of a number, the same every time
      */
@@ -74,7 +74,7 @@ public final class TurnEvents {
         size = 0;
     }
 
-    /** How many there are. */
+    /** Returns how many there are. */
     public int size() {
         return size;
     }

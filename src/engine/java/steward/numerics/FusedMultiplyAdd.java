@@ -3,14 +3,14 @@ package steward.numerics;
 import com.sun.management.HotSpotDiagnosticMXBean;
 import java.lang.management.ManagementFactory;
 
-/** Whether the processor has a fused multiply-add instruction. */
+/** Test for a fused multiply-add instruction of the processor. */
 final class FusedMultiplyAdd {
 
     private FusedMultiplyAdd() {
     }
 
     /**
-     * Whether {@code Math.fma} is compiled to one instruction: HotSpot's flag {@code UseFMA}, which the JVM sets from
+     * True if {@code Math.fma} is compiled to one instruction: HotSpot's flag {@code UseFMA}, which the JVM sets from
      * the processor and the command line. False where the flag is unknown. Takes some milliseconds; call it once.
      */
     static boolean hasFastFma() {

@@ -71,7 +71,7 @@ public final class JavaRandom {
         return (high + next(27)) * 0x1.0p-53;
     }
 
-    /** What is left to draw, as a number: equal states give equal draws. */
+    /** Returns the state as a number: equal states give equal draws. */
     public long state() {
         return state;
     }

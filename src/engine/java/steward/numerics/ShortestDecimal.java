@@ -18,7 +18,7 @@ public final class ShortestDecimal {
     /** The maximum number of characters that {@link #write} writes: sign, "0.00" and 17 digits. */
     public static final int MAXIMUM_LENGTH = 24;
 
-    /** What {@link #write} returns for a number outside its range. */
+    /** Result of {@link #write} for a number outside its range. */
     public static final int UNSUPPORTED = -1;
 
     private static final double LOWEST = 1e-3;

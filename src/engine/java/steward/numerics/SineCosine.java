@@ -32,7 +32,7 @@ public final class SineCosine {
 
     /** Added to a small number and taken away again, it rounds to whole numbers. */
     private static final double TO_WHOLE = 0x1.8p52;
-    /** The same for multiples of 2^-26. */
+    /** Rounds to multiples of 2^-26 when it is added to a small number and taken away again. */
     private static final double TO_GRID = 0x1.8p26;
 
     /** Coefficients of sin r - r, Taylor's, and of cos r - 1 + r^2/2, the best ones with 1/50 of Taylor's error. */
@@ -182,7 +182,7 @@ public final class SineCosine {
      * those from there down to 2^-89, rounded to a double: by less than 2^-80, as in (1).
      */
 
-    /** The same of an angle beyond {@link #GREATEST_ANGLE}, or of what is not finite. */
+    /** Turns by an angle beyond {@link #GREATEST_ANGLE}, or by what is not finite. */
     private void turnFar(double angle) {
         if (!(Math.abs(angle) < Double.POSITIVE_INFINITY)) {
             sin = Double.NaN;

@@ -111,7 +111,7 @@ public final class StrictAngles {
         return sin;
     }
 
-    /** The same bits as {@code StrictMath.atan2(y, x)}. */
+    /** Returns the bits of {@code StrictMath.atan2(y, x)}. */
     public static double atan2(double y, double x) {
         double ratio = Math.abs(y / x);
         if (!(ratio >= LEAST_RATIO && ratio <= GREATEST_RATIO)) {

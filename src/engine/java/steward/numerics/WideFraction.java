@@ -2,7 +2,7 @@ package steward.numerics;
 
 /**
  * A number from 0 up to, not including, 1 with 192 binary digits. One is a register that operations change in place, so
- * that code that keeps a few of them computes without allocating. What does not fit is cut off; errors are counted in
+ * that code that keeps a few of them computes without allocating. Further digits are cut off; errors are counted in
  * units of the last place, 2^-192.
  */
 final class WideFraction {
@@ -26,7 +26,7 @@ final class WideFraction {
         return set(other.high, other.middle, other.low);
     }
 
-    /** How many binary digits are 0 before the first that is 1: 64 at most. */
+    /** Returns how many binary digits are 0 before the first that is 1: 64 at most. */
     int leadingZeros() {
         return Long.numberOfLeadingZeros(high);
     }

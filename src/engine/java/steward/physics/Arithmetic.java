@@ -2,7 +2,7 @@ package steward.physics;
 
 import java.util.Locale;
 
-/** The arithmetic of a turn. What each one does for a time of impact is documented in {@code physics.time}. */
+/** The arithmetic of a turn. Their times of impact are documented in {@code physics.time}. */
 public enum Arithmetic {
 
     /** The published referee's own expressions: the same bits as the server. */
@@ -11,7 +11,7 @@ public enum Arithmetic {
     /** Closed forms without cancellation, in doubles. */
     DOUBLE,
 
-    /** The same quadratic with the rounding errors of its products and sums added back. */
+    /** The quadratic of {@link #DOUBLE} with the rounding errors of its products and sums added back. */
     COMPENSATED,
 
     /**

@@ -221,7 +221,7 @@ public final class Bodies {
         size--;
     }
 
-    /** How many bodies there are. */
+    /** Returns the number of bodies. */
     public int size() {
         return size;
     }

@@ -1,12 +1,12 @@
 package steward.physics;
 
 /**
- * What a contact means, per pair of kinds of bodies and per kind against walls. Symmetric; immutable except for the
+ * Meanings of contacts, per pair of kinds of bodies and per kind against walls. Symmetric; immutable except for the
  * {@code set} methods, which are for building it.
  */
 public final class Contacts {
 
-    /** What happens when two bodies, or a body and a wall, touch. */
+    /** Treatment of a touch of two bodies, or of a body and a wall. */
     public enum Meaning {
         /** Nothing: the two ignore each other. */
         NONE,
@@ -66,7 +66,7 @@ public final class Contacts {
         return set(kindA, kindB, Meaning.ASK);
     }
 
-    /** Whether any contact begins at a distance of its own. */
+    /** True if any contact begins at a distance of its own. */
     public boolean hasReaches() {
         return reaches != null;
     }
@@ -82,37 +82,37 @@ public final class Contacts {
         return this;
     }
 
-    /** How many kinds of bodies there are. */
+    /** Returns how many kinds of bodies there are. */
     public int kinds() {
         return kinds;
     }
 
-    /** What a contact of two kinds means, in either order. */
+    /** Returns the meaning of a contact of two kinds, in either order. */
     public Meaning between(int kindA, int kindB) {
         return pairs[kindA * kinds + kindB];
     }
 
-    /** What a contact of a kind with any wall means. */
+    /** Returns the meaning of a contact of a kind with any wall. */
     public Meaning withWall(int kind) {
         return walls[kind];
     }
 
-    /** Whether any entry is {@code ASK}: only then a scene needs a {@link Reaction}. */
+    /** True if any entry is {@code ASK}: only then a scene needs a {@link Reaction}. */
     public boolean containsAsk() {
         return contains(pairs, Meaning.ASK) || contains(walls, Meaning.ASK);
     }
 
-    /** Whether any two kinds of bodies react: only then pairs are scanned. */
+    /** True if any two kinds of bodies react: only then pairs are scanned. */
     public boolean bodiesMeet() {
         return contains(pairs, Meaning.BOUNCE) || contains(pairs, Meaning.ASK);
     }
 
-    /** Whether any kind of body reacts to walls. */
+    /** True if any kind of body reacts to walls. */
     public boolean wallsMeet() {
         return contains(walls, Meaning.BOUNCE) || contains(walls, Meaning.ASK);
     }
 
-    /** Whether every entry is {@code BOUNCE}: then no contact has to be looked up. */
+    /** True if every entry is {@code BOUNCE}: then no contact has to be looked up. */
     public boolean allBounce() {
         return !contains(pairs, Meaning.NONE) && !contains(walls, Meaning.NONE) && !containsAsk();
     }

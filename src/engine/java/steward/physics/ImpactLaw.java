@@ -30,7 +30,7 @@ public record ImpactLaw(Restitution restitution, double minimumImpulse, boolean 
                         boolean separatingPairsReact, double batchWindow, ScanOrder scanOrder, double pushOut,
                         int maximumImpacts, double restSpeed) {
 
-    /** How the restitution of an impact follows from the two partners'. */
+    /** Rule by which the restitution of an impact follows from the two partners'. */
     public enum Restitution {
         /** Every impact is elastic: no restitution is looked up. */
         ELASTIC,
@@ -81,14 +81,14 @@ public record ImpactLaw(Restitution restitution, double minimumImpulse, boolean 
             pushOut, maximumImpacts, Double.NaN);
     }
 
-    /** The same law with another rule of restitution. */
+    /** Returns this law with another rule of restitution. */
     public ImpactLaw withRestitution(Restitution value) {
         return new ImpactLaw(value, minimumImpulse, minimumImpulseAtWalls, deadZone, separatingPairsReact, batchWindow,
             scanOrder, pushOut, maximumImpacts, restSpeed);
     }
 
     /**
-     * The same law with another least second step.
+     * Returns this law with another minimum impulse.
      *
      * @param atWalls whether it also holds at walls
      */
@@ -97,25 +97,25 @@ public record ImpactLaw(Restitution restitution, double minimumImpulse, boolean 
             pushOut, maximumImpacts, restSpeed);
     }
 
-    /** The same law with another dead zone; NaN for none. */
+    /** Returns this law with another dead zone; NaN for none. */
     public ImpactLaw withDeadZone(double value) {
         return new ImpactLaw(restitution, minimumImpulse, minimumImpulseAtWalls, value, separatingPairsReact,
             batchWindow, scanOrder, pushOut, maximumImpacts, restSpeed);
     }
 
-    /** The same law with another push-out, in u; NaN for none. */
+    /** Returns this law with another push-out, in u; NaN for none. */
     public ImpactLaw withPushOut(double value) {
         return new ImpactLaw(restitution, minimumImpulse, minimumImpulseAtWalls, deadZone, separatingPairsReact,
             batchWindow, scanOrder, value, maximumImpacts, restSpeed);
     }
 
-    /** The same law with another bound on the impacts in a turn; 0 for the default. */
+    /** Returns this law with another bound on the impacts in a turn; 0 for the default. */
     public ImpactLaw withMaximumImpacts(int value) {
         return new ImpactLaw(restitution, minimumImpulse, minimumImpulseAtWalls, deadZone, separatingPairsReact,
             batchWindow, scanOrder, pushOut, value, restSpeed);
     }
 
-    /** The same law with another rest speed, in u per turn; NaN for the default. */
+    /** Returns this law with another rest speed, in u per turn; NaN for the default. */
     public ImpactLaw withRestSpeed(double value) {
         return new ImpactLaw(restitution, minimumImpulse, minimumImpulseAtWalls, deadZone, separatingPairsReact,
             batchWindow, scanOrder, pushOut, maximumImpacts, value);

@@ -14,13 +14,13 @@ public class Motion {
     /** From this distance on a number is not taken for the whole number next to it: 1e-5. */
     private static final double SNAP = 1e-5;
 
-    /** What a step is about. */
+    /** Quantity that a step changes. */
     public enum Of {
         /** The share of speed that is lost. */
         DRAG,
-        /** What velocity components become. */
+        /** Components of velocities. */
         VELOCITY,
-        /** What coordinates become. */
+        /** Coordinates of positions. */
         POSITION
     }
 
@@ -101,7 +101,7 @@ public class Motion {
             this.text = text;
         }
 
-        /** What the step is about. */
+        /** Returns the quantity that the step changes. */
         public Of about() {
             return about;
         }
@@ -150,12 +150,12 @@ public class Motion {
         return null;
     }
 
-    /** Whether bodies lose their {@link Bodies#drag} share of speed. */
+    /** True if bodies lose their {@link Bodies#drag} share of speed. */
     public final boolean drag() {
         return step(Of.DRAG) != null;
     }
 
-    /** Whether velocities and positions both become whole numbers. */
+    /** True if velocities and positions both become whole numbers. */
     public final boolean endsInWholeNumbers() {
         return step(Of.VELOCITY) != null && step(Of.POSITION) != null;
     }

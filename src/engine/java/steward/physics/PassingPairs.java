@@ -11,17 +11,17 @@ public final class PassingPairs {
     private long[] pairs = new long[8];
     private int size;
 
-    /** Whether there are no such pairs. */
+    /** True if there are no such pairs. */
     public boolean isEmpty() {
         return size == 0;
     }
 
-    /** How many pairs there are. */
+    /** Returns the number of pairs. */
     public int size() {
         return size;
     }
 
-    /** Whether the body with id {@code a} passes that with id {@code b}, or the wall {@code ~b} if b is negative. */
+    /** True if the body with id {@code a} passes that with id {@code b}, or the wall {@code ~b} if b is negative. */
     public boolean contains(int a, int b) {
         long pair = pack(a, b);
         for (int k = 0; k < size; k++) {

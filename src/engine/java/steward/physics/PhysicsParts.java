@@ -38,12 +38,12 @@ public record PhysicsParts(ImpactLaw law, Arithmetic arithmetic, Contacts contac
         this(law, arithmetic, new Contacts(1), List.of(), null, false);
     }
 
-    /** The same parts in another arithmetic. */
+    /** Returns these parts with another arithmetic. */
     public PhysicsParts withArithmetic(Arithmetic other) {
         return new PhysicsParts(law, other, contacts, walls, reaction, infiniteMasses, official);
     }
 
-    /** Whether a turn from impact to impact is the game's own way to advance. */
+    /** True if a turn from impact to impact is the game's own way to advance. */
     public boolean usesExpressionsOfGame() {
         return official != null && arithmetic.isOfficial();
     }

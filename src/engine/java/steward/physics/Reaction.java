@@ -5,13 +5,13 @@ package steward.physics;
  * time, with all positions at that time and the velocities before any impulse.
  *
  * <p>A reaction reads and alters the bodies that it is given and nothing else, so that it also runs on copies of a
- * game's bodies, in measurements and searches. What the game must know, it tells the sink as a {@link TurnSink#fact},
- * and the game takes it from its own log after the turn.
+ * game's bodies, in measurements and searches. It tells the sink facts for the game, see {@link TurnSink#fact}, which
+ * the game takes from its own log after the turn.
  */
 @FunctionalInterface
 public interface Reaction {
 
-    /** What is to happen. */
+    /** Answer to a contact. */
     enum Verdict {
         /** An impact under the scene's law. */
         BOUNCE,

@@ -55,7 +55,7 @@ public record Segment(double ax, double ay, double bx, double by, double restitu
         return ay + share(x, y) * (by - ay);
     }
 
-    /** Where on the segment the nearest point is: 0 at a, 1 at b. */
+    /** Returns where on the segment the nearest point is: 0 at a, 1 at b. */
     private double share(double x, double y) {
         double dx = bx - ax;
         double dy = by - ay;

@@ -101,7 +101,7 @@ public final class TextbookSimulator {
         }
     }
 
-    /** How many impacts there have been, including those with walls. */
+    /** Returns how many impacts there have been, including those with walls. */
     public long impacts() {
         return impacts;
     }

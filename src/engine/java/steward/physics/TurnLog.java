@@ -135,12 +135,12 @@ public final class TurnLog implements TurnSink {
         limitBodies = bodyIds;
     }
 
-    /** How many impacts the turn had. */
+    /** Returns how many impacts the turn had. */
     public int impacts() {
         return impacts;
     }
 
-    /** How many of these are kept: the first ones. */
+    /** Returns how many of these are kept: the first ones. */
     public int kept() {
         return Math.min(impacts, most);
     }
@@ -159,7 +159,7 @@ public final class TurnLog implements TurnSink {
             n[i + 14], n[i + 15], n[i + 16], n[i + 17]);
     }
 
-    /** How many knots all paths of the turn have together. */
+    /** Returns how many knots all paths of the turn have together. */
     public int knots() {
         return knots;
     }
@@ -184,7 +184,7 @@ public final class TurnLog implements TurnSink {
         return knotNumbers[3 * k + 2];
     }
 
-    /** How many facts the game's reaction has told. */
+    /** Returns how many facts the game's reaction has told. */
     public int facts() {
         return facts;
     }
@@ -204,7 +204,7 @@ public final class TurnLog implements TurnSink {
         return factIds[3 * k + 2];
     }
 
-    /** When the k-th fact happened within the turn, 0..1. */
+    /** Returns when the k-th fact happened within the turn, 0..1. */
     public double factTime(int k) {
         return factNumbers[FACT_NUMBERS * k];
     }
@@ -229,12 +229,12 @@ public final class TurnLog implements TurnSink {
         return factNumbers[FACT_NUMBERS * k + 4];
     }
 
-    /** Whether the turn ended at the bound on impacts. */
+    /** True if the turn ended at the bound on impacts. */
     public boolean limited() {
         return !Double.isNaN(limitTime);
     }
 
-    /** When the bound was reached, or NaN if it was not. */
+    /** Returns when the bound was reached, or NaN if it was not. */
     public double limitTime() {
         return limitTime;
     }

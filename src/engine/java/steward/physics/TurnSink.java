@@ -19,7 +19,7 @@ public interface TurnSink {
     }
 
     /**
-     * What a game's {@link Reaction} or official expressions have done, in the order of time; the meaning is the
+     * Receives an act of a game's {@link Reaction} or official expressions, in the order of time; the meaning is the
      * game's.
      *
      * @param kind of fact, a number of the game

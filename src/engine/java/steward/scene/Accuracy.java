@@ -24,7 +24,7 @@ import steward.scene.json.Wording;
 import steward.text.NearestName;
 
 /**
- * How accurately a scene is computed: a rung of the ladder from {@code step/1}, the cheapest, to {@code event/exact}.
+ * Accuracy of a scene: a rung of the ladder from {@code step/1}, the cheapest, to {@code event/exact}.
  *
  * @param way        how a turn is advanced
  * @param steps      steps per turn, 1..{@value StepAdvance#MOST_STEPS}; 0 for {@code EVENT}
@@ -40,7 +40,7 @@ public record Accuracy(Way way, int steps, Arithmetic arithmetic) {
      */
     static final int FEWEST_FOR_CELLS = 24;
 
-    /** How a turn is advanced. */
+    /** Way to advance a turn. */
     public enum Way {
         /** From impact to impact at exact times. */
         EVENT,
@@ -169,17 +169,17 @@ public record Accuracy(Way way, int steps, Arithmetic arithmetic) {
             : usesOfficialLoop(parts, bodies) ? new OfficialAdvance(parts) : advance(parts);
     }
 
-    /** Whether that is {@link QueueAdvance}: cells and an event queue instead of a scan of all pairs. */
+    /** True if that is {@link QueueAdvance}: cells and an event queue instead of a scan of all pairs. */
     boolean usesCells(ImpactLaw law, Contacts contacts, int bodies) {
         return way == Way.EVENT && bodies >= FEWEST_FOR_CELLS && QueueAdvance.refusal(law, contacts) == null;
     }
 
-    /** Whether that is the game's own, with its referee's expressions. */
+    /** True if that is the game's own, with its referee's expressions. */
     boolean usesExpressionsOfGame(PhysicsParts parts) {
         return way == Way.EVENT && parts.usesExpressionsOfGame();
     }
 
-    /** Whether that is {@link OfficialAdvance}. */
+    /** True if that is {@link OfficialAdvance}. */
     boolean usesOfficialLoop(PhysicsParts parts, int bodies) {
         return way == Way.EVENT && bodies > 0 && bodies <= OfficialAdvance.MOST_BODIES && OfficialAdvance.fits(parts);
     }

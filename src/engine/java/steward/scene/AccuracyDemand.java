@@ -5,8 +5,8 @@ import steward.Internal;
 import steward.scene.json.Wording;
 
 /**
- * What a scene may state instead of a rung: after one turn, the position error is at most {@code maxPositionError} in
- * the given share of the states of a calibration. A measured figure, not a guarantee.
+ * A scene's demand in place of a rung: after one turn, the position error is at most {@code maxPositionError} in the
+ * given share of the states of a calibration. A measured figure, not a guarantee.
  *
  * @param maxPositionError in u, for the body of a state with the largest error; before rounding at the end of the turn
  * @param share            of the states, above 0, at most 1
@@ -14,7 +14,7 @@ import steward.scene.json.Wording;
 @Internal
 public record AccuracyDemand(double maxPositionError, double share) {
 
-    /** As in {@code at most 0.01 u in 99.9% of states}. */
+    /** Returns the demand in words, as in {@code at most 0.01 u in 99.9% of states}. */
     public String text() {
         return "at most " + Wording.number(maxPositionError) + " u in " + percent(share) + " of states";
     }

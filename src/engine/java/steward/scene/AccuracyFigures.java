@@ -57,7 +57,7 @@ public record AccuracyFigures(String source, String key, String sample, int stat
      */
     public static final String UNKNOWN = "unknown";
 
-    /** What the file is called in errors. */
+    /** Name of the file in errors. */
     private static final String WHAT = "the figures of a scene's accuracy";
     private static final String PHYSICS = "physics";
     private static final String SUFFIX = ".json";

@@ -4,7 +4,7 @@ import steward.physics.Motion;
 import steward.physics.OfficialExpressions;
 
 /**
- * What a game brings itself instead of what its scenes would say.
+ * A game's own parts in place of those its scenes would name.
  *
  * @param official its referee's expressions for the rung {@code event/official}, or {@code null}
  * @param motion   the end of its turns, or {@code null} where the scene says it

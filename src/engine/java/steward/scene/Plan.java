@@ -16,7 +16,7 @@ import steward.physics.Wall;
 import steward.physics.queue.QueueAdvance;
 import steward.scene.json.Wording;
 
-/** Which parts of the engine a scene needs and why, and the physics built from just these. */
+/** Plan of a scene: the parts of the engine that it needs and why, and the physics built from just these. */
 public final class Plan {
 
     private final Scene scene;
@@ -58,7 +58,7 @@ public final class Plan {
     }
 
     /**
-     * The same for a game that may have many bodies.
+     * Plans a game that may have many bodies.
      *
      * @param bodies number of bodies, bumpers included; where it changes, the maximum
      */
@@ -68,7 +68,7 @@ public final class Plan {
     }
 
     /**
-     * The same for a game that brings its own official expressions or its own motion.
+     * Plans a game that brings its own official expressions or its own motion.
      *
      * @param own what it brings
      */
@@ -126,7 +126,7 @@ public final class Plan {
         return scene.choice();
     }
 
-    /** What happens to speeds and positions at the end of a turn. */
+    /** Returns the rules for speeds and positions at the end of a turn. */
     public Motion motion() {
         return own.motion() == null ? scene.motion() : own.motion();
     }

@@ -35,17 +35,17 @@ public record Scene(String name, String gameId, int players, Optional<Field> fie
         return choice.rung();
     }
 
-    /** Whether velocities become whole numbers at the end of a turn. */
+    /** True if velocities become whole numbers at the end of a turn. */
     public boolean roundsVelocity() {
         return motion.step(Motion.Of.VELOCITY) != null;
     }
 
-    /** Whether positions become whole numbers at the end of a turn. */
+    /** True if positions become whole numbers at the end of a turn. */
     public boolean roundsPosition() {
         return motion.step(Motion.Of.POSITION) != null;
     }
 
-    /** The same scene with another observer, for measurements inside turns. */
+    /** Returns this scene with another observer, for measurements inside turns. */
     @Internal
     public Scene withObserver(PhysicsObserver other) {
         return new Scene(name, gameId, players, field, law, drag, motion, time, choice, other, root);

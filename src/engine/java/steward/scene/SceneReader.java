@@ -43,8 +43,8 @@ public final class SceneReader {
     }
 
     /**
-     * The same for a file that may have figures of accuracy beside it. The scene returned states the rung that it is
-     * computed on, even if the file states a demand: a replay of it needs no figures.
+     * Reads a file that may have figures of accuracy beside it. The scene returned states the rung that it is computed
+     * on, even if the file states a demand: a replay of it needs no figures.
      *
      * @param instead a rung that replaces the one of the file, or {@code null}
      */

@@ -21,14 +21,14 @@ public final class TerminalOutputStream extends FilterOutputStream {
     private static final byte ARABIC = (byte) 0xd8;
     private static final byte THREE_BYTES = (byte) 0xe2;
     private static final int LONGEST = 3;
-    /** What the further bytes of a character begin with: {@code 10}. */
+    /** Leading bits of the further bytes of a character: {@code 10}. */
     private static final int CONTINUATION_BITS = 0xc0;
     private static final int CONTINUATION = 0x80;
 
     /** The bytes of a character, or an escape, that is not complete yet. */
     private final byte[] held = new byte[LONGEST];
     private int count;
-    /** What may pass of the bytes that are being written: the terminal gets them at once. */
+    /** Part of the bytes being written that may pass: the terminal gets it at once. */
     private final ByteArrayOutputStream passed = new ByteArrayOutputStream();
 
     public TerminalOutputStream(OutputStream terminal) {

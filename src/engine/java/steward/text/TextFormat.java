@@ -3,7 +3,7 @@ package steward.text;
 import java.math.BigDecimal;
 import java.math.RoundingMode;
 
-/** How commands format numbers and texts, the same in every locale. */
+/** Form of numbers and texts in commands, the same in every locale. */
 public final class TextFormat {
 
     private static final double NANOS_PER_MS = 1e6;
@@ -119,7 +119,7 @@ public final class TextFormat {
     }
 
     /**
-     * Whether a character steers a terminal or shows a text otherwise than it is written: C0 and C1 controls, and the
+     * True if a character steers a terminal or shows a text otherwise than it is written: C0 and C1 controls, and the
      * marks, embeddings, overrides and isolates of the bidirectional algorithm (Unicode Standard Annex 9, section 2).
      */
     public static boolean isUnsafe(char c) {

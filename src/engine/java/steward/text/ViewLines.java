@@ -36,7 +36,7 @@ public final class ViewLines {
         return "\"" + TextFormat.beginning(text, SHOWN) + "\"";
     }
 
-    /** How many lines there are; blank ones at the end do not count. */
+    /** Returns the number of lines; blank ones at the end do not count. */
     public int count() {
         return lines.length;
     }

@@ -5,7 +5,7 @@ import steward.physics.Bodies;
 import steward.physics.Reaction;
 import steward.physics.TurnSink;
 
-/** What a hunter's touch does: bursts, splits, eats, or nothing. */
+/** Effects of a hunter's touch: bursts, splits, eats, or nothing. */
 final class PondRules implements Reaction {
 
     /** A cell below twice this mass is eaten whole. */

@@ -46,7 +46,10 @@ class ErrorFreeTest {
         assertTrue(checked > 30_000, checked + " in range");
     }
 
-    /** The same bits over all exponents, subnormal and nearly infinite ones too, as long as the product is finite. */
+    /**
+     * The split gives those bits over all exponents, subnormal and nearly infinite ones too, as long as the product is
+     * finite.
+     */
     @Test
     void theSplitGivesTheBitsOfAFusedMultiplyAdd() {
         SplitMix64 random = new SplitMix64(3);

@@ -9,7 +9,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import tools.jackson.core.io.NumberOutput;
 
-/** The same digits as Jackson's writer, whose own tests know the answers; and nothing where another must write. */
+/** Digits are those of Jackson's writer, whose own tests know the answers; and nothing where another must write. */
 class ShortestDecimalTest {
 
     private final char[] digits = new char[ShortestDecimal.MAXIMUM_LENGTH];

@@ -147,7 +147,7 @@ final class SineCosineOracle {
         return nearness(sine);
     }
 
-    /** The same of the cosine. */
+    /** Returns the nearness of the cosine. */
     double nearnessOfCosine() {
         return nearness(cosine);
     }

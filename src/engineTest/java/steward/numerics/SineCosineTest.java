@@ -151,7 +151,7 @@ class SineCosineTest {
         assertTrue(left < count / 3000, "left to the series: " + left);
     }
 
-    /** The same on every JDK, whatever its flags: -Xint, -XX:TieredStopAtLevel=1, -XX:-UseFMA. */
+    /** Bits are equal on every JDK, whatever its flags: -Xint, -XX:TieredStopAtLevel=1, -XX:-UseFMA. */
     @Test
     void theBitsOfAFixedSetOfAnglesAreGolden() {
         SplitMix64 fixed = new SplitMix64(2024);

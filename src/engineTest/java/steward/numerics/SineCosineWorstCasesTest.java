@@ -22,7 +22,7 @@ class SineCosineWorstCasesTest {
         0x1.0ae9bf0c6c208p-6, 0x1.115317fdb5dc7p-13, 0x1.8b088a3284a2ap7, 0x1.d0240c320008ap7, 0x1.e932499b3fffp7,
         0x1.b71d04d35b028p7, 0x1.4ad16230457e2p7, 0x1.9e8f718c00d45p7, 0x1.47a81768df001p7};
 
-    /** The same, then some beyond 1024. */
+    /** From CORE-MATH: the hardest of some, then some beyond 1024. */
     private static final double[] COSINES = {
         0x1.34ec2f9fc9c00p1, 0x1.3aca9ac4d718dp0, 0x1.5f6f40c07e007p-11, 0x1.ff632411ff523p10, 0x1.48e6a8a73f91ep-17,
         0x1.30bed7646b2aep0, 0x1.0f16c6f632009p0, 0x1.00147eec5cfa5p0, 0x1.0f5ba326bf09fp-3, 0x1.1baf00b2f6b01p-1,

@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 
 import org.junit.jupiter.api.Test;
 
-/** What the hash of a state tells apart, and what it does not. */
+/** States that the hash tells apart, and states that it does not. */
 class StateHashTest {
 
     private static long of(double... values) {

@@ -13,7 +13,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import steward.physics.Motion.Of;
 import steward.physics.Motion.Step;
 
-/** What the steps at the end of a turn do, and that they are done in their order. */
+/** Steps at the end of a turn: their effects, and their order. */
 class MotionTest {
 
     private static Bodies one(double x, double vx, double drag) {

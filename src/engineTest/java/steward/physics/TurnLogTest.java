@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import org.junit.jupiter.api.Test;
 
-/** What a log keeps of a turn, and what it only counts. */
+/** Events that a log keeps of a turn, and events that it only counts. */
 class TurnLogTest {
 
     private static void impact(TurnLog log, int number) {

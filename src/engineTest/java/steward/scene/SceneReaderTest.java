@@ -19,7 +19,7 @@ import steward.physics.Segment;
 import steward.physics.Wall;
 import steward.scene.json.SceneException;
 
-/** What the common part of a scene file becomes. */
+/** Values that the common part of a scene file becomes. */
 class SceneReaderTest {
 
     private static final String REQUIRED = """

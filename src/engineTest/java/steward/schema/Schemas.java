@@ -50,7 +50,7 @@ public final class Schemas {
             .getSchema(text(game, name), InputFormat.JSON);
     }
 
-    /** What a schema has against a text; nothing if it is valid. */
+    /** Returns the problems of a text by a schema; none if it is valid. */
     static List<String> problems(Schema schema, String json) {
         return schema.validate(json, InputFormat.JSON).stream().map(Error::toString).toList();
     }

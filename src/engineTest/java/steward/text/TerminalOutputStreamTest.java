@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** What a terminal gets of what is written. */
+/** Text that a terminal gets of what is written. */
 class TerminalOutputStreamTest {
 
     private static final long SEED = 12;

@@ -15,10 +15,10 @@ import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
 /**
- * What sine and cosine of one angle cost together, correctly rounded and as {@code StrictMath} has them:
- * {@code ./gradlew jmh -Pbench=SineCosine}. The angles: {@code heading}, from 0 to 2 pi; {@code turned}, headings that
- * were never normalised, from -100 to 100; {@code far}, up to 10^6; {@code axis}, the doubles next to pi/2, pi and
- * 3 pi/2, where the series of {@link SineCosine} is needed, but few of its terms.
+ * Price of sine and cosine of one angle together, correctly rounded and as {@code StrictMath} has them: {@code
+ * ./gradlew jmh -Pbench=SineCosine}. The angles: {@code heading}, from 0 to 2 pi; {@code turned}, headings that were
+ * never normalised, from -100 to 100; {@code far}, up to 10^6; {@code axis}, the doubles next to pi/2, pi and 3 pi/2,
+ * where the series of {@link SineCosine} is needed, but few of its terms.
  *
  * <p>{@code ...InTurn}: each angle waits for the results of the one before.
  */

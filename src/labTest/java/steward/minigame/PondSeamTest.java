@@ -25,7 +25,7 @@ import steward.numerics.SplitMix64;
 import steward.scene.json.SceneException;
 import steward.scene.price.MeasuredPrices;
 
-/** What a second game needs of the program, whose first game could do without: tried on the pond. */
+/** Needs of a second game that the first game could do without: tried on the pond. */
 class PondSeamTest {
 
     private static final GameSetup POND = PondMatches.changed();

@@ -36,7 +36,10 @@ public final class Answer {
         return bytes;
     }
 
-    /** How many bytes of {@link #bytes()} count; with a fault, what had been received by then (shortened or empty). */
+    /**
+     * Returns how many bytes of {@link #bytes()} count; with a fault, what had been received by then (shortened or
+     * empty).
+     */
     public int length() {
         return length;
     }
@@ -54,12 +57,12 @@ public final class Answer {
         return nanos;
     }
 
-    /** Why the player failed (limit and time waited, exit status, ...), or {@code null}. */
+    /** Returns why the player failed (limit and time waited, exit status, ...), or {@code null}. */
     public String fault() {
         return fault;
     }
 
-    /** What the player wrote to its stderr up to this answer, bounded; {@code null} when nothing. */
+    /** Returns the player's stderr up to this answer, bounded; {@code null} when nothing. */
     public String stderr() {
         return stderr;
     }
@@ -79,7 +82,7 @@ public final class Answer {
         held = stopped;
     }
 
-    /** Where the time of a late answer went; {@code null} if it was not late, or the player is no process. */
+    /** Returns where the time of a late answer went; {@code null} if it was not late, or the player is no process. */
     public TimeSpent timeSpent() {
         return timeSpent;
     }

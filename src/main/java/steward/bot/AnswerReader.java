@@ -17,12 +17,12 @@ public final class AnswerReader {
     /** The longest line, in bytes without its line end. */
     public static final int LINE_LIMIT = 64 * 1024;
 
-    /** How much is read at once, in bytes: the most that the JDK reads without a copy and without allocating. */
+    /** Bytes that are read at once: the most that the JDK reads without a copy and without allocating. */
     private static final int READ = 8192;
 
     private static final byte[] NEWLINE = {'\n'};
 
-    /** How waiting for an answer ended. */
+    /** Outcome of waiting for an answer. */
     public enum Outcome {
         /** All lines were received. */
         COMPLETE,
@@ -85,7 +85,8 @@ public final class AnswerReader {
         }
     }
 
-    /** Where the next line end is, or {@code to}. A method of its own, so that the compiler optimises the loop. */
+    /** Returns where the next line end is, or {@code to}. A method of its own, so that the compiler optimises the loop.
+     */
     private static int newline(byte[] bytes, int from, int to) {
         for (int i = from; i < to; i++) {
             if (bytes[i] == '\n') {

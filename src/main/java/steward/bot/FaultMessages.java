@@ -22,8 +22,8 @@ public final class FaultMessages {
     private static final String UNREAD = "did not read its input within ";
 
     /**
-     * What is in brackets behind a limit, and the parts of {@link TimeSpent#text}. There are no brackets within: so the
-     * time that it takes grows with the length of a text, which may be a stranger's, and not with its square.
+     * Measured part in brackets behind a limit, and the parts of {@link TimeSpent#text}. There are no brackets within:
+     * so the time that it takes grows with the length of a text, which may be a stranger's, and not with its square.
      */
     private static final Pattern MEASURED =
         Pattern.compile(" \\((waited|used) [^()]*\\)|[:;] (computed \\d|this system does not show ).*");
@@ -45,7 +45,7 @@ public final class FaultMessages {
         return limit(limitNanos) + backstop + " (waited " + waited(waitedNanos) + ")";
     }
 
-    /** As {@link #late}, with what had been received: {@code : 1 of 2 lines came}. */
+    /** Returns {@link #late} with what had been received: {@code : 1 of 2 lines came}. */
     public static String late(long limitNanos, long waitedNanos, int lines, int expected, int partialBytes) {
         return withLines(late(limitNanos, waitedNanos), lines, expected, partialBytes);
     }
@@ -90,7 +90,7 @@ public final class FaultMessages {
         return LATE + limit(limitNanos) + " of CPU time (used " + waited(usedNanos) + " in " + waited(takenNanos) + ")";
     }
 
-    /** The same fault without what was measured and differs from one occurrence to the next; others stay. */
+    /** Returns this fault without measured parts, which differ from one occurrence to the next; others stay. */
     public static String withoutTimes(String fault) {
         return MEASURED.matcher(fault).replaceAll("");
     }
@@ -115,22 +115,22 @@ public final class FaultMessages {
         return "exited with status " + status + " before answering" + meaning;
     }
 
-    /** Whether a fault is one of {@link #late} or {@link #overCpu}. */
+    /** True if a fault is one of {@link #late} or {@link #overCpu}. */
     public static boolean isLate(String fault) {
         return fault.startsWith(LATE);
     }
 
-    /** Whether a fault is one of time: {@link #late}, {@link #overCpu} or {@link #inputUnread}. */
+    /** True if a fault is one of time: {@link #late}, {@link #overCpu} or {@link #inputUnread}. */
     public static boolean isTime(String fault) {
         return isLate(fault) || fault.startsWith(UNREAD);
     }
 
-    /** Whether a fault is one of {@link #exited}, by itself or by a signal. */
+    /** True if a fault is one of {@link #exited}, by itself or by a signal. */
     public static boolean isExit(String fault) {
         return fault.startsWith("exited with status ") || fault.startsWith("killed by signal ");
     }
 
-    /** Whether a fault is that of {@link #exited} with just this status. */
+    /** True if a fault is that of {@link #exited} with just this status. */
     public static boolean isExit(String fault, int status) {
         return fault.equals(exited(status));
     }

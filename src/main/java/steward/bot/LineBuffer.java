@@ -21,7 +21,7 @@ public final class LineBuffer extends OutputStream {
         return bytes;
     }
 
-    /** How many bytes have been written since the last {@link #reset}. */
+    /** Returns how many bytes have been written since the last {@link #reset}. */
     public int size() {
         return size;
     }

@@ -11,7 +11,7 @@ import steward.Internal;
  */
 public interface Player extends AutoCloseable {
 
-    /** How a call to {@link #ask} ended. */
+    /** Ending of a call to {@link #ask}. */
     enum Ending {
         /** The answer is complete; {@link Answer#length()} bytes are there. */
         ANSWERED,
@@ -80,8 +80,8 @@ public interface Player extends AutoCloseable {
     void finish(byte[] lines, int length);
 
     /**
-     * What the player wrote to its stderr after its last answer, bounded; {@code null} when nothing. Known once
-     * {@link #finish} has returned.
+     * Returns the player's stderr after its last answer, bounded; {@code null} when nothing. Known once {@link #finish}
+     * has returned.
      */
     default String finalStderr() {
         return null;
@@ -98,7 +98,7 @@ public interface Player extends AutoCloseable {
         return null;
     }
 
-    /** The same as {@code finish(null, 0)}. */
+    /** Calls {@code finish(null, 0)}. */
     @Override
     default void close() {
         finish(null, 0);

@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.Locale;
 import java.util.Optional;
 
-/** What a player's time limits are limits of. */
+/** Clock by which a player's time limits are measured. */
 public enum TimeBasis {
 
     /** The time that passes from the frame to the answer, as on the site. */
@@ -19,7 +19,7 @@ public enum TimeBasis {
     /** How many times the limit an answer may take by the wall clock where the limit is one of CPU time. */
     public static final int BACKSTOP = 10;
 
-    /** As it is written in a call. */
+    /** Returns the word as it is written in a call. */
     public String word() {
         return name().toLowerCase(Locale.ROOT);
     }

@@ -1,8 +1,8 @@
 package steward.bot;
 
 /**
- * Where the time went in which a bot program did not answer, as far as the kernel shows it. All times in nanoseconds of
- * the wall clock; {@code unobserved + computed + waited + other} is {@code taken}.
+ * Time in which a bot program did not answer, by what it was spent on, as far as the kernel shows it. All times in
+ * nanoseconds of the wall clock; {@code unobserved + computed + waited + other} is {@code taken}.
  *
  * <p>The parts of several threads are put side by side: two threads that compute at the same time for 10 ms have
  * computed for 10 ms, since no more of the wall clock passed.
@@ -20,7 +20,7 @@ package steward.bot;
 public record TimeSpent(long limit, long taken, long unobserved, long computed, long waited, long other, long cpu,
                         Shows shows, boolean overCpu) {
 
-    /** Which parts the kernel shows. */
+    /** Parts that the kernel shows. */
     public enum Shows {
         /** None. */
         NOTHING,
@@ -43,7 +43,7 @@ public record TimeSpent(long limit, long taken, long unobserved, long computed, 
     }
 
     /**
-     * Whether the machine was starved: the bot waited at least half of its limit for a processor while others used
+     * True if the machine was starved: the bot waited at least half of its limit for a processor while others used
      * them. A bot that used up its CPU time is late by itself.
      */
     public boolean starved() {

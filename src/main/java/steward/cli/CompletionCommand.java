@@ -23,7 +23,7 @@ final class CompletionCommand implements Callable<Integer> {
     /** With this line, picocli has no files completed where a command has options with fixed words. */
     private static final String NO_FILES = "  type compopt &>/dev/null && compopt +o default\n";
     private static final String COMPLETE = "complete -F _complete_steward -o default steward steward.sh steward.bash\n";
-    /** What stands in its place. */
+    /** Name of the resource that stands in its place. */
     private static final String WORDS = "/steward/completion.bash";
 
     private final Streams streams;

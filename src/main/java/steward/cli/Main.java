@@ -144,7 +144,7 @@ public final class Main {
         return program;
     }
 
-    /** What the command line is made of for one command. */
+    /** Returns the options and parameters of one command. */
     static CommandSpec specOf(String command) {
         return program(Streams.standard(), command).getSubcommands().get(command).getCommandSpec();
     }

@@ -2,7 +2,7 @@ package steward.cli;
 
 import picocli.CommandLine.IVersionProvider;
 
-/** What {@code --version} prints: the version in the jar's manifest, if the program runs from one. */
+/** Text of {@code --version}: the version in the jar's manifest, if the program runs from one. */
 final class Version implements IVersionProvider {
 
     @Override

@@ -20,7 +20,7 @@ record GameRecording(double[][] checkpoints, State start, ShownFrame first, List
     static final int PODS = PLAYERS * PODS_PER_PLAYER;
 
     /**
-     * What is known between two turns.
+     * State between two turns, as far as it is known.
      *
      * @param pods     in order; empty if not recorded
      * @param counters per player; empty if not recorded
@@ -42,12 +42,12 @@ record GameRecording(double[][] checkpoints, State start, ShownFrame first, List
      */
     record Turn(int frame, List<List<String>> commands, State after, List<Impact> impacts, List<ShownFrame> frames) {
 
-        /** Whether no player said anything. */
+        /** True if no player said anything. */
         boolean isSilent() {
             return commands.stream().allMatch(lines -> lines == null || lines.isEmpty());
         }
 
-        /** What a pod was told, in words; none if nothing was said. */
+        /** Returns the command to a pod, in words; none if nothing was said. */
         String[] command(int pod) {
             List<String> lines = commands.get(pod / PODS_PER_PLAYER);
             int line = pod % PODS_PER_PLAYER;
@@ -66,7 +66,7 @@ record GameRecording(double[][] checkpoints, State start, ShownFrame first, List
     }
 
     /**
-     * How a player stands.
+     * Counters of a player.
      *
      * @param rank      0 for the best
      * @param turnsLeft to pass a checkpoint

@@ -70,7 +70,7 @@ final class GameRecordingFile {
             : ":" + problem.getLocation().getLineNr() + ":" + problem.getLocation().getColumnNr();
     }
 
-    /** What a file is that is not one JSON value; {@code null} if it looks like damaged JSON. */
+    /** Names the kind of a file that is not one JSON value; {@code null} if it looks like damaged JSON. */
     private static String otherKind(String text) {
         String first = text.stripLeading().lines().findFirst().orElse("");
         if (first.startsWith("<")) {

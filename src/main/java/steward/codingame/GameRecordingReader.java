@@ -11,8 +11,8 @@ import tools.jackson.databind.json.JsonMapper;
 
 /**
  * Reads CodinGame's own JSON of a pod-race game. Frame 0 is the start; from then on, each frame is one player's answer,
- * player 0 and 1 in turn, and the key frame ends the turn. What a frame shows of the game stands in its
- * {@link FrameView}. Missing parts are left out where the rest makes sense without them. Errors name the frame.
+ * player 0 and 1 in turn, and the key frame ends the turn. The game as a frame shows it stands in its {@link
+ * FrameView}. Missing parts are left out where the rest makes sense without them. Errors name the frame.
  */
 final class GameRecordingReader {
 
@@ -68,7 +68,7 @@ final class GameRecordingReader {
         }
     }
 
-    /** What the server's referee was given names the map too. */
+    /** Checks the map against the input of the server's referee, which names the map too. */
     private void requireMap(String input, double[]... checkpoints) {
         Matcher map = MAP.matcher(input);
         if (!map.find()) {
@@ -133,7 +133,7 @@ final class GameRecordingReader {
         return turns;
     }
 
-    /** Whether the frame is the referee's alone; otherwise it must be that of the player whose turn it is. */
+    /** True if the frame is the referee's alone; otherwise it must be that of the player whose turn it is. */
     private boolean isReferee(JsonNode frame, int number, int player) {
         JsonNode agent = frame.get("agentId");
         if (agent == null || agent.isNull()) {

@@ -66,7 +66,7 @@ public final class GameResultLog implements MatchListener {
     }
 
     /**
-     * Whether a file holds a game result, ours or another referee's: a JSON object with the fields {@code errors} and
+     * True if a file holds a game result, ours or another referee's: a JSON object with the fields {@code errors} and
      * {@code outputs}. It is read as far as is needed.
      */
     public static boolean isIn(Path file) {

@@ -9,10 +9,10 @@ import steward.game.podrace.PodRaceSettings;
 import tools.jackson.core.JsonGenerator;
 
 /**
- * What CodinGame's server saw of a game, in the form of a replay. Of the shield it shows only the turn in which it was
- * raised, of the boost nothing, of the checkpoints the next one: timers, boosts and passed checkpoints are counted
- * here. Its counters are those of a race that goes on: before the first turn all players have rank 1, and those of the
- * last turn are left out.
+ * Observations of a game by CodinGame's server, in the form of a replay. Of the shield it shows only the turn in which
+ * it was raised, of the boost nothing, of the checkpoints the next one: timers, boosts and passed checkpoints are
+ * counted here. Its counters are those of a race that goes on: before the first turn all players have rank 1, and those
+ * of the last turn are left out.
  */
 final class ObservedGame implements ServerObservations {
 

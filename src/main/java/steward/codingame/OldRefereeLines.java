@@ -75,17 +75,17 @@ final class OldRefereeLines {
         return carriageReturn ? Arrays.copyOf(bytes, bytes.length - 1) : bytes;
     }
 
-    /** Whether the last line read was longer than {@link #LONGEST}. */
+    /** True if the last line read was longer than {@link #LONGEST}. */
     boolean tooLong() {
         return tooLong;
     }
 
-    /** Whether nothing more can be read. */
+    /** True if nothing more can be read. */
     boolean ended() {
         return ended;
     }
 
-    /** How many lines have been read. */
+    /** Returns how many lines have been read. */
     int number() {
         return number;
     }

@@ -15,7 +15,7 @@ public interface RecordingImport {
     int MOST_BYTES = 1 << 24;
 
     /**
-     * What was imported.
+     * Result of an import.
      *
      * @param turns  how many turns the replay has
      * @param ending how the game ended by our rules, or {@code null} if the recording ends before

@@ -68,7 +68,7 @@ final class ServerFrames {
         return GameFacts.of(result, players);
     }
 
-    /** What the server's referee was given, or "". */
+    /** Returns the input of the server's referee, or "". */
     String input() {
         JsonNode input = result.get("refereeInput");
         return input != null && input.isString() ? input.stringValue() : "";

@@ -85,7 +85,7 @@ final class ServerGameImport implements RecordingImport {
         return new ImportedMatch(setup, shown.seed(), new Seen(), facts, players).write(out);
     }
 
-    /** What the server has shown. */
+    /** Observations that the server has shown. */
     private final class Seen implements ServerObservations {
 
         @Override

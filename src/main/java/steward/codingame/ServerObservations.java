@@ -3,19 +3,19 @@ package steward.codingame;
 import steward.game.Game;
 import steward.replay.Observations;
 
-/** What a server saw of a match whose answers are played again, and how far it goes. */
+/** Observations of a match by a server whose answers are played again, and how far they go. */
 interface ServerObservations extends Observations {
 
-    /** How many turns were recorded. */
+    /** Returns how many turns were recorded. */
     int turns();
 
-    /** Whether no player said anything in a turn, counted from 1. */
+    /** True if no player said anything in a turn, counted from 1. */
     boolean isSilent(int turn);
 
-    /** Whether the server has ended the game: it says who has won. */
+    /** True if the server has ended the game: it says who has won. */
     boolean isOver();
 
-    /** The same game as we play it, before its first turn. */
+    /** Passes the game as we play it, before its first turn. */
     default void start(Game game) {
         // Most servers show all that is kept.
     }

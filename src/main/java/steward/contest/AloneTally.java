@@ -7,8 +7,8 @@ import java.util.TreeMap;
 import steward.match.MatchResult;
 
 /**
- * How one bot did where each plays alone: its results are compared with those of the others on the same maps. Maps on
- * which a game has no result do not count; the mean score is that of all results of the bot.
+ * Results of one bot where each plays alone, compared with those of the others on the same maps. Maps on which a game
+ * has no result do not count; the mean score is that of all results of the bot.
  */
 final class AloneTally {
 

@@ -1,11 +1,11 @@
 package steward.contest;
 
 /**
- * How long one bot took to answer, in one game or in many: counted in buckets of equal relative width, so that games
+ * Times that one bot took to answer, in one game or in many: counted in buckets of equal relative width, so that games
  * add up and nothing grows with them. The first answers of games, which include the start of a program, are apart.
  *
  * <p>The buckets are those of HdrHistogram (G. Tene): below 2^7 ns one for each nanosecond, above 64 for each power of
- * two. What is read from them is therefore at most 1/64 too high. The mean and the worst are exact.
+ * two. Times read from them are therefore at most 1/64 too high. The mean and the worst are exact.
  */
 public final class AnswerTimes {
 
@@ -75,7 +75,7 @@ public final class AnswerTimes {
         return (highest << shift) + ((1L << shift) - 1);
     }
 
-    /** How many answers, the first ones of games left out. */
+    /** Returns how many answers, the first ones of games left out. */
     public long count() {
         return count;
     }

@@ -85,7 +85,7 @@ public final class Attempts {
         return again;
     }
 
-    /** Why the last attempt does not count although it has a result, or {@code null}. */
+    /** Returns why the last attempt does not count although it has a result, or {@code null}. */
     public String discarded() {
         return discarded;
     }

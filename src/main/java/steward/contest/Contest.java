@@ -56,24 +56,24 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
         this(setup, entrants, time, timeFactor, null, Isolation::usual, Entrant::player);
     }
 
-    /** The same, its replays signed. */
+    /** Returns this contest with its replays signed. */
     @Internal
     public Contest signedWith(SigningKey other) {
         return new Contest(setup, entrants, time, timeFactor, other, isolation, starter);
     }
 
-    /** The same between other bots. */
+    /** Returns this contest between other bots. */
     public Contest between(List<Entrant> others) {
         return new Contest(setup, others, time, timeFactor, key, isolation, starter);
     }
 
-    /** The same with bots kept apart in another way. */
+    /** Returns this contest with bots kept apart in another way. */
     @Internal
     public Contest isolatedBy(Supplier<Isolation> other) {
         return new Contest(setup, entrants, time, timeFactor, key, other, starter);
     }
 
-    /** The same with bots that are started in another way: in this JVM, to measure without processes. */
+    /** Returns this contest with bots that are started in another way: in this JVM, to measure without processes. */
     @Internal
     public Contest startedBy(BotStarter other) {
         return new Contest(setup, entrants, time, timeFactor, key, isolation, other);
@@ -100,7 +100,7 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
         return timeFactor == Double.POSITIVE_INFINITY ? "" : HoldMeans.text(isolation.get());
     }
 
-    /** The same, its limits those of something else. */
+    /** Returns this contest with limits on another clock. */
     public Contest limitedBy(TimeBasis basis) {
         return new Contest(setup, entrants, time.by(basis), timeFactor, key, isolation, starter);
     }
@@ -124,7 +124,7 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
             this(name, bot, protocol, words, null);
         }
 
-        /** The same under another name. */
+        /** Returns this entrant under another name. */
         public Entrant named(String other) {
             return new Entrant(other, bot, protocol, words, problem);
         }
@@ -153,7 +153,8 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
         return withoutProblem(withFailing(setup, bots, usual, timeFactor));
     }
 
-    /** As {@link #of}, for a series: in a scene for one player any number of bots can each play alone. */
+    /** Makes a contest as {@link #of} does, for a series: in a scene for one player any number of bots can each play
+     * alone. */
     public static Contest ofSeries(GameSetup setup, List<String> bots, Protocol usual, double timeFactor) {
         return setup.scene().players() > 1 || bots.isEmpty() ? of(setup, bots, usual, timeFactor)
             : withoutProblem(create(setup, bots, usual, timeFactor));
@@ -169,8 +170,8 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
     }
 
     /**
-     * As {@link #of}, but a bot that cannot be started takes part, and fails when it is asked for the first time: for
-     * tools that let the other bots play on.
+     * Makes a contest as {@link #of} does, but a bot that cannot be started takes part, and fails when it is asked for
+     * the first time: for tools that let the other bots play on.
      */
     public static Contest withFailing(GameSetup setup, List<String> bots, Protocol usual, double timeFactor) {
         int players = setup.scene().players();
@@ -268,7 +269,7 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
         return setup.textCodec(setup.create(0)).isPresent();
     }
 
-    /** Whether the scene's game speaks CodinGame's lines too; all games speak JSON. */
+    /** True if the scene's game speaks CodinGame's lines too; all games speak JSON. */
     boolean hasBothProtocols() {
         return hasText(setup);
     }
@@ -278,12 +279,12 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
         return setup.scene().players();
     }
 
-    /** Whether each bot plays alone, and results on the same map are compared. */
+    /** True if each bot plays alone, and results on the same map are compared. */
     public boolean isAlone() {
         return players() == 1;
     }
 
-    /** Whether lower scores are better in this game. */
+    /** True if lower scores are better in this game. */
     boolean lowerScoreIsBetter() {
         return setup.create(0).lowerScoreIsBetter();
     }
@@ -293,8 +294,8 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
     }
 
     /**
-     * Which bot plays as a player when the bots have moved up by {@code rotation} places. Where each plays alone, the
-     * bots take turns so.
+     * Returns which bot plays as a player when the bots have moved up by {@code rotation} places. Where each plays
+     * alone, the bots take turns so.
      */
     public int entrantOf(int player, int rotation) {
         return (player + rotation) % entrants.size();

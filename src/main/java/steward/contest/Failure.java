@@ -8,7 +8,7 @@ import steward.bot.FaultMessages;
 import steward.bot.TimeSpent;
 
 /**
- * How a bot failed as a program in one game.
+ * Failure of a bot as a program in one game.
  *
  * @param player its place in the game
  * @param turn   in which it failed, counted from 1
@@ -44,19 +44,19 @@ public record Failure(int player, int turn, String reason, List<String> stderr, 
         this(player, turn, reason, stderr, hints, null, null);
     }
 
-    /** The same without lines and hints, to save memory. */
+    /** Returns this failure without lines and hints, to save memory. */
     Failure brief() {
         return new Failure(player, turn, reason, List.of(), List.of(), time, burner);
     }
 
-    /** Whether it was late while other programs used the processors, see {@link TimeSpent#starved}. */
+    /** True if it was late while other programs used the processors, see {@link TimeSpent#starved}. */
     public boolean starved() {
         return time != null && time.starved();
     }
 
     /**
-     * What failures for the same reason have in common: the reason without what was received, and with {@code #} for
-     * each number. The status of an exit and the limit of an answer stay.
+     * Returns the common part of failures for the same reason: the reason without what was received, and with {@code #}
+     * for each number. The status of an exit and the limit of an answer stay.
      */
     public String kind() {
         return kind(reason);

@@ -116,7 +116,7 @@ final class FailureHints {
             + " game again", name, burner.processors(), burner.holdable() ? "" : " and cannot be held here");
     }
 
-    /** Whether it exited at its first input, or answered in the form of the other protocol. */
+    /** True if it exited at its first input, or answered in the form of the other protocol. */
     private static boolean speaksTheOther(Protocol protocol, String reason, String received, List<String> stderr) {
         if (FaultMessages.isExit(reason)) {
             return !reason.equals(FaultMessages.exited(0))

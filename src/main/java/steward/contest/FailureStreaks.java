@@ -9,7 +9,7 @@ import steward.text.TextFormat;
 @Internal
 public final class FailureStreaks {
 
-    /** So many games in a row end a test or a search. */
+    /** Number of games in a row that end a test or a search. */
     public static final int MOST = 10;
 
     private final Map<String, Integer> games = new HashMap<>();

@@ -30,7 +30,7 @@ import steward.text.TextFormat;
 @Internal
 public final class GameLog implements MatchListener {
 
-    /** How much of a line of stderr is kept, in characters. */
+    /** Characters of a line of stderr that are kept. */
     private static final int LONGEST = 200;
 
     private final List<Protocol> protocols;
@@ -170,17 +170,17 @@ public final class GameLog implements MatchListener {
         return List.copyOf(last);
     }
 
-    /** How many turns have been played; may be asked by any thread. */
+    /** Returns how many turns have been played; may be asked by any thread. */
     int turns() {
         return turns;
     }
 
-    /** How long answers took, by player; when the game is over. */
+    /** Returns how long answers took, by player; when the game is over. */
     public List<AnswerTimes> times() {
         return List.of(times);
     }
 
-    /** What the result does not contain; nothing is known of a game without a result. */
+    /** Returns the facts that the result does not contain; nothing is known of a game without a result. */
     public GameFacts facts() {
         return facts == null ? GameFacts.UNKNOWN : facts;
     }

@@ -12,7 +12,7 @@ public enum Hiccups {
     /** They count. */
     COUNT;
 
-    /** As it is written in a call. */
+    /** Returns the word as it is written in a call. */
     public String word() {
         return name().toLowerCase(Locale.ROOT);
     }

@@ -4,19 +4,19 @@ import java.util.Arrays;
 import java.util.Locale;
 import java.util.Optional;
 
-/** Which replays of a series are kept. */
+/** Choice of the replays of a series that are kept. */
 public enum KeptReplays {
 
     /** Every one; also that of a game that was broken off, if it has a turn. */
     ALL,
-    /** Of games that the first bot of the call has lost. */
+    /** Games that the first bot of the call has lost. */
     LOST,
-    /** Of games in which any bot failed, and of those without a result. */
+    /** Games in which any bot failed, and games without a result. */
     FAILED,
     /** Not one; nothing is recorded. */
     NONE;
 
-    /** As it is written in a call. */
+    /** Returns the word as it is written in a call. */
     public String word() {
         return name().toLowerCase(Locale.ROOT);
     }
@@ -26,7 +26,7 @@ public enum KeptReplays {
         return Arrays.stream(values()).filter(each -> each.word().equals(word)).findFirst();
     }
 
-    /** Whether the replay of a game that is over is kept. */
+    /** True if the replay of a game that is over is kept. */
     boolean keeps(Contest contest, Series.Played game) {
         return switch (this) {
             case ALL -> true;

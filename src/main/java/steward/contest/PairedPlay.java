@@ -14,9 +14,9 @@ import steward.Internal;
 import steward.match.MatchResult;
 
 /**
- * The same bots on one seed after the other, each seed from all seats, until the taker of the results has enough. What
- * it is handed comes in the order of seeds, however many threads play: when it says that it has enough, nothing that
- * is played besides counts.
+ * Play of some bots on one seed after the other, each seed from all seats, until the taker of the results has enough.
+ * Results come to it in the order of seeds, however many threads play: when it says that it has enough, nothing that is
+ * played besides counts.
  */
 @Internal
 public final class PairedPlay {
@@ -57,7 +57,7 @@ public final class PairedPlay {
     /** A game that has been played before. */
     public interface Known {
 
-        /** How it went, or {@code null} if that is not known. */
+        /** Returns how it went, or {@code null} if that is not known. */
         Outcome outcome(long seed, int rotation);
     }
 

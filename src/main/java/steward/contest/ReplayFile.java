@@ -56,7 +56,7 @@ public final class ReplayFile extends OutputStream {
         }
     }
 
-    /** What could not be written any more is remembered, see {@link #problem}; nothing is thrown. */
+    /** Closes the file; a failure to write is remembered, see {@link #problem}, and nothing is thrown. */
     @Override
     public void close() {
         try {
@@ -66,7 +66,7 @@ public final class ReplayFile extends OutputStream {
         }
     }
 
-    /** What went wrong with the file, and what has become of it; {@code null} if nothing. */
+    /** Describes the failure of the file, and its fate; {@code null} if there was none. */
     public String problem() {
         if (problem == null) {
             return null;
@@ -78,7 +78,7 @@ public final class ReplayFile extends OutputStream {
         return isOurs() ? what + "; the turns before are in it" : what;
     }
 
-    /** Whether anything went wrong with the file. */
+    /** True if anything went wrong with the file. */
     public boolean isBroken() {
         return problem != null;
     }
@@ -90,12 +90,12 @@ public final class ReplayFile extends OutputStream {
         }
     }
 
-    /** Whether the file was made here: what others have made, devices and links stay. */
+    /** True if the file was made here: what others have made, devices and links stay. */
     private boolean isOurs() {
         return file.isMade() && Files.isRegularFile(path, LinkOption.NOFOLLOW_LINKS);
     }
 
-    /** Whether there is a complete line after that of the header. */
+    /** True if there is a complete line after that of the header. */
     private boolean hasTurn() {
         byte[] bytes = new byte[1 << 13];
         int lines = 0;
@@ -140,7 +140,7 @@ public final class ReplayFile extends OutputStream {
         }
     }
 
-    /** Whether there is a replay: the file was made, and has not been removed. */
+    /** True if there is a replay: the file was made, and has not been removed. */
     public boolean exists() {
         return file.isMade() && Files.exists(path);
     }

@@ -60,12 +60,12 @@ public record Series(Contest contest, long first, int seeds, boolean swap, Path 
             this(number, seed, rotation, result, failure, failures, replay, null);
         }
 
-        /** Which bot of the call was a player. */
+        /** Returns which bot of the call was a player. */
         public int entrantOf(Contest contest, int player) {
             return contest.entrantOf(player, rotation);
         }
 
-        /** Which player a bot of the call was, where all of them played. */
+        /** Returns which player a bot of the call was, where all of them played. */
         public int playerOf(Contest contest, int entrant) {
             int player = 0;
             while (contest.entrantOf(player, rotation) != entrant) {
@@ -74,7 +74,7 @@ public record Series(Contest contest, long first, int seeds, boolean swap, Path 
             return player;
         }
 
-        /** Whether there is a result, and all players failed in the same turn: then no player has earned it. */
+        /** True if there is a result, and all players failed in the same turn: then no player has earned it. */
         public boolean allFailed() {
             return result != null && result.players().size() > 1 && failures.size() == result.players().size()
                 && failures.stream().allMatch(failure -> failure.turn() == failures.get(0).turn());
@@ -103,7 +103,7 @@ public record Series(Contest contest, long first, int seeds, boolean swap, Path 
         folder = keep == KeptReplays.NONE ? null : folder;
     }
 
-    /** How many games there are in all. */
+    /** Returns the number of games in all. */
     public int games() {
         return seeds * sides();
     }
@@ -128,7 +128,7 @@ public record Series(Contest contest, long first, int seeds, boolean swap, Path 
     }
 
     /**
-     * Where it goes if the game is played again because others used the processors; or {@code null}.
+     * Returns where it goes if the game is played again because others used the processors; or {@code null}.
      *
      * @param attempt counted from 1
      */

@@ -23,7 +23,7 @@ import steward.match.MatchResult;
  */
 public final class SeriesPlay {
 
-    /** How one match is played, as {@link Contest#play} does. */
+    /** Play of one match, as {@link Contest#play} does it. */
     public interface MatchPlay {
 
         /** See {@link Contest#play}; in some attempts at a game bots are held, see {@link Attempts}. */
@@ -67,7 +67,7 @@ public final class SeriesPlay {
                         String refused, Series.Played before) {
     }
 
-    /** What is played. */
+    /** Returns the series that is played. */
     public Series series() {
         return series;
     }
@@ -86,7 +86,7 @@ public final class SeriesPlay {
         play(threads, game -> each.run());
     }
 
-    /** The same; what is called is told the game, by any thread. */
+    /** Plays all games; the consumer is told each game, by any thread. */
     @Internal
     public void play(int threads, Consumer<Series.Played> each) throws InterruptedException {
         int used = Math.min(threads, series.games());
@@ -164,7 +164,7 @@ public final class SeriesPlay {
         return game;
     }
 
-    /** The same game once more; the replay of the first, if it is kept, makes room. {@code null} if it cannot. */
+    /** Begins the game once more; the replay of the first, if it is kept, makes room. {@code null} if it cannot. */
     private Game again(Game game, Series.Played played) {
         try {
             Path kept = series.starvedFile(game.number(), game.attempts().played());
@@ -231,12 +231,12 @@ public final class SeriesPlay {
         return true;
     }
 
-    /** Whether {@link #breakOff} has been called. */
+    /** True if {@link #breakOff} has been called. */
     public synchronized boolean isBrokenOff() {
         return brokenOff;
     }
 
-    /** Why the series ended before its last game, or {@code null}. */
+    /** Returns why the series ended before its last game, or {@code null}. */
     public synchronized String stopped() {
         return stopped;
     }

@@ -57,7 +57,7 @@ public final class Standings {
         return List.copyOf(games.values());
     }
 
-    /** How many games have a result. */
+    /** Returns how many games have a result. */
     public synchronized int results() {
         return results;
     }
@@ -72,12 +72,12 @@ public final class Standings {
         return contest.isAlone() ? tally(entrant).points() : points[entrant] / results;
     }
 
-    /** How a bot did, by its place in the call. */
+    /** Returns how a bot did, by its place in the call. */
     public Tally tally(int entrant) {
         return Tally.of(contest, games(), entrant);
     }
 
-    /** How long a bot took to answer; to be looked at when no more games are played. */
+    /** Returns how long a bot took to answer; to be looked at when no more games are played. */
     public synchronized AnswerTimes times(int entrant) {
         return times[entrant];
     }
@@ -98,7 +98,7 @@ public final class Standings {
         return games().stream().filter(game -> game.starved() != null).toList();
     }
 
-    /** Why bots failed, the bot and kind of the earliest game first. */
+    /** Returns why bots failed, the bot and kind of the earliest game first. */
     public synchronized List<FailureKind> failures() {
         return failures.kinds();
     }

@@ -4,7 +4,7 @@ import java.util.List;
 import steward.match.MatchResult;
 
 /**
- * How one bot did in many games.
+ * Results of one bot in many games.
  *
  * <p>Points of a game: the share of the others that are ranked below, with half of those on the same rank; between two
  * bots 1 for a win, 1/2 for a draw, 0 for a loss. Where each plays alone, the results on the same map count so; a bot

@@ -12,7 +12,7 @@ import steward.Internal;
 
 /**
  * A file that is made when something is first written to it, so that a process which is killed before leaves no empty
- * one, and one that is to be replaced stays until then. What can be known before is found out when this is made:
+ * one, and one that is to be replaced stays until then. Errors that can be known before are found when this is made:
  * whether a new file can be made is tried. Devices and pipes, which are there already, are opened at once.
  *
  * <p>One thread at a time may use it.
@@ -40,7 +40,7 @@ public final class LateFile extends OutputStream {
         }
     }
 
-    /** Why a file could not be made or replaced, {@code null} if nothing is in the way. */
+    /** Returns why a file could not be made or replaced, {@code null} if nothing is in the way. */
     private static String problem(Path path) {
         Path folder = path.toAbsolutePath().getParent();
         try {
@@ -86,7 +86,7 @@ public final class LateFile extends OutputStream {
         }
     }
 
-    /** Whether it has been made: from then on it is this program's. */
+    /** True if it has been made: from then on it is this program's. */
     public boolean isMade() {
         return file != null;
     }

@@ -145,7 +145,7 @@ public final class OutputFiles {
         Files.move(part, file, StandardCopyOption.REPLACE_EXISTING);
     }
 
-    /** Whether both are the same file, there already or about to be; {@code null} is never the same. */
+    /** True if both are the same file, there already or about to be; {@code null} is never the same. */
     public static boolean isSame(Path one, Path other) {
         if (one == null || other == null) {
             return false;
@@ -163,7 +163,7 @@ public final class OutputFiles {
         return new InputException(file + ": exists already, and is kept; --overwrite would replace it");
     }
 
-    /** Why a file or folder cannot be written, without its name. */
+    /** Returns why a file or folder cannot be written, without its name. */
     public static String reason(Path file, IOException problem) {
         Path folder = file.toAbsolutePath().getParent();
         if (problem instanceof AccessDeniedException) {

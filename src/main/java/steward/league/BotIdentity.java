@@ -57,7 +57,7 @@ public final class BotIdentity {
         return hash.hex();
     }
 
-    /** What would make it another one: changes when any of its files has been touched. No file is read. */
+    /** Returns a stamp of the bot: it changes when any of its files has been touched. No file is read. */
     public String stamp(LeagueBot bot) {
         StringBuilder stamps = new StringBuilder(bot.typed());
         BotCommand command = bot.parsed();
@@ -92,7 +92,7 @@ public final class BotIdentity {
         return files;
     }
 
-    /** Where the bundled bots are: an archive, or their classes. */
+    /** Returns where the bundled bots are: an archive, or their classes. */
     private static List<Path> bundled() {
         URL list = BuiltinBots.class.getClassLoader().getResource(BuiltinBots.RESOURCE);
         if (list == null) {

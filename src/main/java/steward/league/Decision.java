@@ -5,8 +5,8 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * What the schedule decides at once: some bots on one seed, every one of them on every seat; alone, each of them on the
- * same map.
+ * Decision of the schedule: some bots on one seed, every one of them on every seat; alone, each of them on the same
+ * map.
  *
  * @param number  counted from 0
  * @param seed    of all its games
@@ -27,7 +27,7 @@ public record Decision(int number, long seed, List<int[]> lineups) {
         return lineups;
     }
 
-    /** The same versions from the lowest: what the seats do not change. */
+    /** Returns these versions in ascending order: the group, whatever the seats. */
     static int[] sorted(int... lineup) {
         int[] sorted = lineup.clone();
         Arrays.sort(sorted);

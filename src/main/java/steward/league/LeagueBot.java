@@ -26,12 +26,12 @@ public record LeagueBot(String name, String command, List<String> files, boolean
         this(name, command, files, random, retired, 0);
     }
 
-    /** The same, of which failures before a decision do not matter. */
+    /** Returns this bot; its failures before a decision do not matter. */
     public LeagueBot resumed(int decision) {
         return new LeagueBot(name, command, files, random, retired, decision);
     }
 
-    /** As it would be typed in a call. */
+    /** Returns the bot as it would be typed in a call. */
     public String typed() {
         return name + "=" + command;
     }
@@ -41,12 +41,12 @@ public record LeagueBot(String name, String command, List<String> files, boolean
         return BotCommand.parse(typed());
     }
 
-    /** The same under another name. */
+    /** Returns this bot under another name. */
     public LeagueBot named(String other) {
         return new LeagueBot(other, command, files, random, retired, resumed);
     }
 
-    /** The same, to play no more or again. */
+    /** Returns this bot, to play no more or again. */
     public LeagueBot retired(boolean now) {
         return new LeagueBot(name, command, files, random, now, resumed);
     }

@@ -50,22 +50,22 @@ public record LeagueFolder(Path path) {
         return new LeagueFolder(path);
     }
 
-    /** Where the settings are. */
+    /** Returns where the settings are. */
     public Path settings() {
         return path.resolve(SETTINGS);
     }
 
-    /** Where the games are. */
+    /** Returns where the games are. */
     public Path database() {
         return path.resolve("league.db");
     }
 
-    /** What a run holds while it plays. */
+    /** Returns the lock file, which a run holds while it plays. */
     public Path lock() {
         return path.resolve("league.lock");
     }
 
-    /** Where kept replays are. */
+    /** Returns where kept replays are. */
     public Path replays() {
         return path.resolve("replays");
     }

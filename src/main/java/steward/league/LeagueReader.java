@@ -29,9 +29,9 @@ public final class LeagueReader {
     static final String ADAPTIVE = "adaptive";
     static final String GAUNTLET = "gauntlet ";
 
-    /** What a bot may be called. */
+    /** Form of a bot's name. */
     public static final Pattern NAME = Pattern.compile("[\\p{L}\\p{M}\\p{N}._-]{1,100}");
-    /** The same in words. */
+    /** Form of a bot's name, in words. */
     public static final String NAME_FORM = "1 to 100 letters, digits, dots, underscores and hyphens";
 
     private static final double MOST_FACTOR = 1e6;

@@ -9,7 +9,7 @@ import steward.contest.Hiccups;
 import steward.contest.KeptReplays;
 
 /**
- * What a person decides about a league: the content of league.json.
+ * Settings of a league by a person: the content of league.json.
  *
  * @param scene    a shipped scene's name, or a file in the league's folder
  * @param seed     of the first decision; each decision has the next one
@@ -44,7 +44,7 @@ public record LeagueSettings(String scene, long seed, String gauntlet, boolean a
         bots = List.copyOf(bots);
     }
 
-    /** Those of a new league without bots. */
+    /** Returns the settings of a new league without bots. */
     public static LeagueSettings usual(String scene, long seed) {
         return new LeagueSettings(scene, seed, null, true, USUAL_LAG, 1, TimeBasis.WALL, Hiccups.REPLAY,
             List.of("--sandbox", "auto"), KeptReplays.FAILED, List.of(), List.of());
@@ -60,26 +60,26 @@ public record LeagueSettings(String scene, long seed, String gauntlet, boolean a
         return bots.stream().filter(bot -> bot.name().equals(name)).findFirst();
     }
 
-    /** The same of another scene. */
+    /** Returns these settings with another scene. */
     public LeagueSettings withScene(String other) {
         return new LeagueSettings(other, seed, gauntlet, adaptive, lag, factor, basis, hiccups, sandbox, keep,
             keepOf, bots);
     }
 
-    /** The same with other bots. */
+    /** Returns these settings with other bots. */
     public LeagueSettings withBots(List<LeagueBot> others) {
         return new LeagueSettings(scene, seed, gauntlet, adaptive, lag, factor, basis, hiccups, sandbox, keep,
             keepOf, others);
     }
 
-    /** The same with one bot more, the last. */
+    /** Returns these settings with one bot more, the last. */
     public LeagueSettings with(LeagueBot bot) {
         List<LeagueBot> all = new ArrayList<>(bots);
         all.add(bot);
         return withBots(all);
     }
 
-    /** The same with a bot replaced, wherever it is named. */
+    /** Returns these settings with a bot replaced, wherever it is named. */
     public LeagueSettings replaced(String name, LeagueBot by) {
         String hero = name.equals(gauntlet) ? by.name() : gauntlet;
         List<String> losers = keepOf.stream().map(each -> each.equals(name) ? by.name() : each).toList();
@@ -87,7 +87,7 @@ public record LeagueSettings(String scene, long seed, String gauntlet, boolean a
             bots.stream().map(bot -> bot.name().equals(name) ? by : bot).toList());
     }
 
-    /** The same with other rules of pairing, time and replays, as a new league may be told. */
+    /** Returns these settings with other rules of pairing, time and replays, as a new league may be told. */
     public LeagueSettings with(String newGauntlet, double newFactor, KeptReplays newKeep) {
         return new LeagueSettings(scene, seed, newGauntlet, adaptive, lag, newFactor, basis, hiccups, sandbox,
             newKeep, keepOf, bots);
@@ -99,7 +99,7 @@ public record LeagueSettings(String scene, long seed, String gauntlet, boolean a
         return hold() == HoldPolicy.BURNERS ? text : text + ", hold " + hold().word();
     }
 
-    /** Which bots are stopped while others are asked. */
+    /** Returns which bots are stopped while others are asked. */
     public HoldPolicy hold() {
         int option = sandbox.indexOf(HOLD);
         return option < 0 ? HoldPolicy.BURNERS : HoldPolicy.of(sandbox.get(option + 1)).orElse(HoldPolicy.BURNERS);
@@ -117,7 +117,7 @@ public record LeagueSettings(String scene, long seed, String gauntlet, boolean a
             bots);
     }
 
-    /** How bots are paired, as it is written in the file. */
+    /** Returns how bots are paired, as it is written in the file. */
     public String pairing() {
         return gauntlet != null ? LeagueReader.GAUNTLET + gauntlet
             : adaptive ? LeagueReader.ADAPTIVE : LeagueReader.ROUND_ROBIN;

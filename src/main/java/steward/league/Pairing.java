@@ -4,9 +4,9 @@ import java.util.List;
 import java.util.function.Predicate;
 
 /**
- * Decides who plays next. What it is told of decisions is all of them; of their results, in a pairing that uses them,
- * only those of decisions that are {@code lag} or more back: then nothing it decides depends on threads or on where a
- * run was interrupted.
+ * Decides who plays next. It is told of all decisions; of their results, in a pairing that uses them, only those of
+ * decisions that are {@code lag} or more back: then nothing it decides depends on threads or on where a run was
+ * interrupted.
  */
 public interface Pairing {
 

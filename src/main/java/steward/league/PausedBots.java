@@ -5,8 +5,8 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * Bots that failed in many games in a row, and are not chosen any more. Whether a bot is paused at a decision follows
- * from the results of the decisions before, so that neither threads nor interruptions change it:
+ * Bots that failed in many games in a row, and are not chosen any more. The pause of a bot at a decision follows from
+ * the results of the decisions before, so that neither threads nor interruptions change it:
  *
  * <ul>
  * <li>A bot whose last game at least {@code lag} decisions back was without failure plays: nothing is waited for.
@@ -18,7 +18,7 @@ import java.util.TreeMap;
  */
 public final class PausedBots {
 
-    /** How a bot stands at a decision. */
+    /** State of a bot at a decision. */
     enum State {
         PLAYS, PAUSED,
         /** An answer that depends on games that are not over. */
@@ -98,7 +98,7 @@ public final class PausedBots {
             : row.decisions.computeIfAbsent(decision, any -> new Count());
     }
 
-    /** How a version stands at a decision; those {@code lag} or more back are over. */
+    /** Returns how a version stands at a decision; those {@code lag} or more back are over. */
     State at(int version, int decision) {
         Row row = row(version);
         while (!row.decisions.isEmpty() && row.decisions.firstKey() <= decision - lag && row.failures < most) {

@@ -31,7 +31,7 @@ public final class Schedule {
     private final EarlierGames earlier;
     /** How often each group was decided on, for a pairing that is made anew when the bots have changed. */
     private final Map<List<Integer>, Integer> made = new LinkedHashMap<>();
-    /** The same for what the pairing has not been told yet: it need not know until it has to choose. */
+    /** Decisions by group that the pairing has not been told yet: it need not know until it has to choose. */
     private final Map<List<Integer>, Integer> untold = new LinkedHashMap<>();
     /** Games that are under way, by decision. */
     private final TreeMap<Integer, Integer> open = new TreeMap<>();
@@ -161,7 +161,7 @@ public final class Schedule {
         end = isEnd;
     }
 
-    /** How many games of the schedule have been played or given out. */
+    /** Returns how many games of the schedule have been played or given out. */
     public long games() {
         return games;
     }
@@ -214,7 +214,7 @@ public final class Schedule {
     }
 
     /**
-     * Whether games have been decided on that are not begun.
+     * True if games have been decided on that are not begun.
      *
      * @param most games in all
      */

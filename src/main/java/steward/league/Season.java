@@ -6,7 +6,7 @@ import steward.scene.Scene;
 import steward.scene.SceneKey;
 
 /**
- * What all games of a season have in common, so that they can be compared: the scene, the time limits, the rules.
+ * Common conditions of all games of a season, so that they can be compared: the scene, the time limits, the rules.
  *
  * @param key       of all of it
  * @param sceneName the scene's name

@@ -43,7 +43,7 @@ final class TextHash {
         return Arrays.copyOf(digest.digest(), BYTES);
     }
 
-    /** The same as 32 hexadecimal digits; call once. */
+    /** Returns the hash as 32 hexadecimal digits; call once. */
     String hex() {
         return HexFormat.of().formatHex(bytes());
     }

@@ -1,5 +1,5 @@
 /**
- * What a league is: the file that a person edits, the folder, the identity of a bot and of a game, and the schedule of
+ * A league on disk: the file that a person edits, the folder, the identity of a bot and of a game, and the schedule of
  * who plays whom. It computes nothing from results and stores nothing.
  */
 @Internal

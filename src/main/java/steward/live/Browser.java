@@ -44,7 +44,7 @@ public final class Browser {
             ? List.of(List.of("xdg-open")) : List.of());
     }
 
-    /** Why no page can be opened, or {@code null} if there is a program that may. */
+    /** Returns why no page can be opened, or {@code null} if there is a program that may. */
     public String missing() {
         for (List<String> opener : openers) {
             if (ProgramFinder.find(opener.get(0)) != null) {

@@ -74,7 +74,7 @@ public final class LiveRecording extends OutputStream implements Feed {
         changed = listener;
     }
 
-    /** Whether the last line is known: the result, or the last line before closing. */
+    /** True if the last line is known: the result, or the last line before closing. */
     @Override
     public synchronized boolean isComplete() {
         byte[] last = lines.isEmpty() ? NOTHING : lines.get(lines.size() - 1);

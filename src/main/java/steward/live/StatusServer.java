@@ -82,7 +82,7 @@ public final class StatusServer implements AutoCloseable {
         }
     }
 
-    /** What is shown from now on: one line. */
+    /** Shows a state from now on: one line. */
     public void show(String line) {
         newest.show(line);
     }

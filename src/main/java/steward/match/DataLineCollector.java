@@ -16,9 +16,9 @@ final class DataLineCollector {
     private static final String MATCH = "[TDATA]";
     private static final String PLAYER = "[PDATA]";
     private static final String PLAYER_SUM = "[PDATA+]";
-    /** How much of an incomplete line is kept, in characters. */
+    /** Characters of an incomplete line that are kept. */
     private static final int LONGEST = 1000;
-    /** How much is kept of what is reported about a player, or about the match, in characters. */
+    /** Characters that are kept of reports about a player, or about the match. */
     private static final int MOST = 1 << 14;
 
     private final Map<String, String> match = new TreeMap<>();

@@ -24,7 +24,7 @@ public interface Dialogue {
     /** The lines after the match, possibly empty. */
     LineBuffer end(int player);
 
-    /** How many lines make an answer, at least 1. */
+    /** Returns how many lines make an answer, at least 1. */
     int answerLines(int player);
 
     /** As {@link BotFrames#readAnswer} and {@link TextCodec#readAnswer}. */

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * How a match ended.
+ * Result of a match.
  *
  * @param turns   turns played
  * @param ending  one sentence without its full stop
@@ -74,14 +74,14 @@ public record MatchResult(int turns, String ending, List<PlayerResult> players, 
     }
 
     /**
-     * Whether there is no winner because those who share the first place all failed as programs: no draw of merit. So
+     * True if there is no winner because those who share the first place all failed as programs: no draw of merit. So
      * ends a match whose players all fail in the same turn.
      */
     public boolean allFailed() {
         return winner() < 0 && players.stream().allMatch(player -> player.rank() != 0 || player.fault() != null);
     }
 
-    /** Whether any player failed as a program. */
+    /** True if any player failed as a program. */
     public boolean anyFault() {
         return players.stream().anyMatch(player -> player.fault() != null);
     }

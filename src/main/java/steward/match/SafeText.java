@@ -8,7 +8,7 @@ import steward.text.TextFormat;
 @Internal
 public final class SafeText {
 
-    /** How much of a line is quoted, in characters. */
+    /** Characters of a line that are quoted. */
     private static final int MOST = 120;
     /** The most bytes of UTF-8 per Java character, which bounds how much must be decoded. */
     private static final int BYTES_PER_CHARACTER = 4;
@@ -24,8 +24,7 @@ public final class SafeText {
     }
 
     /**
-     * The fault of a player whose answer cannot be used. What is wrong may quote the answer, so it is made safe as
-     * well.
+     * The fault of a player whose answer cannot be used. The fault may quote the answer, so it is made safe as well.
      *
      * @param wrong what is wrong with the answer
      */

@@ -21,7 +21,7 @@ public final class Stopwatch {
         }
     }
 
-    /** How many answers were added. */
+    /** Returns how many answers were added. */
     public int answers() {
         return answers;
     }

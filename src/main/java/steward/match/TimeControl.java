@@ -4,7 +4,7 @@ import steward.bot.TimeBasis;
 import steward.scene.Time;
 
 /**
- * How long players may take.
+ * Time limits of players.
  *
  * @param firstNanos the limit of the first answer, in nanoseconds; it includes the start of a process
  * @param turnNanos  the limit of every later answer; {@code Long.MAX_VALUE} is no deadline
@@ -22,7 +22,7 @@ public record TimeControl(long firstNanos, long turnNanos, TimeBasis basis) {
         this(firstNanos, turnNanos, TimeBasis.WALL);
     }
 
-    /** The same limits of something else. */
+    /** Returns these limits on another clock. */
     public TimeControl by(TimeBasis other) {
         return new TimeControl(firstNanos, turnNanos, other);
     }

@@ -5,9 +5,7 @@ import steward.bot.Answer;
 import steward.bot.Burner;
 import steward.bot.TimeSpent;
 
-/**
- * What the players did in one turn; the referee reuses it from turn to turn. Arrays are indexed by player.
- */
+/** Actions of the players in one turn; the referee reuses it from turn to turn. Arrays are indexed by player. */
 public final class Turn {
 
     private int number;
@@ -82,17 +80,17 @@ public final class Turn {
         return number;
     }
 
-    /** How many players there are, including those who are out. */
+    /** Returns the number of players, including those who are out. */
     public int players() {
         return asked.length;
     }
 
-    /** Whether the player was asked: players who are out are not. */
+    /** True if the player was asked: players who are out are not. */
     public boolean asked(int player) {
         return asked[player];
     }
 
-    /** Whether the player gave a valid command. */
+    /** True if the player gave a valid command. */
     public boolean answered(int player) {
         return answered[player];
     }
@@ -105,12 +103,12 @@ public final class Turn {
         return answers[player] == null ? null : answers[player].text();
     }
 
-    /** How the player failed in this turn, or {@code null}. */
+    /** Returns how the player failed in this turn, or {@code null}. */
     public String fault(int player) {
         return faults[player];
     }
 
-    /** Where the time of a late answer went; {@code null} if it was not late, or the player is no process. */
+    /** Returns where the time of a late answer went; {@code null} if it was not late, or the player is no process. */
     public TimeSpent timeSpent(int player) {
         return timeSpent[player];
     }
@@ -126,12 +124,12 @@ public final class Turn {
         return messages[player];
     }
 
-    /** What the player wrote to stderr up to its answer, bounded, or {@code null}. */
+    /** Returns the player's stderr up to its answer, bounded, or {@code null}. */
     public String stderr(int player) {
         return stderr[player];
     }
 
-    /** How long the player took, in nanoseconds. */
+    /** Returns how long the player took, in nanoseconds. */
     public long nanos(int player) {
         return nanos[player];
     }

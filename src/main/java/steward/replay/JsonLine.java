@@ -22,7 +22,7 @@ import tools.jackson.core.ObjectReadContext;
 @Internal
 public final class JsonLine {
 
-    /** How much of a value is quoted in an error, in characters. */
+    /** Characters of a value that an error quotes. */
     private static final int SHOWN = 40;
 
     /**
@@ -90,7 +90,7 @@ public final class JsonLine {
         return require(name, JsonToken.VALUE_STRING, "a string").text();
     }
 
-    /** Whether the field is there and true. */
+    /** True if the field is there and true. */
     boolean flag(String name) {
         return has(name) && values.get(name).token() == JsonToken.VALUE_TRUE;
     }

@@ -31,7 +31,7 @@ enum LineFields {
     static final String RESULT_HASH = "resultHash";
     static final String TIMES = "times";
 
-    /** How much of an unknown name an error quotes, in characters. */
+    /** Characters of an unknown name that an error quotes. */
     private static final int SHOWN = 40;
 
     /** A name that can stand in a message without quotes. */

@@ -4,14 +4,14 @@ import steward.Internal;
 import tools.jackson.core.JsonGenerator;
 
 /**
- * What another referee saw of a match. A replay that keeps it in place of our own outcomes is marked as imported: its
- * verification compares everything that was observed, and passes over what was not. Each method adds fields to an
- * object that the caller opens and closes.
+ * Observations of a match by another referee. A replay that keeps it in place of our own outcomes is marked as
+ * imported: its verification compares everything that was observed, and passes over what was not. Each method adds
+ * fields to an object that the caller opens and closes.
  */
 @Internal
 public interface Observations {
 
-    /** Whether the state before the first turn was observed; otherwise the one that follows from the scene is kept. */
+    /** True if the state before the first turn was observed; otherwise the one that follows from the scene is kept. */
     boolean hasStart();
 
     /** Fields of the state before the first turn, in the form of {@link steward.game.StateCodec#writeState}. */

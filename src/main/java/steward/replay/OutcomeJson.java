@@ -15,7 +15,7 @@ import tools.jackson.core.io.SerializedString;
 
 /**
  * Writes what follows from the commands: impacts, paths, events, the ending by the impact limit, the state and its
- * hash. What is empty is left out. The writer records it, the verifier writes it again and compares.
+ * hash. Empty parts are left out. The writer records it, the verifier writes it again and compares.
  */
 @Internal
 public final class OutcomeJson {

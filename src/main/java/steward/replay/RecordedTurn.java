@@ -47,7 +47,7 @@ public record RecordedTurn(int number, byte[] commands, String[] faults, String 
         return false;
     }
 
-    /** Whether a command of the player was recorded. */
+    /** True if a command of the player was recorded. */
     public boolean hasCommand(int player) {
         try (JsonParser in = parser(commands)) {
             in.nextToken();
@@ -61,7 +61,7 @@ public record RecordedTurn(int number, byte[] commands, String[] faults, String 
     }
 
     /**
-     * Whether the command of the player was recorded in these very bytes. It is not found in another spelling.
+     * True if the command of the player was recorded in these very bytes. It is not found in another spelling.
      *
      * @param json   a command as JSON, whole
      * @param length how many bytes of it count
@@ -73,7 +73,7 @@ public record RecordedTurn(int number, byte[] commands, String[] faults, String 
             && Arrays.equals(commands, from, to, json, 0, length);
     }
 
-    /** Where an entry of the array of commands begins, or -1 if there are fewer. */
+    /** Returns where an entry of the array of commands begins, or -1 if there are fewer. */
     private int element(int number) {
         int passed = 0;
         int depth = 0;
@@ -99,7 +99,7 @@ public record RecordedTurn(int number, byte[] commands, String[] faults, String 
         return -1;
     }
 
-    /** How long the player took, in nanoseconds; 0 if that was not recorded. */
+    /** Returns how long the player took, in nanoseconds; 0 if that was not recorded. */
     public long nanos(int player) {
         if (times == null) {
             return 0;

@@ -6,7 +6,7 @@ import steward.Internal;
 import steward.match.Protocol;
 
 /**
- * What a replay says of its match before the first turn.
+ * Header of a replay: the facts of its match before the first turn.
  *
  * @param game       id of the game
  * @param scene      the scene as used, one line of JSON
@@ -56,7 +56,7 @@ public record ReplayHeader(String game, String scene, long seed, List<String> na
         this(game, scene, seed, names, bots, protocols, timeFactor, 1, null, null, null);
     }
 
-    /** The same, signed; or unsigned for {@code null}. */
+    /** Returns this header, signed; or unsigned for {@code null}. */
     ReplayHeader signedBy(String key) {
         return new ReplayHeader(game, scene, seed, names, bots, protocols, timeFactor, law, key, sandbox,
             jar);

@@ -111,7 +111,8 @@ public final class ReplayLines {
         writeHash(new SerializedString(LineFields.HEADER_HASH));
     }
 
-    /** As {@link #writeOpening}, of a match that a server played. @param state writes the fields that it shows */
+    /** Writes as {@link #writeOpening} does, of a match that a server played. @param state writes the fields that it
+     * shows */
     public static void writeShownOpening(JsonGenerator out, FrameCodec codec, Consumer<JsonGenerator> state) {
         writeDrawing(out, codec);
         out.writeObjectPropertyStart("start");
@@ -162,7 +163,7 @@ public final class ReplayLines {
         }
     }
 
-    /** What the players said and wrote, and the hash. */
+    /** Writes the texts that the players said and wrote, and the hash. */
     public void texts(Turn turn) {
         writeTexts(Text.MESSAGE, turn);
         writeTexts(Text.STDERR, turn);

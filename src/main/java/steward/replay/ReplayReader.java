@@ -98,7 +98,7 @@ public final class ReplayReader implements AutoCloseable {
         header = headerLine == null ? null : header(headerLine);
     }
 
-    /** Whether the line begins like a replay; a line that was cut off needs to agree only as far as it goes. */
+    /** True if the line begins like a replay; a line that was cut off needs to agree only as far as it goes. */
     private boolean isSignature(byte[] line) {
         byte[] signature = ReplayHeader.SIGNATURE.getBytes(StandardCharsets.UTF_8);
         int count = lineEnded ? signature.length : Math.min(signature.length, line.length);
@@ -179,12 +179,12 @@ public final class ReplayReader implements AutoCloseable {
         return header;
     }
 
-    /** Whether another referee played the match, and only what was observed of it is recorded; only with a header. */
+    /** True if another referee played the match, and only what was observed of it is recorded; only with a header. */
     public boolean imported() {
         return headerLine.flag("imported");
     }
 
-    /** What to draw, as JSON, see {@link steward.game.Drawing}; only with a header. */
+    /** Returns the shapes to draw, as JSON, see {@link steward.game.Drawing}; only with a header. */
     public byte[] drawing() {
         return headerLine.object("drawing");
     }
@@ -281,7 +281,7 @@ public final class ReplayReader implements AutoCloseable {
         return plain ? text : null;
     }
 
-    /** How bots were kept apart, as the line of the signature says it; or {@code null} where it does not. */
+    /** Returns how bots were kept apart, as the line of the signature says it; or {@code null} where it does not. */
     public String isolation() {
         return signature != null && signature.has("isolation") ? signature.text("isolation") : null;
     }
@@ -371,7 +371,8 @@ public final class ReplayReader implements AutoCloseable {
     }
 
     /**
-     * Where the next line end is, or {@code to}. Eight bytes are tested at once: XOR with line feeds makes one zero.
+     * Returns where the next line end is, or {@code to}. Eight bytes are tested at once: XOR with line feeds makes one
+     * zero.
      */
     private static int lineEnd(byte[] bytes, int from, int to) {
         int at = from;

@@ -278,7 +278,7 @@ final class BrokenInputs {
         return status == ExitStatus.UNUSABLE && !isFedToNobody(kind, said);
     }
 
-    /** Whether a replay was read whole, and only the program is missing to which its frames are fed. */
+    /** True if a replay was read whole, and only the program is missing to which its frames are fed. */
     private static boolean isFedToNobody(Kind kind, String said) {
         return kind.call().startsWith("feed") && said.contains("no-such-program");
     }

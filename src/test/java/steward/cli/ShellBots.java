@@ -69,7 +69,7 @@ public final class ShellBots {
             "\"jitter\": 30, \"turnsWithoutCheckpoint\""));
     }
 
-    /** Whether the scripts can run here. */
+    /** True if the scripts can run here. */
     public static boolean runnable() {
         return Files.isExecutable(Path.of("/bin/sh"));
     }

@@ -18,8 +18,8 @@ import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.ObjectNode;
 
 /**
- * Writes the first turns of a game played here in the form of CodinGame's own JSON. What its views are worth only the
- * server, or a published referee, can tell.
+ * Writes the first turns of a game played here in the form of CodinGame's own JSON. Only the server, or a published
+ * referee, can tell the worth of its views.
  */
 final class ServerGame {
 

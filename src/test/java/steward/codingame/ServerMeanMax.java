@@ -17,8 +17,8 @@ import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.ObjectNode;
 
 /**
- * Writes a game of Mean Max played here in the form of CodinGame's own JSON. What its views are worth only games of the
- * server can tell.
+ * Writes a game of Mean Max played here in the form of CodinGame's own JSON. Only games of the server can tell the
+ * worth of its views.
  */
 public final class ServerMeanMax {
 

@@ -9,7 +9,7 @@ import steward.physics.Impact;
 
 /**
  * Writes the views of a race that is played here, as the site's server shows one; what is known from the server stands
- * in place of ours. What ours are worth only games of the server can tell.
+ * in place of ours. Only games of the server can tell the worth of ours.
  */
 final class SiteViews {
 

@@ -103,7 +103,7 @@ final class HostileTrial {
         return new Finding(effect, verdict, millis, problems);
     }
 
-    /** An undisturbed match: its last hash, or what went wrong. The same after every attack. */
+    /** An undisturbed match: its last hash, or what went wrong. Equal after every attack. */
     String undisturbed(SandboxLevel level) throws IOException {
         Path replay = folder.resolve("next.jsonl");
         Files.deleteIfExists(replay);

@@ -38,7 +38,7 @@ final class Programs {
             SOURCES.resolve("hostile.c").toString()).inheritIO().start().waitFor() == 0;
     }
 
-    /** Whether the program of an attack is there. */
+    /** True if the program of an attack is there. */
     boolean has(Attack attack) {
         return !attack.program().equals("c") || compiled;
     }

@@ -266,7 +266,7 @@ class ScheduleTest {
 
     /**
      * Leagues with a long past: decisions that are whole, that lack games or have none, of bots that play no more, and
-     * bots that change while it goes on. What is played is what a plain walk through all decisions says.
+     * bots that change while it goes on. The games played are those of a plain walk through all decisions.
      */
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 3})

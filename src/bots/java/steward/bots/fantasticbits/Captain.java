@@ -12,7 +12,7 @@ public final class Captain extends FantasticBitsBot {
 
     private static final int FLIPENDO_COST = 20;
     private static final int PETRIFICUS_COST = 10;
-    /** What a throw adds to the speed of a snaffle, in u per turn. */
+    /** Speed that a throw adds to a snaffle, in u per turn. */
     private static final double THROW_SPEED = 1000;
     /** How far a snaffle rolls per speed: 1 / friction. */
     private static final double ROLL = 4;
@@ -110,7 +110,7 @@ public final class Captain extends FantasticBitsBot {
         orders.toss(wizard.x + 10 * (dx / far * speed - wizard.vx), wizard.y + 10 * (dy / far * speed - wizard.vy));
     }
 
-    /** How far the nearest rival or bludger is from a line, as far as it matters. */
+    /** Returns how far the nearest rival or bludger is from a line, as far as it matters. */
     private static double clearance(Situation now, Entity from, double x, double y) {
         double dx = x - from.x;
         double dy = y - from.y;

@@ -4,7 +4,7 @@ package steward.bots.fantasticbits;
 final class Entity {
 
     int id;
-    /** What it is: {@code wizard}, {@code snaffle} or {@code bludger}. */
+    /** Kind of entity: {@code wizard}, {@code snaffle} or {@code bludger}. */
     String kind = "";
     /** -1 without owner. */
     int player = -1;
@@ -14,9 +14,9 @@ final class Entity {
     double vy;
     /** The id of the snaffle that a wizard holds, or -1. */
     int snaffle = -1;
-    /** Whether a snaffle is held. */
+    /** True if a snaffle is held. */
     boolean held;
-    /** Whether a wizard's spell is at work, or begins with the next turn, on the entity with this id; -1 for none. */
+    /** Id of the entity on which a wizard's spell is at work, or begins with the next turn; -1 for none. */
     int spellTarget = -1;
 
     /** The distance of two centres, in u. */

@@ -1,6 +1,6 @@
 package steward.bots.fantasticbits;
 
-/** What a bot tells its two wizards, in the order of their ids. */
+/** A bot's commands to its two wizards, in the order of their ids. */
 final class Orders {
 
     private final StringBuilder line = new StringBuilder();

@@ -3,7 +3,7 @@ package steward.bots.fantasticbits;
 import java.util.ArrayList;
 import java.util.List;
 
-/** What a bot knows in a turn: its number, where it scores, magic, and all entities. */
+/** A bot's knowledge in a turn: its number, where it scores, magic, and all entities. */
 final class Situation {
 
     int player;

@@ -1,6 +1,6 @@
 package steward.bots.meanmax;
 
-/** What a bot tells its three looters, in the order of answers. */
+/** A bot's commands to its three looters, in the order of answers. */
 final class Orders {
 
     private static final int MOST_POWER = 300;

@@ -3,7 +3,7 @@ package steward.bots.meanmax;
 import java.util.ArrayList;
 import java.util.List;
 
-/** What a bot knows in a turn: its number, scores, rages, and all that is in the arena. */
+/** A bot's knowledge in a turn: its number, scores, rages, and all that is in the arena. */
 final class Situation {
 
     private static final String REAPER = "reaper";

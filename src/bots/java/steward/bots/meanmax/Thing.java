@@ -3,7 +3,7 @@ package steward.bots.meanmax;
 /** Something in the arena: a looter, a tanker, a wreck or a skill effect. Fields that it does not have are 0. */
 final class Thing {
 
-    /** What it is: {@code reaper}, {@code destroyer}, {@code doof}, {@code tanker}; empty for the rest. */
+    /** Kind of unit: {@code reaper}, {@code destroyer}, {@code doof}, {@code tanker}; empty for the rest. */
     String kind = "";
     /** The skill of an effect; empty for the rest. */
     String skill = "";

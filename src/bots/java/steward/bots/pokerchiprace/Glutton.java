@@ -17,19 +17,19 @@ public final class Glutton extends ChipBot {
     private static final int STEPS = 120;
     private static final int STEPS_OF_TURN = 3;
     private static final double STEP = 1.0 / STEPS_OF_TURN;
-    /** What a gain loses of its worth with each step. */
+    /** Discount of a gain: its worth is multiplied by this with each step. */
     private static final double PATIENCE = 0.988;
-    /** What a push gives to a chip's speed, in u per turn, and what it leaves of its area. */
+    /** Speed that a push gives to a chip, in u per turn, and the share of its area that it leaves. */
     private static final double PUSH = 200.0 / 14;
     private static final double LEFT = 14.0 / 15;
     /** The most pushes in a row that it looks at. */
     private static final int PUSHES = 3;
     /** A bigger chip is avoided from this distance on, in u; it may grow or turn. */
     private static final double MARGIN = 4;
-    /** How much nearer a rival may come than it seems, in u per turn and in all. */
+    /** Margin by which a rival may come nearer than it seems, in u per turn and in all. */
     private static final double CHASE = 3;
     private static final double MOST_CHASE = 40;
-    /** What the area of a rival's chip is worth. */
+    /** Worth of a rival's chip, as a multiple of its area. */
     private static final double RIVAL = 1.5;
     /** Being eaten costs as much as this many times the chip. */
     private static final double FEAR = 2;
@@ -121,7 +121,7 @@ public final class Glutton extends ChipBot {
             : MARGIN + Math.min(MOST_CHASE, CHASE * STEP * step);
     }
 
-    /** What a chip takes from a rival counts more, and what it takes from its own side nothing. */
+    /** Returns the worth of a meal: a rival's chip counts more, one of the own side nothing. */
     private static double worthOf(Chip prey, Chip chip) {
         return prey.player == chip.player ? 0 : prey.player < 0 ? 1 : RIVAL;
     }
@@ -139,7 +139,7 @@ public final class Glutton extends ChipBot {
         }
     }
 
-    /** Where a place beyond a wall is after the bounces. */
+    /** Returns where a place beyond a wall is after the bounces. */
     private static double folded(double place, double wall) {
         double folded = place;
         for (int bounce = 0; Math.abs(folded) > wall && bounce < 20; bounce++) {

@@ -25,7 +25,7 @@ final class Car {
         passed = other.passed;
     }
 
-    /** How many degrees to turn for looking at a place, -180..180. */
+    /** Returns how many degrees to turn for looking at a place, -180..180. */
     double angleTo(double placeX, double placeY) {
         double wanted = StrictMath.toDegrees(StrictMath.atan2(placeY - y, placeX - x));
         double off = (wanted - heading) % (2 * HALF_TURN);

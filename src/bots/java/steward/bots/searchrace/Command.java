@@ -1,6 +1,6 @@
 package steward.bots.searchrace;
 
-/** What a bot tells its car: by how much to turn, and with how much thrust. */
+/** A bot's command to its car: an angle to turn by, and a thrust. */
 final class Command {
 
     static final int MAXIMUM_TURN = 18;

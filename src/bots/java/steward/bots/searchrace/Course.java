@@ -2,7 +2,7 @@ package steward.bots.searchrace;
 
 import java.util.Arrays;
 
-/** What is fixed for a race, as the setup frame tells. */
+/** Setup frame of a race: the facts fixed for the match. */
 final class Course {
 
     int checkpoints;

@@ -77,7 +77,7 @@ public final class Planner extends SearchRaceBot {
         Driver.steer(race, car, race.next(more && coasts(race, car) ? car.passed + 1 : car.passed), command);
     }
 
-    /** Whether the car passes its next checkpoint without thrust within some turns. */
+    /** True if the car passes its next checkpoint without thrust within some turns. */
     private boolean coasts(Course race, Car car) {
         int next = race.next(car.passed);
         double reach = race.radius + COAST_TURNS * (Math.abs(car.vx) + Math.abs(car.vy));

@@ -14,7 +14,7 @@ import tools.jackson.core.json.JsonFactory;
 
 /**
  * A bot for the search race that uses JSON lines: a setup line, then a line per turn, each answered with one line, then
- * an end line. The same lines get the same answers.
+ * an end line. Equal lines get equal answers.
  */
 abstract class SearchRaceBot {
 

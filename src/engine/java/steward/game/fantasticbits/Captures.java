@@ -5,7 +5,7 @@ import steward.physics.Reaction;
 import steward.physics.TurnSink;
 
 /**
- * What contacts do beside the impulse, as seen by the bodies alone: wizards take snaffles and carry them, snaffles
+ * Effects of contacts beside the impulse, as seen by the bodies alone: wizards take snaffles and carry them, snaffles
  * leave through the goals, bludgers remember whom they have hit. The official expressions use the parts of it; where
  * the common law computes a turn it is the answer to contacts.
  *
@@ -40,12 +40,12 @@ public final class Captures implements Reaction {
         return dx * dx + dy * dy;
     }
 
-    /** Whether a wizard holds a snaffle. */
+    /** True if a wizard holds a snaffle. */
     static boolean holds(Bodies bodies, int wizard) {
         return bodies.columns[Pitch.HELD][wizard] >= 0;
     }
 
-    /** Whether a wizard that holds nothing could take this snaffle if it were near. */
+    /** True if a wizard that holds nothing could take this snaffle if it were near. */
     static boolean isCapturable(Bodies bodies, int wizard, int snaffle) {
         return bodies.kind[snaffle] == SNAFFLE && bodies.columns[Pitch.WAIT][wizard] <= 0;
     }
@@ -109,7 +109,7 @@ public final class Captures implements Reaction {
         sink.fact(time, GOAL, bodies.id(snaffle), player, bodies.x[snaffle], bodies.y[snaffle], 0, 0);
     }
 
-    /** What a wizard or bludger remembers of an impact. @return whether a held snaffle was moved */
+    /** Notes an impact in the memory of a wizard or bludger. @return whether a held snaffle was moved */
     static boolean afterImpact(Bodies bodies, int a, int b, double time, TurnSink sink) {
         if (b >= 0 && bodies.kind[a] == BLUDGER && bodies.kind[b] == WIZARD) {
             bodies.columns[Pitch.LAST_VICTIM][a] = bodies.id(b);

@@ -60,7 +60,7 @@ public final class FantasticBits extends AbstractGame {
         return new FantasticBits(this, pitch.copy());
     }
 
-    /** The same game on another pitch, with other scores and magic: for tests of the rules. */
+    /** Returns this game on another pitch, with other scores and magic: for tests of the rules. */
     public FantasticBits on(Pitch of, int[] newScores, int[] newMagic) {
         FantasticBits game = new FantasticBits(this, of);
         System.arraycopy(newScores, 0, game.scores, 0, scores.length);
@@ -69,7 +69,7 @@ public final class FantasticBits extends AbstractGame {
     }
 
     /**
-     * Whether a wizard may be given a command now.
+     * Returns why a wizard may not be given a command now, or {@code null}.
      *
      * @param player of the wizard
      * @param wizard 0..1, of its player

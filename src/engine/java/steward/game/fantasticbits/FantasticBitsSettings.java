@@ -26,7 +26,7 @@ public record FantasticBitsSettings(Variant variant, int maximumTurns, boolean b
     /** The number of players. */
     public static final int PLAYERS = 2;
 
-    /** What the referee's expressions come to as a law; the rungs other than {@code event/official} compute by it. */
+    /** The referee's expressions as a law; the rungs other than {@code event/official} compute by it. */
     static final ImpactLaw LAW = new ImpactLaw(Restitution.ELASTIC, 100, false, Double.NaN, true, 1e-5,
         ScanOrder.DESCENDING, 1e-5, 0);
 

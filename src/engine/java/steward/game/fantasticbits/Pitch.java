@@ -152,18 +152,18 @@ public final class Pitch {
         return bodies.size() - POSTS.size();
     }
 
-    /** Whether a height is between the posts of a goal. */
+    /** True if a height is between the posts of a goal. */
     static boolean isInMouth(double y) {
         return y >= MOUTH_TOP && y <= MOUTH_BOTTOM;
     }
 
-    /** Whether a snaffle is in a goal or so near its line that it has left the walls behind. */
+    /** True if a snaffle is in a goal or so near its line that it has left the walls behind. */
     static boolean isInGoal(Bodies bodies, int snaffle) {
         double x = bodies.x[snaffle];
         return (x <= SNAFFLE_RADIUS || x >= WIDTH - SNAFFLE_RADIUS) && isInMouth(bodies.y[snaffle]);
     }
 
-    /** Whether a snaffle passes through another. */
+    /** True if a snaffle passes through another. */
     public static boolean ignores(Bodies bodies, int snaffle, int other) {
         return ((int) bodies.columns[IGNORED][snaffle] >> other - WIZARDS & 1) != 0;
     }

@@ -23,7 +23,7 @@ public enum Spell {
         return ALL[number];
     }
 
-    /** How many there are. */
+    /** Returns how many there are. */
     public static int count() {
         return ALL.length;
     }
@@ -33,7 +33,7 @@ public enum Spell {
         return text;
     }
 
-    /** Whether it may be aimed at an entity of this kind; that a wizard is of the other team is asked elsewhere. */
+    /** True if it may be aimed at an entity of this kind; that a wizard is of the other team is asked elsewhere. */
     boolean suits(EntityKind target) {
         return switch (target) {
             case BLUDGER -> true;

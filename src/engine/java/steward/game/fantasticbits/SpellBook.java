@@ -33,7 +33,7 @@ public final class SpellBook {
         return wizard * Spell.count() + spell.ordinal();
     }
 
-    /** How many turns a wizard's spell works on, the one that is played or was last played included. */
+    /** Returns how many turns a wizard's spell works on, the one that is played or was last played included. */
     public int turns(int wizard, Spell spell) {
         return turns[place(wizard, spell)];
     }

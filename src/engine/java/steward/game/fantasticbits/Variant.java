@@ -22,7 +22,7 @@ public enum Variant {
         this.costs = costs;
     }
 
-    /** How many turns a spell works. */
+    /** Returns how many turns a spell works. */
     public int turns(Spell spell) {
         return turns[spell.ordinal()];
     }

@@ -1,7 +1,7 @@
 package steward.game.fantasticbits;
 
 /**
- * What a wizard is to do in a turn.
+ * A wizard's command for a turn.
  *
  * @param action what
  * @param x      the place it is about, in u; 0 for a spell

@@ -1,7 +1,7 @@
 package steward.game.meanmax;
 
 /**
- * What a looter is to do in a turn.
+ * A looter's command for a turn.
  *
  * @param action what
  * @param x      the place it is about, in u; 0 for {@code WAIT}

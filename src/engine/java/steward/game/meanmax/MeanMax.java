@@ -66,7 +66,7 @@ public final class MeanMax extends AbstractGame {
     }
 
     /**
-     * The same game in another world, with other scores and rages: for tests of the rules.
+     * Returns this game in another world, with other scores and rages: for tests of the rules.
      *
      * @param of a world for the same players
      */

@@ -26,7 +26,7 @@ public record MeanMaxSettings(int winningScore, int maximumTurns, int version) {
     /** The number of players. */
     public static final int PLAYERS = 3;
 
-    /** What the referee's expressions come to as a law; the rungs other than {@code event/official} compute by it. */
+    /** The referee's expressions as a law; the rungs other than {@code event/official} compute by it. */
     static final ImpactLaw LAW = new ImpactLaw(Restitution.ELASTIC, 30, true, 1e-5, true, 0, ScanOrder.ASCENDING, 1e-5,
         0);
 

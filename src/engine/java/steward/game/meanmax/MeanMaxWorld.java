@@ -267,7 +267,7 @@ public final class MeanMaxWorld {
         effects.add(place, effect.set(id, skill, x, y, duration, looter));
     }
 
-    /** Whether the centre of a place is so near that a unit is touched by an effect. */
+    /** True if the centre of a place is so near that a unit is touched by an effect. */
     boolean isTouched(int unit, SkillEffect effect) {
         return distance(unit, effect.x(), effect.y()) <= SKILL_RADIUS + bodies.radius[unit];
     }
@@ -353,7 +353,7 @@ public final class MeanMaxWorld {
         return player * settings.looters() + kind;
     }
 
-    /** Whether the body at an index is a tanker. */
+    /** True if the body at an index is a tanker. */
     public boolean isTanker(int unit) {
         return bodies.kind[unit] == UnitKind.TANKER.ordinal();
     }

@@ -6,7 +6,7 @@ import steward.physics.Reaction;
 import steward.physics.TurnSink;
 
 /**
- * What the touch of a destroyer does to a tanker: it sinks, unless tar has made it heavy. Where it sinks inside the
+ * Reaction of a tanker to the touch of a destroyer: it sinks, unless tar has made it heavy. Where it sinks inside the
  * arena, its wreck takes an id. Reads and alters the bodies alone; the rest are facts.
  */
 public final class Sinking implements Reaction {

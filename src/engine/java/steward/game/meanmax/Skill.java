@@ -33,7 +33,7 @@ public enum Skill {
         return cost;
     }
 
-    /** How many turns it works, the one in which it is cast included. */
+    /** Returns how many turns it works, the one in which it is cast included. */
     public int turns() {
         return turns;
     }

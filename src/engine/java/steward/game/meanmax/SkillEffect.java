@@ -42,7 +42,7 @@ public final class SkillEffect {
         return id;
     }
 
-    /** Which skill it is. */
+    /** Returns which skill it is. */
     public Skill skill() {
         return skill;
     }

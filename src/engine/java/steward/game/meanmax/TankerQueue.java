@@ -40,7 +40,7 @@ public final class TankerQueue {
         return new TankerQueue(this);
     }
 
-    /** How many tankers are left for a player. */
+    /** Returns how many tankers are left for a player. */
     public int left(int player) {
         return TANKERS - next[player];
     }

@@ -8,8 +8,9 @@ import steward.physics.HalfPlane;
 import steward.scene.Field;
 
 /**
- * Whether a pod can come near enough to a checkpoint. A checkpoint is out of reach for sure if all places that count
- * are in one obstacle, or beyond two straight walls, or parted from the starts by obstacles with no gap for a pod.
+ * Reachability of a checkpoint: true if a pod can come near enough to it. A checkpoint is out of reach for sure if all
+ * places that count are in one obstacle, or beyond two straight walls, or parted from the starts by obstacles with no
+ * gap for a pod.
  */
 final class CheckpointReach {
 
@@ -77,7 +78,7 @@ final class CheckpointReach {
         return shutOut;
     }
 
-    /** How near to a checkpoint without jitter a pod that reaches it can be at most. */
+    /** Returns how near to a checkpoint without jitter a pod that reaches it can be at most. */
     private double counts() {
         return checkpointRadius + ROUNDING + jitter * Math.sqrt(2);
     }
@@ -96,7 +97,7 @@ final class CheckpointReach {
         return begun;
     }
 
-    /** Whether a pod may start where the checkpoint counts. */
+    /** True if a pod may start where the checkpoint counts. */
     private boolean isNear(double[][] starts, double[] slack, double[] checkpoint) {
         for (int pod = 0; pod < starts.length; pod++) {
             double dx = starts[pod][0] - checkpoint[0];
@@ -108,7 +109,8 @@ final class CheckpointReach {
         return false;
     }
 
-    /** What keeps pods from a checkpoint at one of the places that jitter gives it, or {@code null}. */
+    /** Names the obstacle that keeps pods from a checkpoint at one of the places that jitter gives it, or {@code null}.
+     */
     String barrier(double x, double y) {
         List<HalfPlane> near = new ArrayList<>();
         for (Obstacle obstacle : obstacles) {

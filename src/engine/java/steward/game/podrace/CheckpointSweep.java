@@ -4,8 +4,9 @@ import steward.Internal;
 import steward.physics.TurnLog;
 
 /**
- * Whether a pod's path inside a turn, a polyline, comes near enough to a checkpoint. The path has one corner per
- * impact, the place after positional correction; a later impact at the same time replaces it. Allocates nothing.
+ * Test of a pod's path inside a turn, a polyline, against a checkpoint: true if it comes near enough. The path has one
+ * corner per impact, the place after positional correction; a later impact at the same time replaces it. Allocates
+ * nothing.
  */
 @Internal
 public final class CheckpointSweep {

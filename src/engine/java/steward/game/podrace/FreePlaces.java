@@ -34,12 +34,12 @@ final class FreePlaces {
         separation = new Separation(field, grown);
     }
 
-    /** Whether all places are one part. */
+    /** True if all places are one part. */
     boolean isOne() {
         return separation.size() == 0;
     }
 
-    /** Whether the steps are used up, so that parts may be missing. */
+    /** True if the steps are used up, so that parts may be missing. */
     boolean isExhausted() {
         return work < 0;
     }
@@ -85,7 +85,7 @@ final class FreePlaces {
         return part;
     }
 
-    /** Where a circle goes into or out of an obstacle, in order; 0 if nowhere. */
+    /** Returns where a circle goes into or out of an obstacle, in order; 0 if nowhere. */
     private double[] angles(double x, double y, double radius) {
         Crossings crossings = new Crossings(x, y, radius);
         for (Bumper bumper : field.bumpers()) {

@@ -51,8 +51,8 @@ public final class Headings {
     static final double COSINE = 0x1.e6f0e134454ffp-1;
     public static final double SINE = 0x1.3c6ef372fe94fp-2;
     /**
-     * The same for squares of cosines, which are compared without a square root: with C the cosine of 18 degrees,
-     * (C + DOUBT)^2 - C^2 and C^2 - (C - DOUBT)^2 are below 2 DOUBT; the rest covers rounding.
+     * Bound for squares of cosines, which are compared without a square root: with C the cosine of 18 degrees, (C +
+     * DOUBT)^2 - C^2 and C^2 - (C - DOUBT)^2 are below 2 DOUBT; the rest covers rounding.
      */
     static final double SQUARE_DOUBT = 2.5 * DOUBT;
 
@@ -145,7 +145,7 @@ public final class Headings {
         return turns == 1 ? angle : turned(angle, (long) turns);
     }
 
-    /** Whether the angle is unset. */
+    /** True if the angle is unset. */
     public static boolean isUnset(double[] headings, int at) {
         return Double.isNaN(headings[at + BASE_X]);
     }
@@ -166,9 +166,9 @@ public final class Headings {
     }
 
     /**
-     * The same by vectors, unless they cannot decide. The turn straight to the target and the turn by 18 degrees are
-     * both computed and one is selected, the vector by weights of 0 and 1, the exact value by bits: a branch would be
-     * mispredicted too often.
+     * Turns a pod as {@link #turnTo} does, by vectors, unless they cannot decide. The turn straight to the target and
+     * the turn by 18 degrees are both computed and one is selected, the vector by weights of 0 and 1, the exact value
+     * by bits: a branch would be mispredicted too often.
      *
      * @return whether the heading was turned; if not, it is as before
      */
@@ -213,9 +213,9 @@ public final class Headings {
     }
 
     /**
-     * The same by 18, -18 or 0 degrees, by vectors: nothing has to be decided, so nothing is in doubt. The vector is
-     * rotated and the exact value gets one more turn; for 0 degrees by a rotation that changes nothing, which saves a
-     * branch that would be mispredicted.
+     * Turns a pod as {@link #turnBy} does, by 18, -18 or 0 degrees and by vectors: nothing has to be decided, so
+     * nothing is in doubt. The vector is rotated and the exact value gets one more turn; for 0 degrees by a rotation
+     * that changes nothing, which saves a branch that would be mispredicted.
      *
      * @return whether the heading was turned; if not, as for other angles, it is as before
      */

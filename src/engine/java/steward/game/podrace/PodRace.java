@@ -79,7 +79,7 @@ public final class PodRace extends AbstractGame {
         this(settings, scene, plan, checkpoints, plan.advance(null));
     }
 
-    /** The same with a given advance; copies have that of the plan. */
+    /** A race with a given advance; copies have that of the plan. */
     @Internal
     public PodRace(PodRaceSettings settings, Scene scene, Plan plan, double[][] checkpoints, Advance advance) {
         super(settings.players());

@@ -1,9 +1,9 @@
 package steward.game.podrace;
 
 /**
- * Which player is ahead in a pod race: one who is in, then the one whose best pod has passed more checkpoints (counting
- * on behind the finish), then the one whose best pod is nearer to its next. All players
- * who are out share the last rank.
+ * Order of the players in a pod race: one who is in, then the one whose best pod has passed more checkpoints (counting
+ * on behind the finish), then the one whose best pod is nearer to its next. All players who are out share the last
+ * rank.
  */
 final class RaceStanding {
 

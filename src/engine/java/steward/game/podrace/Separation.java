@@ -10,7 +10,7 @@ import steward.scene.Bumper;
 import steward.scene.Field;
 
 /**
- * Whether walls and bumpers part two places, for the centre of a pod: each obstacle is grown by the pod's radius.
+ * Test for walls and bumpers that part two places, for the centre of a pod: each obstacle is grown by the pod's radius.
  */
 final class Separation {
 
@@ -78,7 +78,7 @@ final class Separation {
         }
     }
 
-    /** How many steps a question takes; 0 if no two places are parted. */
+    /** Returns how many steps a question takes; 0 if no two places are parted. */
     int size() {
         return count;
     }
@@ -140,7 +140,7 @@ final class Separation {
             b.ax + t * (b.bx - b.ax), b.ay + t * (b.by - b.ay), b.ax, b.ay};
     }
 
-    /** Where on the segment the nearest place is: 0 at a, 1 at b. */
+    /** Returns where on the segment the nearest place is: 0 at a, 1 at b. */
     private static double share(Capsule capsule, double x, double y) {
         double dx = capsule.bx - capsule.ax;
         double dy = capsule.by - capsule.ay;
@@ -205,7 +205,7 @@ final class Separation {
         } while (count < before);
     }
 
-    /** Whether the places are parted; both must be free. */
+    /** True if the places are parted; both must be free. */
     boolean parts(double px, double py, double qx, double qy) {
         for (int k = 0; k < parent.length; k++) {
             parent[k] = k;
@@ -245,7 +245,10 @@ final class Separation {
         return root;
     }
 
-    /** How often a polyline crosses the segment from p to q from right to left, less how often from left to right. */
+    /**
+     * Returns how often a polyline crosses the segment from p to q from right to left, less how often from left to
+     * right.
+     */
     private static int crossings(double[] line, double px, double py, double qx, double qy) {
         int sum = 0;
         for (int k = 0; k < POINTS - 1; k++) {

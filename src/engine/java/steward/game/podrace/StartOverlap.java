@@ -103,7 +103,7 @@ record StartOverlap(int map, int first, double[][] drawn, int pod, Obstacle obst
             return place < even ? 2 * (even - 1 - place) : 2 * (place - even) + 1;
         }
 
-        /** How far jitter can move the pod at a place of the line. */
+        /** Returns how far jitter can move the pod at a place of the line. */
         private double slack(int place) {
             return StartPlaces.slack(StartPlaces.side(podAt(place), pods), jitter, length);
         }

@@ -37,10 +37,10 @@ public final class StartPlaces {
     }
 
     /**
-     * How far jitter can move a start place, in u, before rounding. It moves checkpoint 0 by at most
-     * j = jitter * sqrt(2), and the vector d to checkpoint 1 by at most 2j. If 2j is less than its length, d turns by
-     * at most a with sin a = 2j / |d|, and a place at the side s moves along a chord of at most
-     * 2 |s| sin(a / 2) = |s| sqrt(2 - 2 cos a).
+     * Returns how far jitter can move a start place, in u, before rounding. It moves checkpoint 0 by at most j = jitter
+     * * sqrt(2), and the vector d to checkpoint 1 by at most 2j. If 2j is less than its length, d turns by at most a
+     * with sin a = 2j / |d|, and a place at the side s moves along a chord of at most 2 |s| sin(a / 2) = |s| sqrt(2 - 2
+     * cos a).
      *
      * @param length between the checkpoints without jitter
      */

@@ -1,7 +1,7 @@
 package steward.game.pokerchiprace;
 
 /**
- * What a chip is to do in a turn: to wait, or to push itself toward a place by ejecting a part of itself backward.
+ * A chip's command for a turn: to wait, or to push itself toward a place by ejecting a part of itself backward.
  *
  * @param x the place, in u from the centre of the table; NaN to wait
  * @param y the same
@@ -11,7 +11,7 @@ public record ChipCommand(double x, double y) {
     /** Nothing. */
     public static final ChipCommand WAIT = new ChipCommand(Double.NaN, Double.NaN);
 
-    /** Whether it is nothing. */
+    /** True if it is nothing. */
     public boolean waits() {
         return Double.isNaN(x);
     }

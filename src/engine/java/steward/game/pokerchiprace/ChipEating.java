@@ -5,8 +5,8 @@ import steward.physics.Reaction;
 import steward.physics.TurnSink;
 
 /**
- * What the touch of two chips does under the common law: chips of the same radius bounce, otherwise the bigger eats the
- * smaller, and what it then overlaps; a chip passes the one that it was just ejected from. Alters the bodies alone.
+ * Reaction to the touch of two chips under the common law: chips of the same radius bounce, otherwise the bigger eats
+ * the smaller, and what it then overlaps; a chip passes the one that it was just ejected from. Alters the bodies alone.
  */
 public final class ChipEating implements Reaction {
 

@@ -138,7 +138,7 @@ public final class ChipTable {
         owned[player] = 0;
     }
 
-    /** Whether no chip of a player is left. */
+    /** True if no chip of a player is left. */
     boolean isWithoutChips(int player) {
         for (int k = 0; k < owned[player]; k++) {
             if (bodies.indexOf(own[player][k]) >= 0) {
@@ -158,7 +158,7 @@ public final class ChipTable {
         return sum;
     }
 
-    /** How many chips stand in a player's list. */
+    /** Returns how many chips stand in a player's list. */
     public int owned(int player) {
         return owned[player];
     }

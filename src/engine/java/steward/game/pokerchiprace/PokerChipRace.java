@@ -80,7 +80,7 @@ public final class PokerChipRace extends AbstractGame {
     }
 
     /**
-     * The same game with other chips: for tests of the rules.
+     * Returns this game with other chips: for tests of the rules.
      *
      * @param of      a table for the same players
      * @param newLost per player when it has lost its last chip, below 0 while it is in; the others are out
@@ -223,7 +223,8 @@ public final class PokerChipRace extends AbstractGame {
         return ranks((one, other) -> ranking.score(one) > ranking.score(other));
     }
 
-    /** As the published referee counts: the area of the chips, in u^2, and the rank among the players. */
+    /** Returns the scores as the published referee counts them: the area of the chips, in u^2, and the rank among the
+     * players. */
     @Override
     public double[] scores() {
         double[] of = new double[players()];
@@ -244,7 +245,7 @@ public final class PokerChipRace extends AbstractGame {
         return ranking.score(player);
     }
 
-    /** When a player has lost its last chip: the turn and the time within it; below 0 while it has one. */
+    /** Returns when a player has lost its last chip: the turn and the time within it; below 0 while it has one. */
     public double lost(int player) {
         return lost[player];
     }

@@ -10,7 +10,7 @@ import steward.scene.Scene;
 import steward.scene.json.Block;
 
 /**
- * The block {@code chips} of a scene. What it does not say is drawn, as the published referee draws it.
+ * The block {@code chips} of a scene. Missing fields are drawn, as the published referee draws it.
  *
  * @param players      2..4
  * @param neutral      most neutral chips at the start, {@link #DRAWN} or 0..200

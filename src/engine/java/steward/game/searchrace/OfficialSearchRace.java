@@ -67,8 +67,8 @@ public final class OfficialSearchRace {
      */
 
     /**
-     * How long a car flies until it is in a checkpoint, in turns: 0 if it is in it already, {@link #NEVER} if it never
-     * comes there.
+     * Returns how long a car flies until it is in a checkpoint, in turns: 0 if it is in it already, {@link #NEVER} if
+     * it never comes there.
      *
      * @param dx the way from the checkpoint to the car, in u
      */

@@ -29,7 +29,7 @@ public final class SearchRace extends AbstractGame {
     /** No checkpoint was passed in the last turn: the official value of a time that is not there. */
     public static final double NOT_PASSED = 2.0;
 
-    /** What a player wants the car to do. */
+    /** A player's command to the car. */
     public enum Order {
         /** Nothing. */
         NONE,
@@ -188,7 +188,7 @@ public final class SearchRace extends AbstractGame {
         bodies.y[0] += bodies.vy[0] * (1.0 - now);
     }
 
-    /** The same without moving the car: all times follow from where it is when the turn begins. */
+    /** Passes checkpoints without moving the car: all times follow from where it is when the turn begins. */
     private void passOnCourse() {
         double now = 0;
         double x = bodies.x[0];
@@ -319,22 +319,22 @@ public final class SearchRace extends AbstractGame {
         return timer;
     }
 
-    /** When in the last turn the last checkpoint was passed, {@link #NOT_PASSED} if none was. */
+    /** Returns when in the last turn the last checkpoint was passed, {@link #NOT_PASSED} if none was. */
     public double passTime() {
         return passTime;
     }
 
-    /** Whether the player has asked for these times in a turn before. */
+    /** True if the player has asked for these times in a turn before. */
     public boolean wantsTimes() {
         return wantsTimes;
     }
 
-    /** Whether the command for the next turn asks for these times. */
+    /** True if the command for the next turn asks for these times. */
     public boolean asksForTimes() {
         return asksForTimes;
     }
 
-    /** What the player wants for the next turn. */
+    /** Returns the player's command for the next turn. */
     public Order order() {
         return order;
     }

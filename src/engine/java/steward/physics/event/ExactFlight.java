@@ -21,7 +21,7 @@ final class ExactFlight extends Flight {
     private final LowParts low;
     private final DoubleDouble now = new DoubleDouble();
     private final DoubleDouble time = new DoubleDouble();
-    /** Whether low parts may differ from 0. */
+    /** True if low parts may differ from 0. */
     private boolean lowPartsSet;
 
     ExactFlight(RefiningQueue queue, LowParts low) {

@@ -18,7 +18,7 @@ sealed class FlightSearch permits PreciseFlightSearch {
 
     /** Sums of products are off by less than this share of their terms. */
     private static final double ROUNDING = 0x1p-46;
-    /** What underflows in a sum of products is less. */
+    /** Bound on what underflows in a sum of products. */
     private static final double TINY = 0x1p-1000;
     /** Sums of two times of a turn are off by at most this. */
     private static final double TIME_ROUNDING = 0x1p-52;
@@ -192,7 +192,7 @@ sealed class FlightSearch permits PreciseFlightSearch {
             bodies.vy[i] - bodies.vy[j], bodies.radius[i] + bodies.radius[j], Math.min(best, 1) - now);
     }
 
-    /** The same whenever their flights have started. */
+    /** Offers the next impact of a pair, whenever its flights have started. */
     void offer(Bodies bodies, int i, int j, double now) {
         double xi = bodies.x[i];
         double yi = bodies.y[i];
@@ -231,8 +231,8 @@ sealed class FlightSearch permits PreciseFlightSearch {
     }
 
     /**
-     * Whether a pair surely separates, or surely does not touch within a time: the squared distance less s^2 is at
-     * least c + 2 b t. Without a root or a division, for most pairs. What overflows or underflows is not sure.
+     * True if a pair surely separates, or surely does not touch within a time: the squared distance less s^2 is at
+     * least c + 2 b t. Without a root or a division, for most pairs. A sum that overflows or underflows is not sure.
      */
     static boolean isLate(double dx, double dy, double dvx, double dvy, double touch, double left) {
         double xvx = dx * dvx;
@@ -240,7 +240,7 @@ sealed class FlightSearch permits PreciseFlightSearch {
         return isFar(dx, dy, xvx + yvy, ROUNDING * (Math.abs(xvx) + Math.abs(yvy)) + TINY, touch, left);
     }
 
-    /** The same where dx and dy are off by {@code rounding}, which is in {@code touch} already. */
+    /** True if a pair is surely late where dx and dy are off by {@code rounding}, which is in {@code touch} already. */
     static boolean isLate(double dx, double dy, double dvx, double dvy, double touch, double left, double rounding) {
         double xvx = dx * dvx;
         double yvy = dy * dvy;

@@ -38,7 +38,7 @@ sealed class Flights permits Flights.Precise {
         since[i] = now;
     }
 
-    /** The same for a pair at the time of its impact. */
+    /** Starts new flights of a pair at the time of its impact. */
     void flyToContact(Bodies bodies, int a, int b, double now) {
         flyTo(bodies, a, now);
         flyTo(bodies, b, now);

@@ -93,7 +93,7 @@ public final class OfficialAdvance implements Advance {
         greatestTouching = greatest;
     }
 
-    /** Whether this class can replace the {@link EventAdvance} of these parts. */
+    /** True if this class can replace the {@link EventAdvance} of these parts. */
     public static boolean fits(PhysicsParts parts) {
         return parts.law().equals(ImpactLaw.OFFICIAL_POD_RACE) && parts.arithmetic().isOfficial()
             && parts.contacts().allBounce() && parts.walls().isEmpty() && !parts.infiniteMasses();
@@ -180,7 +180,7 @@ public final class OfficialAdvance implements Advance {
         return near;
     }
 
-    /** Whether a pair may come within the margin above before {@code time} has passed. */
+    /** True if a pair may come within the margin above before {@code time} has passed. */
     public static boolean mayMeet(double dx, double dy, double wx, double wy, double time, double touchSquare) {
         double c = KEPT_SHARE * (dx * dx + dy * dy) - (touchSquare + MARGIN);
         double b = dx * wx + dy * wy;

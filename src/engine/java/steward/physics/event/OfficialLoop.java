@@ -48,10 +48,10 @@ public abstract class OfficialLoop implements Advance {
     /** Looks for impacts from {@code now} on and makes an {@link #offer} of each, in the order of the scan. */
     protected abstract void look(Bodies bodies, double now);
 
-    /** Whether the earliest offer is within the turn. */
+    /** True if the earliest offer is within the turn. */
     protected abstract boolean isInTurn(double now, double time);
 
-    /** Whether an offer happens together with the earliest. Asked only where there are batches. */
+    /** True if an offer happens together with the earliest. Asked only where there are batches. */
     protected boolean isTogether(double earliest, double time) {
         return false;
     }
@@ -80,7 +80,7 @@ public abstract class OfficialLoop implements Advance {
      */
     protected abstract void react(Bodies bodies, double now, double time, int kind, int a, int b, TurnSink sink);
 
-    /** Whether the turn is over without another look. */
+    /** True if the turn is over without another look. */
     protected boolean isOver(double now) {
         return false;
     }

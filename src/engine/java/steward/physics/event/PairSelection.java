@@ -10,7 +10,7 @@ import steward.physics.Contacts;
  */
 public record PairSelection(Contacts contacts) {
 
-    /** Whether two bodies can react. */
+    /** True if two bodies can react. */
     public boolean canReact(Bodies bodies, int i, int j) {
         return switch (contacts.between(bodies.kind[i], bodies.kind[j])) {
             case NONE -> false;
@@ -19,7 +19,7 @@ public record PairSelection(Contacts contacts) {
         };
     }
 
-    /** Whether a body can react with any wall. */
+    /** True if a body can react with any wall. */
     public boolean canReactWithWalls(Bodies bodies, int i) {
         return switch (contacts.withWall(bodies.kind[i])) {
             case NONE -> false;
@@ -28,7 +28,7 @@ public record PairSelection(Contacts contacts) {
         };
     }
 
-    /** Whether a body that can react with walls does not pass through this one. */
+    /** True if a body that can react with walls does not pass through this one. */
     public boolean canReactWithWall(Bodies bodies, int i, int w) {
         return bodies.passing().isEmpty() || !bodies.passing().contains(bodies.id(i), ~w);
     }

@@ -20,7 +20,7 @@ abstract sealed class Scan {
         return of(parts, time, new WallTime.Plain(parts.walls().toArray(new Wall[0])));
     }
 
-    /** The same with another computation of times of impact at walls. */
+    /** Returns the scans that a scene needs, with another computation of times of impact at walls. */
     static Scan[] of(PhysicsParts parts, PairTime time, WallTime wallTime) {
         List<Scan> scans = new ArrayList<>();
         boolean plain = parts.contacts().allBounce() && !parts.infiniteMasses();

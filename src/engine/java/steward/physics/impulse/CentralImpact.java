@@ -55,7 +55,7 @@ final class CentralImpact {
         return this;
     }
 
-    /** Whether the two move at least as much along the line of centres, {@code along} times its length, as across. */
+    /** True if the two move at least as much along the line of centres, {@code along} times its length, as across. */
     boolean isCentral(double vax, double vbx, double vay, double vby, double along) {
         vx.setDifference(vax, vbx);
         vy.setDifference(vay, vby);

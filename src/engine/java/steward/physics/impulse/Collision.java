@@ -30,7 +30,7 @@ public final class Collision {
     private final boolean corrects;
     private final double pushOut;
     private final Wall[] walls;
-    /** Whether bodies can slide along an arena. */
+    /** True if bodies can slide along an arena. */
     private final boolean slides;
     /** Whether the contacts of a slide are impacts: where bodies rest they are not, as on a straight wall. */
     private final boolean recordsSlides;

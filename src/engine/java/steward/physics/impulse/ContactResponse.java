@@ -15,7 +15,7 @@ public abstract sealed class ContactResponse {
     /** Responds to a contact. @return false if the bodies were altered, so that all predictions are out of date */
     public abstract boolean react(Bodies bodies, int a, int b, double time, TurnSink sink);
 
-    /** Whether the response to a contact needs all bodies where they are now, and not only the two. */
+    /** True if the response to a contact needs all bodies where they are now, and not only the two. */
     public boolean needsAll(Bodies bodies, int a, int b) {
         return false;
     }

@@ -37,7 +37,7 @@ final class ExactSolver extends ImpulseSolver {
     private final ExactPairs pairs;
     private final ExactWalls wallTimes;
     private final LowParts lows;
-    /** Whether there is a minimum impulse, so that velocities follow from the impulse; and whether at walls. */
+    /** True if there is a minimum impulse, so that velocities follow from the impulse; and whether at walls. */
     private final boolean hasMinimum;
     private final boolean hasMinimumAtWalls;
     private final CentralImpact central = new CentralImpact();

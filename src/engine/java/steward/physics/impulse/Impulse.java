@@ -32,7 +32,7 @@ sealed interface Impulse {
      */
     double secondStep(double first, double restitution);
 
-    /** The same in double-double: the first step becomes the second. */
+    /** Computes the second step in double-double, in place: the first step becomes the second. */
     void toSecondStep(DoubleDouble step, double restitution);
 
     /** The rule for the second step under a law. */

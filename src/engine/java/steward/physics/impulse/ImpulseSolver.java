@@ -4,22 +4,25 @@ import steward.physics.Bodies;
 import steward.physics.Wall;
 
 /**
- * Computes impulses, and all that hangs on signs and roundings at an impact, in one arithmetic. What is done when, and
- * what is recorded, is the law's: {@link Collision}. One instance serves one thread; a result belongs to the last call.
+ * Computes impulses, and all that hangs on signs and roundings at an impact, in one arithmetic. The order of steps and
+ * the record are the law's: {@link Collision}. One instance serves one thread; a result belongs to the last call.
  */
 abstract sealed class ImpulseSolver permits PlainSolver, ExactSolver {
 
     /** Computes the impulse of a pair and applies it to the velocities. */
     abstract void exchange(Bodies bodies, int a, int b, double restitution, Impulse rule, SolvedImpulse solved);
 
-    /** The same of a body and a wall. @return false if they do not approach: then only the normal is set */
+    /**
+     * Computes the impulse of a body and a wall and applies it. @return false if they do not approach: then only the
+     * normal is set
+     */
     abstract boolean exchangeWithWall(Bodies bodies, int a, int w, Wall wall, double restitution, Impulse rule,
                                       SolvedImpulse solved);
 
-    /** Whether a pair approaches, as the search for impacts judges it. */
+    /** True if a pair approaches, as the search for impacts judges it. */
     abstract boolean areApproaching(Bodies bodies, int a, int b);
 
-    /** Whether a body touches a wall and approaches it, as the search for impacts judges it. */
+    /** True if a body touches a wall and approaches it, as the search for impacts judges it. */
     abstract boolean isPressed(Bodies bodies, int a, int w, Wall wall);
 
     /** The overlap of a pair after its impulse; 0 in contact, negative if they do not touch. */
@@ -28,7 +31,7 @@ abstract sealed class ImpulseSolver permits PlainSolver, ExactSolver {
     /** Moves a body along the normal of the last impulse, of which a pair's {@link #overlap} has been asked. */
     abstract void moveAlongNormal(Bodies bodies, int body, double by, SolvedImpulse solved);
 
-    /** Whether positions are known beyond their rounding, so that contact at a wall is not lost by rounding. */
+    /** True if positions are known beyond their rounding, so that contact at a wall is not lost by rounding. */
     boolean keepsRounding() {
         return false;
     }

@@ -49,7 +49,7 @@ final class RimSliding {
     private RimSliding() {
     }
 
-    /** Whether bodies can slide: in an arena, where no minimum impulse drives them off its rim. */
+    /** True if bodies can slide: in an arena, where no minimum impulse drives them off its rim. */
     static boolean isPossible(ImpactLaw law, Wall[] walls) {
         boolean arena = false;
         for (Wall wall : walls) {
@@ -58,7 +58,7 @@ final class RimSliding {
         return arena && !(law.minimumImpulseAtWalls() && law.minimumImpulse() > 0);
     }
 
-    /** Whether a body touches an arena so flatly that it slides. */
+    /** True if a body touches an arena so flatly that it slides. */
     static boolean grazes(Bodies bodies, int a, Wall wall) {
         if (!(wall instanceof Arena arena)) {
             return false;

@@ -188,7 +188,7 @@ final class Cells {
         Arrays.fill(heads, 0, cells, -1);
     }
 
-    /** Whether a body of this radius is kept in a cell. */
+    /** True if a body of this radius is kept in a cell. */
     boolean holds(double radius) {
         return radius <= largestInside;
     }
@@ -273,7 +273,7 @@ final class Cells {
         return appendFollowing(into, count);
     }
 
-    /** The same for three cells: the one given, and those one step before and after it. */
+    /** Collects the bodies of three cells: the one given, and those one step before and after it. */
     int gatherSide(int column, int row, int stepColumn, int stepRow, int[] into) {
         int count = append(heads[cellAt(column - stepColumn, row - stepRow)], into, 0);
         count = append(heads[cellAt(column, row)], into, count);

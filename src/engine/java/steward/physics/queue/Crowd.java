@@ -229,7 +229,7 @@ final class Crowd {
         }
     }
 
-    /** The same for one body. */
+    /** Writes the position at a time and the velocity of one body to {@code bodies}. */
     void store(int body, Bodies bodies, double now) {
         int to = index[body];
         int at = 8 * body;

@@ -20,7 +20,7 @@ final class EventBuckets {
     /** Decides between two bodies whose events are at the same time, as doubles. */
     interface Order {
 
-        /** Whether the event of body i comes before that of body j. */
+        /** True if the event of body i comes before that of body j. */
         boolean isBefore(int i, int j);
     }
 

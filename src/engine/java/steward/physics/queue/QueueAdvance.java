@@ -96,13 +96,13 @@ public final class QueueAdvance implements Advance {
         passing = ContactResponse.of(parts, collision, walls);
     }
 
-    /** Why a law needs a scan of all pairs after each impact, or {@code null} if it does not. */
+    /** Returns why a law needs a scan of all pairs after each impact, or {@code null} if it does not. */
     public static String refusal(ImpactLaw law) {
         return law.batchWindow() > 0 ? "impacts within batchWindow react together"
             : law.separatingPairsReact() ? "separatingPairs react" : null;
     }
 
-    /** The same for a law and contacts. */
+    /** Returns why a law with these contacts needs a scan of all pairs, or {@code null}. */
     public static String refusal(ImpactLaw law, Contacts contacts) {
         return refusal(law) != null ? refusal(law)
             : contacts.hasReaches() ? "some contacts have a distance of their own" : null;

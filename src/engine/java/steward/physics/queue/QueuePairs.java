@@ -35,12 +35,12 @@ final class QueuePairs {
         return selection.canReact(bodies, crowd.index[a], crowd.index[b]);
     }
 
-    /** Whether a body can react with any wall. */
+    /** True if a body can react with any wall. */
     boolean canReactWithWalls(int body) {
         return selection.canReactWithWalls(bodies, crowd.index[body]);
     }
 
-    /** Whether a body that can react with walls does not pass through this one. */
+    /** True if a body that can react with walls does not pass through this one. */
     boolean canReactWithWall(int body, int wall) {
         return selection.canReactWithWall(bodies, crowd.index[body], wall);
     }

@@ -195,7 +195,7 @@ sealed class QueueSearch permits ExactQueueSearch {
     }
 
     /**
-     * Whether a body is within a small gap of another one or a wall besides its partner: a superset, for a quick
+     * True if a body is within a small gap of another one or a wall besides its partner: a superset, for a quick
      * look.
      */
     boolean hasNear(int body, int of, double gapShare, double now) {

@@ -100,14 +100,14 @@ public abstract sealed class CircleTime permits CircleTime.Official, CircleTime.
     abstract double until(double dx, double dy, double dvx, double dvy, double touch);
 
     /**
-     * The same for a law in which only approach reacts: an approaching pair that touches except for rounding errors
-     * must not be missed.
+     * Time until two circles touch under a law in which only approach reacts: an approaching pair that touches except
+     * for rounding errors must not be missed.
      */
     double untilApproachingMeet(double dx, double dy, double dvx, double dvy, double touch) {
         return until(dx, dy, dvx, dvy, touch);
     }
 
-    /** Whether two circles surely do not touch within a turn: most pairs, without a root or a division. */
+    /** True if two circles surely do not touch within a turn: most pairs, without a root or a division. */
     static boolean areFar(double dx, double dy, double dvx, double dvy, double touch) {
         double squared = dx * dx + dy * dy;
         double ss = touch * touch;

@@ -113,7 +113,7 @@ public final class CompensatedCircles extends CircleTime {
         return discriminant > 0 ? c / (Math.sqrt(discriminant) - b) : NEVER;
     }
 
-    /** Whether two bodies approach, as {@link #circles} judges it. */
+    /** True if two bodies approach, as {@link #circles} judges it. */
     public static boolean areApproaching(Bodies bodies, int i, int j) {
         double dx = bodies.x[i] - bodies.x[j];
         double dy = bodies.y[i] - bodies.y[j];

@@ -166,12 +166,12 @@ final class ExactCircles {
         }
     }
 
-    /** Whether the two touch or overlap: c <= 0. */
+    /** True if the two touch or overlap: c <= 0. */
     boolean areTouching() {
         return c.high() <= 0;
     }
 
-    /** Whether the two approach: b < 0. */
+    /** True if the two approach: b < 0. */
     boolean areApproaching() {
         return b.high() < 0;
     }

@@ -29,8 +29,8 @@ import steward.physics.ImpactLaw;
 
 /**
  * Times of impact of circles for the arithmetic {@code EXACT}: a fast lower bound for all pairs, with exact decisions,
- * and the time itself in double-double for the pairs that {@code RefiningQueue} refines. Whether two touch, whether
- * they approach and whether they meet is decided by exact signs; a tangent path is a miss.
+ * and the time itself in double-double for the pairs that {@code RefiningQueue} refines. Exact signs decide if two
+ * touch, approach and meet; a tangent path is a miss.
  */
 public final class ExactPairs extends PairTime {
 
@@ -152,7 +152,7 @@ public final class ExactPairs extends PairTime {
         return circles.firstTouch(until);
     }
 
-    /** Whether two bodies approach, by the exact sign of b. */
+    /** True if two bodies approach, by the exact sign of b. */
     public boolean areApproaching(Bodies bodies, int i, int j) {
         double xvx = (bodies.x[i] - bodies.x[j]) * (bodies.vx[i] - bodies.vx[j]);
         double yvy = (bodies.y[i] - bodies.y[j]) * (bodies.vy[i] - bodies.vy[j]);

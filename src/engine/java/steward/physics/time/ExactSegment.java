@@ -79,7 +79,7 @@ final class ExactSegment extends ExactWall {
         return approachesNearest(x, y);
     }
 
-    /** Whether the distance to the nearest point decreases. */
+    /** True if the distance to the nearest point decreases. */
     private boolean approachesNearest(double x, double y) {
         if (along.sign() < 0) {
             return sum.clear().addProduct(px, vx).addProduct(py, vy).sign() < 0;

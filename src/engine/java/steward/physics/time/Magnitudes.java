@@ -35,7 +35,7 @@ public final class Magnitudes {
     }
 
     /**
-     * Whether all lengths are 0 or 6.3e-61..1.6e60, all speeds 0 or 2e-211..1.6e60, all masses 5e-91..2e90 or infinite.
+     * True if all lengths are 0 or 6.3e-61..1.6e60, all speeds 0 or 2e-211..1.6e60, all masses 5e-91..2e90 or infinite.
      */
     public static boolean fitPlainArithmetic(Bodies bodies) {
         for (int i = 0; i < bodies.size(); i++) {

@@ -6,8 +6,7 @@ import steward.physics.Contacts;
 import steward.physics.ImpactLaw;
 
 /**
- * The time of the next impact of a pair of circles. Whether a touching pair reacts depends on the law; the rest is
- * geometry.
+ * The time of the next impact of a pair of circles. The law decides if a touching pair reacts; the rest is geometry.
  */
 public abstract sealed class PairTime permits PairTime.OfCircles, PairTime.Overlap, PairTime.AtOwnDistance,
     ExactPairs {
@@ -15,8 +14,8 @@ public abstract sealed class PairTime permits PairTime.OfCircles, PairTime.Overl
     private static final double NEVER = Double.POSITIVE_INFINITY;
 
     /**
-     * Time from now to the impact of two circles, given by their indices; 0 for an impact now. What is later than the
-     * length of a turn may be given as infinite.
+     * Time from now to the impact of two circles, given by their indices; 0 for an impact now. A time beyond the turn
+     * may be given as infinite.
      */
     public abstract double until(Bodies bodies, int i, int j);
 

@@ -51,22 +51,22 @@ public final class Block {
         return path;
     }
 
-    /** Whether the field is present, with any value. Counts as reading it. */
+    /** True if the field is present, with any value. Counts as reading it. */
     public boolean has(String name) {
         return ask(name) != null;
     }
 
-    /** Whether the field is present and a string. */
+    /** True if the field is present and a string. */
     public boolean isText(String name) {
         return ask(name) instanceof JsonText;
     }
 
-    /** Whether the field is present and an array. */
+    /** True if the field is present and an array. */
     public boolean isArray(String name) {
         return ask(name) instanceof JsonArray;
     }
 
-    /** Whether the field is present and an object. */
+    /** True if the field is present and an object. */
     public boolean isBlock(String name) {
         return ask(name) instanceof JsonObject;
     }
@@ -86,7 +86,7 @@ public final class Block {
         return value;
     }
 
-    /** As the method without {@code whenAbsent}, which is the value of an absent field. */
+    /** Reads a field as the method without {@code whenAbsent} does, which is the value of an absent field. */
     public double number(String name, double low, double high, double whenAbsent) {
         return has(name) ? number(name, low, high) : whenAbsent;
     }
@@ -125,7 +125,7 @@ public final class Block {
         return (int) value;
     }
 
-    /** As the method without {@code whenAbsent}, which is the value of an absent field. */
+    /** Reads a field as the method without {@code whenAbsent} does, which is the value of an absent field. */
     public int integer(String name, int low, int high, int whenAbsent) {
         return has(name) ? integer(name, low, high) : whenAbsent;
     }
@@ -138,7 +138,7 @@ public final class Block {
         throw unexpected(name, "true or false");
     }
 
-    /** As the method without {@code whenAbsent}, which is the value of an absent field. */
+    /** Reads a field as the method without {@code whenAbsent} does, which is the value of an absent field. */
     public boolean flag(String name, boolean whenAbsent) {
         return has(name) ? flag(name) : whenAbsent;
     }
@@ -167,7 +167,7 @@ public final class Block {
         return values.get(text.text());
     }
 
-    /** As the method without {@code whenAbsent}, which is the value of an absent field. */
+    /** Reads a field as the method without {@code whenAbsent} does, which is the value of an absent field. */
     public <E> E choice(String name, Map<String, E> values, E whenAbsent) {
         return has(name) ? choice(name, values) : whenAbsent;
     }
@@ -269,12 +269,12 @@ public final class Block {
         return with(block, new JsonObject(inner.place(), entries)).json();
     }
 
-    /** Whether the field is present, without counting as reading it: {@link #done()} may still refuse it. */
+    /** True if the field is present, without counting as reading it: {@link #done()} may still refuse it. */
     public boolean contains(String name) {
         return object.entries().containsKey(name);
     }
 
-    /** How errors name the file. */
+    /** Returns how errors name the file. */
     public String source() {
         return source;
     }
@@ -319,7 +319,7 @@ public final class Block {
         throw unexpected(name, expected);
     }
 
-    /** The same block for the same object, so that the fields read by two readers add up. */
+    /** A block of the same object, so that the fields read by two readers add up. */
     private Block child(String childPath, JsonObject value) {
         return children.computeIfAbsent(childPath, key -> new Block(source, key, value));
     }
@@ -328,7 +328,7 @@ public final class Block {
         return path.isEmpty() ? name : path + "." + name;
     }
 
-    /** How an error names the value of a field. */
+    /** Returns how an error names the value of a field. */
     public String shown(String name) {
         Entry entry = object.entries().get(name);
         return entry == null ? "nothing" : entry.value().shown();

@@ -3,19 +3,19 @@ package steward.scene.json;
 import steward.Internal;
 
 /**
- * How much a file may hold that a person writes: far more than a person would, and so little that it is read, or
- * refused, in a moment. Held while reading: the first value too many is the last one looked at.
+ * Limits of a file that a person writes: far more than a person would need, and so little that it is read, or refused,
+ * in a moment. Held while reading: the first value too many is the last one looked at.
  */
 @Internal
 public final class JsonLimits {
 
-    /** Of a file, in bytes: 250,000 short values. */
+    /** Most bytes of a file: 250,000 short values. */
     public static final int BYTES = 4 << 20;
-    /** Of an array: maps, walls, bumpers. */
+    /** Most elements of an array: maps, walls, bumpers. */
     static final int ELEMENTS = 1000;
-    /** Of an object; the largest known to a reader has some ten. */
+    /** Most fields of an object; the largest known to a reader has some ten. */
     static final int FIELDS = 100;
-    /** Of a file: the values of a thousand maps of 64 checkpoints, and some more. */
+    /** Most values of a file: those of a thousand maps of 64 checkpoints, and some more. */
     static final int VALUES = 250_000;
     /** Objects and arrays within each other; a scene needs six. */
     static final int DEPTH = 16;

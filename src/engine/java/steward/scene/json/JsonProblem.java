@@ -74,7 +74,7 @@ public final class JsonProblem {
     private JsonProblem() {
     }
 
-    /** What kind of value begins at a token, such as {@code an object}. */
+    /** Returns the kind of value that begins at a token, such as {@code an object}. */
     public static String kind(JsonToken token) {
         if (token == null) {
             return "nothing";
@@ -93,7 +93,7 @@ public final class JsonProblem {
         };
     }
 
-    /** What was found and what was expected, without a place. */
+    /** Returns what was found and what was expected, without a place. */
     public static String message(JacksonException problem) {
         String message = problem.getOriginalMessage();
         for (Translation translation : TRANSLATIONS) {

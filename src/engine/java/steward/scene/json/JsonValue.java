@@ -10,10 +10,10 @@ import tools.jackson.core.JsonGenerator;
 @Internal
 public sealed interface JsonValue {
 
-    /** Where it begins. */
+    /** Returns where it begins. */
     SourcePosition place();
 
-    /** How an error names it: {@code found ...}. */
+    /** Returns how an error names it: {@code found ...}. */
     String shown();
 
     /** Writes the value as it was read. */

@@ -6,7 +6,7 @@ import java.util.stream.Collectors;
 import steward.Internal;
 import steward.text.NearestName;
 
-/** How errors and plans write numbers, ranges and choices. */
+/** Form of numbers, ranges and choices in errors and plans. */
 @Internal
 public final class Wording {
 

@@ -14,7 +14,7 @@ import steward.scene.Scene;
 import steward.scene.SceneKey;
 
 /**
- * What parts add to a turn, as shares of the turn: measured once on the shipped scenes and stored with the program. A
+ * Stored prices of parts, as shares of the turn: measured once on the shipped scenes and shipped with the program. A
  * scene that is none of these gets the median of those of its game.
  *
  * @param rows  of the scenes that the shares are taken from, at least one

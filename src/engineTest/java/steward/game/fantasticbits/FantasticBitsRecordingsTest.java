@@ -135,7 +135,7 @@ class FantasticBitsRecordingsTest {
             }
         }
 
-        /** What the server says of an answer names the wizard and what it does. */
+        /** The server's words about an answer name the wizard and what it does. */
         private void compareTold(String line) {
             Matcher told = TOLD.matcher(line);
             int wizard = told.matches() ? Integer.parseInt(told.group(1)) : 0;

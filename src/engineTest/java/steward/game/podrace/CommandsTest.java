@@ -9,7 +9,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What a command does to its pod: shield, boost, heading, thrust; and how a turn ends for it. */
+/** Effects of a command on its pod: shield, boost, heading, thrust; and how a turn ends for it. */
 class CommandsTest {
 
     private final PodRace race = Races.official(Races.FAR);

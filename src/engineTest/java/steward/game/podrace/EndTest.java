@@ -164,7 +164,7 @@ class EndTest {
         assertEquals(1, race.bodies().mass[1]);
     }
 
-    /** What was commanded before the fault takes effect in its turn, and no later. */
+    /** Commands given before the fault take effect in its turn, and no later. */
     @Test
     void whatWasCommandedBeforeTheFaultTakesEffect() {
         PodRace race = Races.duel(3, MAP);

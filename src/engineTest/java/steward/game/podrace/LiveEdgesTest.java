@@ -156,7 +156,7 @@ class LiveEdgesTest {
         return Arrays.stream(words, 1, 3).mapToInt(word -> Integer.parseInt(word.split(":")[1])).toArray();
     }
 
-    /** The state before and the commands. Whether a pod cools down, and has its boost, is seen from its thrust. */
+    /** The state before and the commands. Its thrust shows if a pod cools down, and has its boost. */
     private PodRace begin(Block block) {
         PodRace race = setup.create(block.map());
         for (int pod = 0; pod < PODS; pod++) {

@@ -17,7 +17,7 @@ public final class Races {
         return apart(Recordings.official().create(checkpoints));
     }
 
-    /** The same with the rules of the contest. */
+    /** Returns a race on a given map by the rules of the contest. */
     static PodRace contest(double[][] checkpoints) {
         return apart(Recordings.contest().create(checkpoints));
     }

@@ -112,7 +112,7 @@ public final class Recordings {
         return (PodRaceType.PodRaceSetup) TestScenes.open("mad-pod-racing");
     }
 
-    /** The same with the rules of the contest of 2016. */
+    /** Returns the scene with the rules of the contest of 2016. */
     public static PodRaceType.PodRaceSetup contest() {
         return (PodRaceType.PodRaceSetup) TestScenes.contest("mad-pod-racing");
     }

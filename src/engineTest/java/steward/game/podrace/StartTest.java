@@ -14,7 +14,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import steward.game.podrace.protocol.PodRaceType;
 import steward.numerics.SplitMix64;
 
-/** What is there before the first turn: the map drawn by lot, and the pods across checkpoint 0. */
+/** State before the first turn: the map drawn by lot, and the pods across checkpoint 0. */
 class StartTest {
 
     /** The 13 official maps as the issue that asked for them lists them. */

@@ -51,7 +51,7 @@ record PokerMatch(String name, JsonNode header, JsonNode start, List<JsonNode> t
         return new PokerChipRaceType().open(scene(players, fields));
     }
 
-    /** What was played: the properties that were given to the referee are fields of the scene. */
+    /** Returns the scene: the properties that were given to the referee are its fields. */
     PokerChipRaceType.PokerChipRaceSetup setup() {
         JsonNode given = header.get("properties");
         StringBuilder fields = new StringBuilder();

@@ -57,7 +57,7 @@ final class AirHockey extends AbstractGame {
         return new AirHockey(this);
     }
 
-    /** What the touch of the puck and a wall does: in a goal it scores and all bodies go back to their places. */
+    /** Reaction to the touch of the puck and a wall: in a goal it scores and all bodies go back to their places. */
     record Touch(HockeySettings settings) implements Reaction {
 
         @Override

@@ -59,7 +59,7 @@ class InelasticTest {
         }
     }
 
-    /** The same along a segment, and off its end, which must not catch it. */
+    /** Along a segment for five turns, and off its end, which must not catch the body. */
     @Test
     void aBodySlidesAlongASegmentAndOffItsEnd() {
         for (long seed = 1; seed <= 2000; seed++) {

@@ -22,7 +22,7 @@ import steward.physics.TurnLog;
 import steward.physics.TurnSink;
 import steward.physics.Wall;
 
-/** What contacts mean, when the scene is asked, and what each of its answers does. */
+/** Meanings of contacts, when the scene is asked, and the effect of each of its answers. */
 class ReactionTest {
 
     private final List<String> asked = new ArrayList<>();

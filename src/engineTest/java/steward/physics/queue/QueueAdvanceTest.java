@@ -246,7 +246,7 @@ class QueueAdvanceTest {
     }
 
     /**
-     * Those that touch are pushed apart. In plain doubles it hangs on the sign of a rounding whether those do that have
+     * Touching bodies are pushed apart. In plain doubles it hangs on the sign of a rounding whether those do that have
      * just met, and the two advances round differently; the exact arithmetic sees it as it is.
      */
     @ParameterizedTest

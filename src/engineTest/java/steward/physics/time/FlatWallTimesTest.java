@@ -144,7 +144,7 @@ class FlatWallTimesTest {
             return vx * segment.normalX(cx, cy) + vy * segment.normalY(cx, cy);
         }
 
-        /** Whether the circle starts clear of the segment. */
+        /** True if the circle starts clear of the segment. */
         boolean startsApart() {
             return new Segment(ax, ay, bx, by, 1).gap(x, y, radius) > 1e-9 * lengths();
         }

@@ -12,7 +12,7 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.function.Executable;
 
-/** What a game meets when it reads its own blocks. */
+/** A block as a game meets it when it reads its own blocks. */
 class BlockTest {
 
     private static final double INFINITE = Double.POSITIVE_INFINITY;

@@ -9,7 +9,7 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 
-/** What is too much is refused at the first value beyond the limit, before the rest is read. */
+/** A file beyond a limit is refused at the first value too many, before the rest is read. */
 class JsonLimitsTest {
 
     @Test
@@ -20,7 +20,7 @@ class JsonLimitsTest {
             refusal("{\"a\":[" + "5,".repeat(1000) + "5]}"));
     }
 
-    /** What follows the limit is not even looked at: it is not JSON here. */
+    /** Text behind the limit is not even looked at: it is not JSON here. */
     @Test
     void nothingIsReadBeyondTheLimit() {
         assertEquals("s.json:1:2007: a: found more than 1000 elements, expected at most 1000",

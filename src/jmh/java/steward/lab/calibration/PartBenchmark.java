@@ -25,9 +25,9 @@ import steward.scene.SceneText;
 import steward.scene.price.PartPrice;
 
 /**
- * What each part adds to a turn, from an empty scene where bodies only fly, each in a JVM of its own:
- * {@code ./gradlew jmh -Pbench=Part}. The parts of a scene come first, each added to those before it; then the others,
- * each added to the whole scene. Every result includes the time of copying a state.
+ * Price of each part of a turn, from an empty scene where bodies only fly, each in a JVM of its own: {@code ./gradlew
+ * jmh -Pbench=Part}. The parts of a scene come first, each added to those before it; then the others, each added to the
+ * whole scene. Every result includes the time of copying a state.
  */
 @State(Scope.Benchmark)
 @BenchmarkMode(Mode.AverageTime)

@@ -37,7 +37,7 @@ import steward.physics.event.EventAdvance;
 @Measurement(iterations = 5, time = 1)
 public class QueueBenchmark {
 
-    /** How many impacts there are in a turn, by how far bodies fly. */
+    /** Impacts in a turn, by how far bodies fly. */
     public enum Impacts {
         NONE(0.0005), FEW(0.05), MANY(1);
 
@@ -48,7 +48,7 @@ public class QueueBenchmark {
         }
     }
 
-    /** Which advance is measured. */
+    /** Advance that is measured. */
     public enum Way { EVENT, QUEUE }
 
     @Param

@@ -54,7 +54,7 @@ public final class BenchFiles implements AutoCloseable {
         writeJson();
     }
 
-    /** How many programs want a processor, the mean of a minute; negative where the system does not tell. */
+    /** Returns how many programs want a processor, the mean of a minute; negative where the system does not tell. */
     private static double load() {
         return ManagementFactory.getOperatingSystemMXBean().getSystemLoadAverage();
     }

@@ -9,7 +9,7 @@ package steward.lab.bench;
  */
 public record Contender(String name, Clock clock, Work work) {
 
-    /** Which time is counted. */
+    /** Clock that is counted. */
     public enum Clock {
         /** The CPU time of the calling thread, which works alone. */
         THREAD,

@@ -1,6 +1,6 @@
 package steward.lab.bench;
 
-/** How long to measure. */
+/** Amount of measuring. */
 public enum Effort {
     /** Seconds: to see that it works. */
     QUICK(50, 3, 20),
@@ -19,17 +19,17 @@ public enum Effort {
         this.roundMs = roundMs;
     }
 
-    /** How long each contender warms up, in milliseconds of CPU time. */
+    /** Returns how long each contender warms up, in milliseconds of CPU time. */
     public long warmUpMs() {
         return warmUpMs;
     }
 
-    /** How many measurements the median is taken of. */
+    /** Returns how many measurements the median is taken of. */
     public int rounds() {
         return rounds;
     }
 
-    /** How much CPU time one measurement takes, in milliseconds. */
+    /** Returns the CPU time of one measurement, in milliseconds. */
     long roundMs() {
         return roundMs;
     }

@@ -26,7 +26,7 @@ public record GroupSection(String name, String about, List<Group> groups) implem
         return steps(groups.stream().mapToInt(group -> group.contenders().size()).sum(), effort);
     }
 
-    /** How many steps this many contenders take, however they are grouped. */
+    /** Returns how many steps this many contenders take, however they are grouped. */
     public static int steps(int contenders, Effort effort) {
         return contenders * (1 + effort.rounds());
     }

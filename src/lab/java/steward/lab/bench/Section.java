@@ -8,10 +8,10 @@ public interface Section {
     /** A word, for {@code --only}. */
     String name();
 
-    /** What is measured and how, in one or two sentences for the page. */
+    /** Describes the measurement in one or two sentences for the page. */
     String about();
 
-    /** How often {@link #run} will report what is measured, approximately. */
+    /** Returns how often {@link #run} will report what is measured, approximately. */
     int steps(Effort effort);
 
     /**

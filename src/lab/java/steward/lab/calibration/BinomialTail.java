@@ -35,8 +35,8 @@ public final class BinomialTail {
     }
 
     /**
-     * How many of the states may have a larger error for the share of all states that have none to be shown: so few
-     * that the upper bound of the share that has, at {@link #CONFIDENCE}, is at most 1 - {@code share}.
+     * Returns how many of the states may have a larger error for the share of all states that have none to be shown: so
+     * few that the upper bound of the share that has, at {@link #CONFIDENCE}, is at most 1 - {@code share}.
      *
      * @param share above 0, below 1
      * @return -1 if there are too few states to show it in any case
@@ -57,7 +57,7 @@ public final class BinomialTail {
     }
 
     /**
-     * Whether more cases than a share allows were seen, beyond what chance explains: the two-sided interval at a level
+     * True if more cases than a share allows were seen, beyond what chance explains: the two-sided interval at a level
      * around what was seen does not reach it.
      *
      * @param seen   cases with a larger error, of {@code states}

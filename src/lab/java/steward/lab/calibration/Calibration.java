@@ -129,7 +129,7 @@ public final class Calibration {
         }
     }
 
-    /** How many jobs {@link #time} times. */
+    /** Returns how many jobs {@link #time} times. */
     public int jobs() {
         return rungs.size();
     }
@@ -151,7 +151,7 @@ public final class Calibration {
         }
     }
 
-    /** How many blocks there are. */
+    /** Returns the number of blocks. */
     public int blocks() {
         return blocks.length;
     }
@@ -180,7 +180,7 @@ public final class Calibration {
         return new Block(errors, work, withImpacts);
     }
 
-    /** How many pairs, and bodies with walls, a scan tests. */
+    /** Returns how many pairs, and bodies with walls, a scan tests. */
     private int tests(Bodies bodies) {
         int movable = 0;
         for (int k = 0; k < bodies.size(); k++) {

@@ -41,7 +41,7 @@ public final class PartPrices {
         slices = new PartSlices(scene, types, states);
     }
 
-    /** How many jobs {@link #measure} times. */
+    /** Returns how many jobs {@link #measure} times. */
     public int jobs() {
         return slices.count();
     }

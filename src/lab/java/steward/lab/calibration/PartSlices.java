@@ -71,7 +71,7 @@ final class PartSlices {
         return motion() + 2;
     }
 
-    /** How many slices there are. */
+    /** Returns the number of slices. */
     int count() {
         return commands() + 1;
     }

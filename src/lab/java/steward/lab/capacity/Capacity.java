@@ -4,7 +4,7 @@ import steward.lab.capacity.MeasuredLeague.Kind;
 import steward.lab.capacity.MeasuredLeague.Sample;
 
 /**
- * What workers cost, as it was measured, and how many a league can serve, as follows from that.
+ * Measured costs of workers, and the number of workers that a league can serve, as follows from them.
  *
  * @param rate   games in a second at which the overhead is told
  * @param rounds how often both leagues were measured in turn; medians are told
@@ -31,18 +31,20 @@ public record Capacity(double rate, int rounds, Sample alone, Sample served, Che
         return Math.max(1, Math.rint(micros));
     }
 
-    /** What a game costs more with a worker, on both sides, in microseconds of all threads. */
+    /** Returns the extra cost of a game with a worker, on both sides, in microseconds of all threads. */
     public double overhead() {
         return served.threads() - alone.threads();
     }
 
-    /** What checks and connection cost the league's process more than a game of its own, without the game. */
+    /**
+     * Returns the extra cost of checks and connection to the league's process over a game of its own, without the game.
+     */
     public double leagueOverhead() {
         LeagueCosts costs = table.costs();
         return costs.broker() + costs.messages() + costs.check() + costs.share() * costs.again();
     }
 
-    /** So many microseconds a game as a share of one processor, at {@link #rate} games in a second. */
+    /** Returns so many microseconds a game as a share of one processor, at {@link #rate} games in a second. */
     public double ofOneProcessor(double micros) {
         return micros * rate / MICROS;
     }

@@ -8,7 +8,7 @@ import java.util.SplittableRandom;
 /**
  * A league's process and its workers in virtual time, event by event. Games take times of an exponential distribution,
  * everything in the process as long as it was measured to take. A step waits for its thread, if there is only one for
- * it, and then for a processor; processors are given in the order of asking. The same arguments give the same result.
+ * it, and then for a processor; processors are given in the order of asking. Equal arguments give equal results.
  *
  * <p>A place is a game under way: the schedule decides on it, the broker hands it out, a worker that is free plays it,
  * the broker takes the result, it is read, checked and handed over to be stored. Then the place is free for the next.
@@ -47,7 +47,7 @@ public final class CapacitySimulation {
     private double playingNanos;
 
     /**
-     * Who plays.
+     * Setting of a simulation: the league's machine and its workers.
      *
      * @param processors of the league's machine
      * @param workers    games that they play at the same time, all together
@@ -58,7 +58,7 @@ public final class CapacitySimulation {
     }
 
     /**
-     * What came of it.
+     * Result of a simulation.
      *
      * @param perSecond  games in a second that the busiest part of the process has worked on, half ones as halves
      * @param stored     games stored in a second, which depends on where in their course games are at begin and end
@@ -84,7 +84,7 @@ public final class CapacitySimulation {
     private record Step(long nanos, Runnable then) {
     }
 
-    /** What only one can do at a time. */
+    /** Server that takes one step at a time; the others wait in line. */
     private static final class Line {
         private final Deque<Step> waiting = new ArrayDeque<>();
         private boolean busy;
@@ -134,7 +134,7 @@ public final class CapacitySimulation {
             delays == 0 ? 0 : delayNanos / delays / 1e6, insideNanos / time);
     }
 
-    /** How many games the part has worked on that had the least time left: that many can end, and no more. */
+    /** Returns how many games the part has worked on that had the least time left: that many can end, and no more. */
     private double busiest(double time) {
         double share = busyNanos / time / setting.processors();
         double games = busyNanos / (costs.total() * NANOS_PER_US);

@@ -6,7 +6,7 @@ import java.util.Locale;
 import steward.lab.capacity.LeagueCosts.Part;
 import steward.lab.capacity.SaturationTable.Row;
 
-/** What was measured and simulated, for people: lines of Markdown, as they stand in the documentation. */
+/** Text about measurements and simulations, for people: lines of Markdown, as they stand in the documentation. */
 public final class CapacityText {
 
     private static final double PERCENT = 100;
@@ -85,7 +85,7 @@ public final class CapacityText {
             + " |";
     }
 
-    /** What is simulated from the prices, and what is to be learnt from it. */
+    /** Describes the simulation from the prices, and the conclusions from it. */
     static List<String> simulation(SaturationTable table) {
         List<String> lines = new ArrayList<>(List.of(
             "Simulated from these prices, in virtual time: a machine with " + table.processors()

@@ -17,7 +17,7 @@ import steward.match.Protocol;
 import steward.replay.RecordedMatch;
 
 /**
- * What it costs to check a game, by itself on one thread.
+ * Cost of checking a game, by itself on one thread.
  *
  * @param check microseconds of CPU time in which a game is unpacked and played again
  * @param again the same in which its bots are asked again, the bots' own time included

@@ -1,7 +1,7 @@
 package steward.lab.capacity;
 
 /**
- * What a game of a worker costs the league's process: microseconds of CPU time in each part of it.
+ * Cost of a worker's game to the league's process: microseconds of CPU time in each part of it.
  *
  * @param broker   the broker and TLS: jobs out, leases, results in
  * @param messages the one thread that reads what workers say
@@ -47,7 +47,7 @@ public record LeagueCosts(double broker, double messages, double check, double a
     }
 
     /**
-     * How many games in a second a part can take at most.
+     * Returns how many games in a second a part can take at most.
      *
      * @param processors of the league's machine
      */

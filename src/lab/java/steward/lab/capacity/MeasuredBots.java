@@ -19,7 +19,7 @@ import steward.game.GameTypes;
 public record MeasuredBots(GameTypes types, GameSetup setup, BotStarter playing, BotStarter asked,
                            IntFunction<String> commands) {
 
-    /** How a bot is called. */
+    /** Returns how a bot is called. */
     String command(int number) {
         return commands.apply(number);
     }

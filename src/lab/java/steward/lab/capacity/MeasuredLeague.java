@@ -62,9 +62,9 @@ public final class MeasuredLeague {
         BROKER,
         /** The one that reads what workers say. */
         MESSAGES,
-        /** Those that play games, or offer games to workers, wait for them and check them. */
+        /** Threads that play games, or offer games to workers, wait for them and check them. */
         GAMES,
-        /** The same threads, where workers play, in what a league does without them, too: schedule, pairing. */
+        /** Such threads, where workers play, in work that a league does without them, too: schedule, pairing. */
         SCHEDULE,
         /** The one that stores. */
         STORE,
@@ -91,7 +91,7 @@ public final class MeasuredLeague {
     }
 
     /**
-     * What was measured.
+     * Result of a measurement.
      *
      * @param perSecond games stored in a second
      * @param process   CPU time of the whole process, in microseconds a game, what compiles and collects included
@@ -100,14 +100,14 @@ public final class MeasuredLeague {
      */
     public record Sample(double perSecond, double process, double perJob, Map<Kind, Double> kinds) {
 
-        /** The same of all threads together. */
+        /** Returns the CPU time of all threads together. */
         public double threads() {
             return kinds.values().stream().mapToDouble(Double::doubleValue).sum();
         }
     }
 
     /**
-     * How long is measured.
+     * Length of a measurement.
      *
      * @param perSecond   games that begin in a second at most
      * @param warmSeconds before

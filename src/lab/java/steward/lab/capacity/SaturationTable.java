@@ -7,7 +7,7 @@ import steward.lab.capacity.CapacitySimulation.Setting;
 import steward.lab.capacity.LeagueCosts.Part;
 
 /**
- * How a league's process fares with more and more workers.
+ * Load of a league's process with more and more workers.
  *
  * @param costs      of a game
  * @param processors of the league's machine
@@ -90,7 +90,7 @@ public record SaturationTable(LeagueCosts costs, int processors, List<Row> rows,
         return counts;
     }
 
-    /** How many simulations {@link #of} makes. */
+    /** Returns how many simulations {@link #of} makes. */
     public static int steps(int workers) {
         return counts(workers).size() + 1 + LARGER.size();
     }

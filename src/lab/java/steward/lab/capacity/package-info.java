@@ -1,4 +1,7 @@
-/** What workers cost the league's process, measured; and how many it could serve, simulated in virtual time. */
+/**
+ * Costs of workers to the league's process, measured; and the number of workers it could serve, simulated in virtual
+ * time.
+ */
 @Internal
 package steward.lab.capacity;
 

@@ -12,7 +12,7 @@ import steward.lab.trial.Rung;
 import steward.physics.Arithmetic;
 import steward.scene.SceneFiles;
 
-/** What the golden hash covers: worlds on every rung, and every shipped scene with every arithmetic. */
+/** Turns that the golden hash covers: worlds on every rung, and every shipped scene with every arithmetic. */
 final class GoldenSuite {
 
     private static final String ACCURACY = "\"accuracy\"\\s*:\\s*\\{[^}]*}";
@@ -20,7 +20,7 @@ final class GoldenSuite {
     private GoldenSuite() {
     }
 
-    /** How many parts there are, of all games. */
+    /** Returns the number of parts, of all games. */
     static int count() {
         return GoldenHash.WORLDS * Rung.all().size() + SceneFiles.shipped().size() * (Arithmetic.values().length + 1);
     }

@@ -38,7 +38,7 @@ final class PartsOption {
         + "made so.")
     private String file;
 
-    /** Whether it was called for. */
+    /** True if it was called for. */
     boolean isAsked() {
         return file != null;
     }

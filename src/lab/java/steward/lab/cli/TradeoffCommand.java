@@ -150,7 +150,7 @@ public final class TradeoffCommand implements Callable<Integer> {
         }
     }
 
-    /** How long each part takes, approximately. */
+    /** Returns how long each part takes, approximately. */
     private List<Double> seconds(List<TradeoffScene> chosen, boolean headings) {
         List<Double> seconds = new ArrayList<>();
         chosen.forEach(scene -> seconds.add(TradeoffSeconds.of(scene.name(), quick)));

@@ -24,7 +24,7 @@ import steward.text.NearestName;
 /** The scenes of the trade-off measurement: its own, and any scene that a match can be played in. */
 final class TradeoffScenes {
 
-    /** What {@code --scene} knows by name. */
+    /** Names that {@code --scene} knows. */
     static final class Names implements Iterable<String> {
 
         @Override

@@ -2,7 +2,7 @@ package steward.lab.cli;
 
 import java.util.Map;
 
-/** How long the scenes of {@code steward tradeoff} take, approximately. */
+/** Approximate seconds of the scenes of {@code steward tradeoff}. */
 final class TradeoffSeconds {
 
     /** With {@code --quick} and without, on two processors. */

@@ -65,7 +65,7 @@ public final class Decimals {
         return root(dot(x, y, x, y));
     }
 
-    /** Whether a is at most b except for rounding; both at least 0. */
+    /** True if a is at most b except for rounding; both at least 0. */
     static boolean atMost(BigDecimal a, BigDecimal b) {
         return a.compareTo(b) <= 0 || a.subtract(b).compareTo(b.multiply(SAME)) <= 0;
     }

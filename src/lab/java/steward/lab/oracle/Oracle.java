@@ -63,7 +63,7 @@ public final class Oracle {
         }
     }
 
-    /** Whether the last turn reached the limit on impacts; then it stopped there, in the middle of the turn. */
+    /** True if the last turn reached the limit on impacts; then it stopped there, in the middle of the turn. */
     public boolean limited() {
         return limited;
     }
@@ -198,7 +198,7 @@ public final class Oracle {
         return List.of(lowest);
     }
 
-    /** Whether one touch is later than another by more than rounding, a turn being 1. */
+    /** True if one touch is later than another by more than rounding, a turn being 1. */
     private static boolean isLater(Touch one, Touch other) {
         return one.until.subtract(other.until).compareTo(Decimals.SAME) > 0;
     }

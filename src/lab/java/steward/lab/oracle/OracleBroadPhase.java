@@ -46,7 +46,7 @@ final class OracleBroadPhase {
     }
 
     /**
-     * Whether two bodies cannot meet within a time.
+     * True if two bodies cannot meet within a time.
      *
      * @param own distance at which they touch; NaN for the sum of their radii
      */
@@ -62,7 +62,7 @@ final class OracleBroadPhase {
         return beyond(Math.sqrt(dx * dx + dy * dy), near, size);
     }
 
-    /** Whether a body cannot reach a wall within a time; only straight walls are ever excluded. */
+    /** True if a body cannot reach a wall within a time; only straight walls are ever excluded. */
     boolean apart(int i, Wall wall, double time) {
         if (!(wall instanceof HalfPlane plane)) {
             return false;

@@ -13,7 +13,7 @@ import steward.physics.TurnSink;
 import steward.physics.Wall;
 
 /**
- * What contacts mean to the {@link Oracle}: which kinds meet, and what the game's reaction answers. The reaction is
+ * Meanings of contacts to the {@link Oracle}: which kinds meet, and how the game's reaction answers. The reaction is
  * asked about rounded copies of the bodies; those that it does not alter keep all their digits.
  *
  * <p>Caveat: a contact at a distance of its own may be answered by anything but {@code BOUNCE}.
@@ -34,12 +34,12 @@ final class OracleContacts {
         }
     }
 
-    /** Whether two bodies can have an impact. */
+    /** True if two bodies can have an impact. */
     boolean meet(int a, int b) {
         return contacts.between(rounded.kind[a], rounded.kind[b]) != Meaning.NONE && !passes(id(a), id(b));
     }
 
-    /** Whether a body can have an impact with a wall. */
+    /** True if a body can have an impact with a wall. */
     boolean meetsWall(int a, int wall) {
         return contacts.withWall(rounded.kind[a]) != Meaning.NONE && !passes(id(a), ~wall);
     }

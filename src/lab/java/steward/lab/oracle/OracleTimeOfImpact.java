@@ -26,12 +26,12 @@ final class OracleTimeOfImpact {
     private OracleTimeOfImpact() {
     }
 
-    /** Whether a point is within s of the origin; a distance equal to s except for rounding counts. */
+    /** True if a point is within s of the origin; a distance equal to s except for rounding counts. */
     static boolean within(BigDecimal px, BigDecimal py, BigDecimal s) {
         return Decimals.atMost(Decimals.dot(px, py, px, py), Decimals.square(s));
     }
 
-    /** Whether p.v < 0; a slide, except for rounding, is no approach. */
+    /** True if p.v < 0; a slide, except for rounding, is no approach. */
     static boolean approaches(BigDecimal px, BigDecimal py, BigDecimal vx, BigDecimal vy, boolean touching) {
         BigDecimal approach = Decimals.dot(px, py, vx, vy);
         if (approach.signum() >= 0 || !touching) {

@@ -54,7 +54,7 @@ public final class PairOracle {
         exponent = unit - speedUnit - m;
     }
 
-    /** Whether the first touch is within the turn: they overlap at its end, or were nearest to each other before. */
+    /** True if the first touch is within the turn: they overlap at its end, or were nearest to each other before. */
     private static boolean withinTurn(BigInteger dx, BigInteger dy, BigInteger vx, BigInteger vy, BigInteger s,
                                       int unit, int speedUnit) {
         int common = Math.min(unit, speedUnit);
@@ -66,7 +66,7 @@ public final class PairOracle {
             || endX.multiply(flownX).add(endY.multiply(flownY)).signum() >= 0;
     }
 
-    /** Whether they touch within the turn while they approach. */
+    /** True if they touch within the turn while they approach. */
     public boolean hit() {
         return hit;
     }

@@ -81,12 +81,12 @@ public final class TurnTruth {
         return new TurnTruth(start, bodies, ids, impacts, oracle.limited());
     }
 
-    /** How many impacts there are. */
+    /** Returns the number of impacts. */
     public int impacts() {
         return pairs.length;
     }
 
-    /** Whether the turn reached the limit on impacts; then nothing may be compared with it. */
+    /** True if the turn reached the limit on impacts; then nothing may be compared with it. */
     public boolean limited() {
         return limited;
     }
@@ -147,8 +147,9 @@ public final class TurnTruth {
     }
 
     /**
-     * How many bodies end the turn with numbers that differ from the true ones, after the scene's rounding of both;
-     * all, if other bodies are there than in truth. The true drag is the decimal in the scene: 0.15 of 100 leaves 85.
+     * Returns how many bodies end the turn with numbers that differ from the true ones, after the scene's rounding of
+     * both; all, if other bodies are there than in truth. The true drag is the decimal in the scene: 0.15 of 100 leaves
+     * 85.
      *
      * @param start  the bodies before the turn: their drag is used
      * @param ended  the bodies after the turn and after {@link Motion#endTurn}
@@ -199,7 +200,7 @@ public final class TurnTruth {
             : (long) Math.min(a, b) << Integer.SIZE | Math.max(a, b);
     }
 
-    /** How many elements of the first array have no partner in the second; both ascending. */
+    /** Returns how many elements of the first array have no partner in the second; both ascending. */
     private static int beyond(long[] ones, long[] others) {
         int count = 0;
         int k = 0;

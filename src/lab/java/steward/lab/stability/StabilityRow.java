@@ -48,7 +48,7 @@ public record StabilityRow(String name, String demand, String rung, Finding seen
         }
     }
 
-    /** Whether the demand was not met. */
+    /** True if the demand was not met. */
     public boolean failed() {
         return seen.verdict() == Finding.Verdict.FAILS;
     }

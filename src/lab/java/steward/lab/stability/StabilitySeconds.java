@@ -11,10 +11,10 @@ import steward.Internal;
 import steward.lab.trial.RunLength;
 
 /**
- * How long each row of the stability table takes, approximately: for announcements and for the time left. The resource
- * {@code stability-seconds.csv} has a line per case and rung, with the seconds of {@code steward stability --quick} and
- * of {@code steward stability} as their {@code --out} told them on a machine with two cores; the last column says how
- * many times as much work the long version does as the normal one, by the counts in the cases.
+ * Approximate seconds of each row of the stability table: for announcements and for the time left. The resource {@code
+ * stability-seconds.csv} has a line per case and rung, with the seconds of {@code steward stability --quick} and of
+ * {@code steward stability} as their {@code --out} told them on a machine with two cores; the last column says how many
+ * times as much work the long version does as the normal one, by the counts in the cases.
  */
 @Internal
 public final class StabilitySeconds {
@@ -23,7 +23,7 @@ public final class StabilitySeconds {
     private static final int COLUMNS = 5;
     /** For a row that is not in the table. */
     private static final double UNKNOWN = 1;
-    /** What a row takes at least: the table itself, and the start of the code. */
+    /** Least seconds of a row: the table itself, and the start of the code. */
     private static final double LEAST = 0.005;
     /** How many impacts a crowd has in the normal version. */
     private static final double CROWD_IMPACTS = 1e6;
@@ -60,7 +60,7 @@ public final class StabilitySeconds {
         return name + ";" + rung;
     }
 
-    /** Whether the row is in the table. */
+    /** True if the row is in the table. */
     public boolean knows(String name, String rung) {
         return rows.containsKey(key(name, rung));
     }

@@ -66,7 +66,7 @@ record AnytimeCheck(MadeUpLeague league, int rounds) {
         }
     }
 
-    /** Whether the truth is outside the anytime bar. That is never below two standard deviations, which saves time. */
+    /** True if the truth is outside the anytime bar. That is never below two standard deviations, which saves time. */
     static boolean isOutside(Difference found, double truth) {
         double error = Math.abs(found.elo() - truth);
         return error > 2 * RatingFit.ELO * Math.sqrt(found.variance()) && error > found.anytimeBar();

@@ -9,10 +9,11 @@ import steward.league.rating.Ratings;
 import steward.league.rating.Stratum;
 
 /**
- * How far any pairing can get that is fixed before, by somebody who knows all strengths. With n clusters of group q the
- * variance of the difference of the neighbours k is the sum over q of c[k][q] / n[q]; the fewest clusters are sought
- * with which each is at most v[k], that of a bar as wide as their distance. By Lagrange's multipliers m, n[q] is the
- * root of the sum over k of m[k] c[k][q]; the multipliers are found by raising those of variances that are too large.
+ * Fewest clusters with which a pairing that is fixed beforehand can separate neighbours: the best allocation for
+ * somebody who knows all strengths. With n[q] clusters of group q the variance of the difference of the neighbours k is
+ * the sum over q of c[k][q] / n[q]; the fewest clusters are sought with which each is at most v[k], the variance of a
+ * bar as wide as their distance. By Lagrange's multipliers m, n[q] is the root of the sum over k of m[k] c[k][q]; the
+ * multipliers are found by raising those of variances that are too large.
  *
  * @param league bots of a round robin, the strongest first
  */
@@ -23,7 +24,7 @@ record BestAllocation(MadeUpLeague league) {
     private static final int HALVINGS = 100;
     private static final int STEPS = 20_000;
 
-    /** What it needs of the clusters with which a round robin gets there. */
+    /** Returns the clusters needed, as a share of those with which a round robin gets there. */
     double share() {
         int bots = league.bots();
         List<Stratum> strata = league.groups().stream().map(group -> group.inProportion(MANY)).toList();
@@ -44,7 +45,7 @@ record BestAllocation(MadeUpLeague league) {
         return fewest(parts) / (inTurn * strata.size());
     }
 
-    /** The variance whose anytime bar is so wide. */
+    /** Returns the variance whose anytime bar is so wide. */
     private static double wanted(double elo, double alpha) {
         double low = 0;
         double high = 1;
@@ -59,7 +60,7 @@ record BestAllocation(MadeUpLeague league) {
         return low;
     }
 
-    /** The least sum of n with all sums of parts[k][q] / n[q] at most 1. */
+    /** Returns the least sum of n with all sums of parts[k][q] / n[q] at most 1. */
     private static double fewest(double[]... parts) {
         double[] multipliers = new double[parts.length];
         Arrays.fill(multipliers, 1);

@@ -3,7 +3,7 @@ package steward.lab.statistics;
 import java.util.Locale;
 
 /**
- * How often the truth was within the bars of differences, by pairing.
+ * Coverage of the bars of differences, by pairing: the share of leagues in which the truth was within.
  *
  * @param leagues how many were played
  * @param least   the lowest share over pairings whose expected score is in 5..95%; NaN if there is none
@@ -18,9 +18,9 @@ record Coverage(long leagues, double least, double most, double outer) {
     enum Among {
         /** All. */
         ALL,
-        /** Those with the bot against which all others play. */
+        /** Differences to the bot against which all others play. */
         WITH_HERO,
-        /** Those of two others. */
+        /** Differences of two others. */
         OTHERS
     }
 
@@ -33,7 +33,7 @@ record Coverage(long leagues, double least, double most, double outer) {
         return of(league, Among.ALL, leagues, inside);
     }
 
-    /** The same of some differences. */
+    /** Returns the coverage among some differences, from counts. */
     static Coverage of(MadeUpLeague league, Among among, long leagues, long... inside) {
         double least = Double.NaN;
         double most = Double.NaN;

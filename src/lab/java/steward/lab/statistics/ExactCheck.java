@@ -9,9 +9,9 @@ import steward.league.rating.ScoreTest;
 import steward.league.rating.Stratum;
 
 /**
- * How often the bar of the difference of two bots without ties holds, exactly: the sum of the chances of all ways in
- * which their games can go. Scores are whole numbers of games, so that this jumps with the strength as results come
- * into their bars and leave them.
+ * Exact coverage of the bar of the difference of two bots without ties: the sum of the chances of all ways in which
+ * their games can go. Scores are whole numbers of games, so that this jumps with the strength as results come into
+ * their bars and leave them.
  *
  * @param clusters how many are played, each of two games
  */

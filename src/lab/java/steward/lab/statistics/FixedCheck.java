@@ -20,13 +20,13 @@ record FixedCheck(MadeUpLeague league, int... clusters) {
     /** In Elo: what is left of no difference by rounding. */
     private static final double EQUAL = 1e-6;
 
-    /** The same number of all groups. */
+    /** Returns a check with equally many clusters of each group. */
     static FixedCheck even(MadeUpLeague league, int clusters) {
         return new FixedCheck(league, IntStream.generate(() -> clusters).limit(league.groups().size()).toArray());
     }
 
     /**
-     * What came out.
+     * Result of a check.
      *
      * @param bars  how often those of differences held
      * @param ranks how often the range of a bot had all ranks that it shares; that of the bot where it was least often

@@ -156,12 +156,12 @@ final class MadeUpGroup {
         return chances;
     }
 
-    /** Of two bots: the mean score that each pattern is. */
+    /** Returns the mean score of each pattern, of two bots. */
     double[] scores() {
         return patterns.stream().mapToDouble(pattern -> pattern[1] / pattern[0]).toArray();
     }
 
-    /** Of two bots: the variance of a cluster's mean score. */
+    /** Returns the variance of a cluster's mean score, of two bots. */
     double variance() {
         double mean = share();
         double sum = 0;

@@ -6,7 +6,7 @@ import java.util.stream.IntStream;
 import steward.league.rating.RatingFit;
 
 /**
- * Made-up bots and how their games go.
+ * Simulated league: bots of known strength, and the probabilities of the results of their games.
  *
  * @param name   of the configuration, for a person
  * @param bots   how many
@@ -17,10 +17,10 @@ import steward.league.rating.RatingFit;
  */
 record MadeUpLeague(String name, int bots, boolean pooled, List<MadeUpGroup> groups, int hero, RatingFit truth) {
 
-    /** So many clusters that the prior does not matter. */
+    /** Number of clusters so large that the prior does not matter. */
     private static final long MANY = 1L << 40;
 
-    /** A configuration of these groups. */
+    /** Returns a league of these groups. */
     static MadeUpLeague of(String name, int bots, boolean pooled, List<MadeUpGroup> groups) {
         return of(name, bots, pooled, groups, -1);
     }
@@ -30,25 +30,25 @@ record MadeUpLeague(String name, int bots, boolean pooled, List<MadeUpGroup> gro
             RatingFit.of(bots, groups.stream().map(group -> group.truth(MANY)).toList(), pooled));
     }
 
-    /** The same bots, all of them against one: what such games can tell is the fit to them, and not to all pairings. */
+    /** Returns these bots with all of them against one; its truth is the fit to such games, not to all pairings. */
     MadeUpLeague gauntlet(int bot) {
         return of(name, bots, pooled,
             groups.stream().filter(group -> IntStream.of(group.bots()).anyMatch(each -> each == bot)).toList(), bot);
     }
 
-    /** The same games, compared with another truth. */
+    /** Returns this league with another truth to compare its estimates with. */
     MadeUpLeague comparedWith(RatingFit other) {
         return new MadeUpLeague(name, bots, pooled, groups, hero, other);
     }
 
     /**
-     * Games of two.
+     * Returns a league of games of two.
      *
      * @param elo      strengths
      * @param ties     weight of ties
-     * @param side     what a side is worth, in Elo
-     * @param push     what a seed is worth to one of the two, in Elo
-     * @param circle   by how much bot 0 is better than told against bot 1, 1 against 2, and 2 against 0, in Elo
+     * @param side     advantage of the first side, in Elo
+     * @param push     advantage that a seed gives to one of the two, in Elo
+     * @param circle   by how much bot 0 is better than its strength against bot 1, 1 against 2, and 2 against 0, in Elo
      */
     static MadeUpLeague pairs(String name, double[] elo, double ties, double side, double push, double circle) {
         List<MadeUpGroup> groups = new ArrayList<>();
@@ -62,7 +62,7 @@ record MadeUpLeague(String name, int bots, boolean pooled, List<MadeUpGroup> gro
         return of(name, elo.length, false, groups);
     }
 
-    /** Games of three. */
+    /** Returns a league of games of three. */
     static MadeUpLeague threes(String name, double push, double... elo) {
         List<MadeUpGroup> groups = new ArrayList<>();
         for (int i = 0; i < elo.length; i++) {
@@ -76,13 +76,13 @@ record MadeUpLeague(String name, int bots, boolean pooled, List<MadeUpGroup> gro
         return of(name, elo.length, false, groups);
     }
 
-    /** Games of two of these pairs, all on one list of seeds. */
+    /** Returns a league of games of two between these pairs, all on one list of seeds. */
     static MadeUpLeague sharing(String name, double push, double[] elo, int[]... pairs) {
         return of(name, elo.length, false,
             List.of(MadeUpGroup.sharing(natural(elo), push / RatingFit.ELO, pairs)));
     }
 
-    /** All alone on the same maps. */
+    /** Returns a league of bots that play alone, all on the same maps. */
     static MadeUpLeague alone(String name, double... elo) {
         int[] bots = new int[elo.length];
         for (int k = 0; k < bots.length; k++) {
@@ -99,7 +99,7 @@ record MadeUpLeague(String name, int bots, boolean pooled, List<MadeUpGroup> gro
         return strengths;
     }
 
-    /** Strengths the same distance apart, the strongest first. */
+    /** Returns strengths at equal distances, the strongest first. */
     static double[] spaced(int bots, double step) {
         double[] elo = new double[bots];
         for (int k = 0; k < bots; k++) {

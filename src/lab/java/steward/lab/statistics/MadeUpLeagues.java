@@ -43,12 +43,12 @@ final class MadeUpLeagues {
         return MadeUpLeague.threes("5 bots, 3 players", 0, MadeUpLeague.spaced(5, 60));
     }
 
-    /** Those whose pairing matters. */
+    /** Returns the leagues whose pairing matters. */
     static List<MadeUpLeague> paired() {
         return List.of(trio(), mixed(), threes());
     }
 
-    /** Those in which one wins nearly everything. */
+    /** Returns the leagues in which one wins nearly everything. */
     static List<MadeUpLeague> won() {
         return List.of(two(1500), MadeUpLeague.pairs("5 bots, one 1400 Elo ahead",
             new double[] {1500, 100, 0, -100, -200}, 0.1, 0, 0, 0));

@@ -32,7 +32,10 @@ record OtherBars(int games) {
         });
     }
 
-    /** What is found counts half, and each side may have 2.5% (mid-P: H. O. Lancaster, Biometrika 36, 1949). */
+    /**
+     * Checks bars for which the observed count counts half, and each side may have 2.5% (mid-P: H. O. Lancaster,
+     * Biometrika 36, 1949).
+     */
     ExactCheck.Outcome midP(double from, double to) {
         return run(from, to, (score, chances) -> {
             double share = 0;

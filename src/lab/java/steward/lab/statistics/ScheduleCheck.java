@@ -18,8 +18,8 @@ import steward.league.rating.Stratum;
 import steward.numerics.SplitMix64;
 
 /**
- * A league as it is played: paired in turn, by what is learnt or against one, until a rule ends it or after a number of
- * decisions.
+ * Check of bars and of a stop rule on simulated leagues, scheduled as a real league is: in turn, adaptively or all
+ * against one, until the rule ends it or after a number of decisions.
  *
  * @param league   the bots; where all play against one, with its {@link MadeUpLeague#hero}
  * @param adaptive whether it is paired by what is learnt
@@ -28,11 +28,11 @@ import steward.numerics.SplitMix64;
  */
 record ScheduleCheck(MadeUpLeague league, boolean adaptive, StopRule rule, int most) {
 
-    /** That of a league as it is made. */
+    /** Lag of a league as it is made. */
     private static final int LAG = 64;
 
     /**
-     * What came out.
+     * Result of a check.
      *
      * @param league    the bots
      * @param leagues   how many were played
@@ -77,7 +77,7 @@ record ScheduleCheck(MadeUpLeague league, boolean adaptive, StopRule rule, int m
             Arrays.copyOfRange(counts, 2 + 2 * pairs, 2 + 3 * pairs));
     }
 
-    /** One league. */
+    /** Play of one simulated league. */
     private final class Play {
 
         private final List<Stratum> strata;
@@ -183,7 +183,7 @@ record ScheduleCheck(MadeUpLeague league, boolean adaptive, StopRule rule, int m
             return place;
         }
 
-        /** Whether what was found of neighbours is true. */
+        /** True if all that was found of neighbours is true. */
         private boolean isRight() {
             Ratings found = new Ratings(versions, fit, weights);
             List<Integer> order = StopRule.order(found);

@@ -27,7 +27,7 @@ record SprtCheck(Gsprt test, double at, double ties, double push, int alike) {
     private static final long MANY = 1L << 40;
 
     /**
-     * What came out.
+     * Result of a check.
      *
      * @param accepted share of the tests that accepted H1
      * @param mean     observations until they ended

@@ -1,6 +1,6 @@
 package steward.lab.timing;
 
-/** Where one kind of turns is timed: a JVM of its own, or this one. */
+/** Place where one kind of turns is timed: a JVM of its own, or this one. */
 public interface TimedPlace extends AutoCloseable {
 
     /**

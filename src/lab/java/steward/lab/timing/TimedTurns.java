@@ -10,7 +10,7 @@ public interface TimedTurns {
     /** Plays the turns that were prepared. */
     void run();
 
-    /** How many turns the last {@link #run} has played. */
+    /** Returns how many turns the last {@link #run} has played. */
     int turns();
 
     /** After how many runs all different turns have been played once: a measurement consists of whole cycles. */

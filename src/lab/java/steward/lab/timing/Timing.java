@@ -33,7 +33,7 @@ public final class Timing {
         return new Timing(effort, job -> new TimingJvm(main, job));
     }
 
-    /** How many steps of progress {@link #run} makes with so many jobs. */
+    /** Returns how many steps of progress {@link #run} makes with so many jobs. */
     public int steps(int jobs) {
         return effort.repeats() * (jobs + effort.rounds());
     }

@@ -11,8 +11,8 @@ import java.io.InputStream;
 import java.io.OutputStream;
 
 /**
- * What a JVM that times for another does: it reads its job, then obeys until its input ends, which it also does when
- * the other JVM is no more.
+ * Other JVM of a timing: it reads its job, then obeys until its input ends, which it also does when the first JVM is no
+ * more.
  *
  * <p>The job comes first: its length in bytes, then these. Then each word is a byte and its arguments: {@link #WARM_UP}
  * with the seconds at least and at most, answered by whether times are steady; {@link #ROUND} with the seconds at

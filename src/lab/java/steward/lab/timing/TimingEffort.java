@@ -1,7 +1,7 @@
 package steward.lab.timing;
 
 /**
- * How much is timed.
+ * Amount of timing.
  *
  * @param repeats    how many times everything is started anew: what a compiler makes of a loop differs from one JVM to
  *                   the next by more than rounds do
@@ -17,7 +17,7 @@ public record TimingEffort(int repeats, int rounds, double round, double warmLea
     /** One JVM of each kind: a first look. */
     public static final TimingEffort QUICK = new TimingEffort(1, 5, 0.01, 0.2, 1);
 
-    /** What one waits for: the prices of a scene's parts within a minute. */
+    /** Amount for someone who waits: the prices of a scene's parts within a minute. */
     public static final TimingEffort SOON = new TimingEffort(2, 4, 0.01, 0.15, 0.4);
 
     /** @throws IllegalArgumentException if nothing would be measured */

@@ -10,14 +10,14 @@ import java.nio.file.Path;
 import java.util.concurrent.TimeUnit;
 
 /**
- * A JVM that times one kind of turns, as a match plays them: compiled code and what the compiler has seen are not
- * shared with another kind. It runs the same Java on the same class path as this one, with the JVM's own choice of
- * compilers, and ends when its input does, so it does not outlive this one.
+ * Separate JVM that times one kind of turns, as a match plays them: it shares no compiled code and no profile with
+ * another kind. It runs the same Java on the same class path as this one, with the JVM's own choice of compilers, and
+ * ends when its input does, so it does not outlive this one.
  */
 public final class TimingJvm implements TimedPlace {
 
     private static final int PATIENCE_SECONDS = 10;
-    /** When a terminal's Ctrl-C ends both JVMs, this one is given the time to end before it complains of the other. */
+    /** Time for this JVM to end when Ctrl-C ends both, before it complains of the other. */
     private static final int ENDING_MS = 300;
     private static final int SAID = 2000;
 
@@ -26,7 +26,7 @@ public final class TimingJvm implements TimedPlace {
     private final DataInputStream in;
 
     /**
-     * Starts it.
+     * Starts the other JVM.
      *
      * @param main the class whose main method serves as {@link TimingChild}
      * @param job  what it times
@@ -48,18 +48,18 @@ public final class TimingJvm implements TimedPlace {
         }, () -> true);
     }
 
-    /** Whether it has not ended. */
+    /** True if it has not ended. */
     boolean isAlive() {
         return process.isAlive();
     }
 
-    /** Something that is written to the other JVM. */
+    /** Message to the other JVM. */
     private interface Question {
 
         void write() throws IOException;
     }
 
-    /** Something that is read from it. */
+    /** Answer of the other JVM. */
     private interface Answer<T> {
 
         T read() throws IOException;
@@ -82,7 +82,7 @@ public final class TimingJvm implements TimedPlace {
         }
     }
 
-    /** The beginning of what it has written to its standard error. */
+    /** Returns the beginning of its standard error. */
     private String said() {
         try {
             process.getOutputStream().close();

@@ -30,17 +30,17 @@ public final class TimingSamples {
         unsteady += steady ? 0 : 1;
     }
 
-    /** How many warm-ups ended before times were steady. */
+    /** Returns how many warm-ups ended before times were steady. */
     public synchronized int unsteady() {
         return unsteady;
     }
 
-    /** How many rounds each kind has, of all repeats together. */
+    /** Returns how many rounds each kind has, of all repeats together. */
     public int rounds() {
         return nanos.length == 0 ? 0 : nanos[0].length * nanos[0][0].length;
     }
 
-    /** How many repeats there are, each in places of its own. */
+    /** Returns the number of repeats, each in places of its own. */
     public int repeats() {
         return nanos.length == 0 ? 0 : nanos[0].length;
     }
@@ -77,7 +77,7 @@ public final class TimingSamples {
         return bytes[job];
     }
 
-    /** What a round gives when two kinds are compared in it. */
+    /** Value that a round gives when two kinds are compared in it. */
     @FunctionalInterface
     public interface OfRound {
 

@@ -3,7 +3,7 @@ package steward.lab.timing;
 import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
 
-/** What this thread has used so far: CPU time, so that other load on the machine does not count, and memory. */
+/** Use of this thread so far: CPU time, so that other load on the machine does not count, and memory. */
 public final class WorkClock {
 
     private final ThreadMXBean threads =
@@ -23,7 +23,7 @@ public final class WorkClock {
         return bytes ? threads.getThreadAllocatedBytes(Thread.currentThread().getId()) : 0;
     }
 
-    /** Whether the JVM tells what is allocated. */
+    /** True if the JVM tells what is allocated. */
     public boolean tellsBytes() {
         return bytes;
     }

@@ -9,8 +9,8 @@ final class ParetoFront {
     }
 
     /**
-     * Which points are on the front: those that no other point beats in one respect while being at least as good in the
-     * other. Equal points are on it together; NaN never is.
+     * Returns which points are on the front: those that no other point beats in one respect while being at least as
+     * good in the other. Equal points are on it together; NaN never is.
      */
     static boolean[] of(double[] cost, double[] error) {
         boolean[] front = new boolean[cost.length];

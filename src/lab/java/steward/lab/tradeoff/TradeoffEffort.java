@@ -3,7 +3,7 @@ package steward.lab.tradeoff;
 import steward.lab.timing.TimingEffort;
 
 /**
- * How much work a measurement of the trade-off does.
+ * Amount of work of a trade-off measurement.
  *
  * @param share    of a scene's states and free runs
  * @param timing   of the rungs

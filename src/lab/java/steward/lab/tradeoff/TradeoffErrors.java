@@ -58,12 +58,12 @@ final class TradeoffErrors {
         return sorted[(int) Math.ceil(share * states) - 1];
     }
 
-    /** How many impacts the rung has computed. */
+    /** Returns how many impacts the rung has computed. */
     long computed() {
         return computed;
     }
 
-    /** How many states there were. */
+    /** Returns how many states there were. */
     int states() {
         return states;
     }

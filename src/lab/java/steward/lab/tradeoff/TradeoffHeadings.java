@@ -17,8 +17,8 @@ import steward.numerics.SplitMix64;
  */
 
 /**
- * What trigonometry costs, and what it changes: free turns of a pod under the official rule with angles, compared with
- * the same turns with unit vectors. Written here from the definition; the game has its own.
+ * Price of trigonometry, and its effect: free turns of a pod under the official rule with angles, compared with the
+ * same turns with unit vectors. Written here from the definition; the game has its own.
  *
  * @param headings    which headings: random, or along the axes
  * @param podTurns    how many
@@ -55,7 +55,7 @@ public record TradeoffHeadings(String headings, long podTurns, long differing, d
         private final double[] byVector = new double[4 * BLOCK];
     }
 
-    /** How many steps of progress {@link #measure} makes. */
+    /** Returns how many steps of progress {@link #measure} makes. */
     public static int steps(int podTurns) {
         return (podTurns + BLOCK - 1) / BLOCK;
     }

@@ -39,12 +39,12 @@ public final class TradeoffMeasurement {
         freeTurns = effort.of(scene.freeTurns(), 5);
     }
 
-    /** How many steps of progress {@link #run} makes. */
+    /** Returns how many steps of progress {@link #run} makes. */
     public int steps() {
         return states + weight() * (freeRuns + timing.steps(ladder.size()));
     }
 
-    /** How many states take about as long as a free run, a warm-up or a round of timing. */
+    /** Returns how many states take about as long as a free run, a warm-up or a round of timing. */
     private int weight() {
         return 1 + states / 20;
     }

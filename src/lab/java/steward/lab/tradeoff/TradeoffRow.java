@@ -36,7 +36,7 @@ public record TradeoffRow(String scene, String rung, int states, long impacts, i
     public static final String DEFAULT_RUNG = "event/double";
 
     /**
-     * What a turn costs.
+     * Cost of a turn.
      *
      * @param nanosPerTurn   of the thread's CPU, the median of the rounds
      * @param low            one round in ten is faster than this

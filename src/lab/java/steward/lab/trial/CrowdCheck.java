@@ -30,7 +30,7 @@ public final class CrowdCheck {
     }
 
     /**
-     * What was found.
+     * Result of a trial.
      *
      * @param impacts      how many impacts there were
      * @param turns        in how many turns
@@ -43,7 +43,7 @@ public final class CrowdCheck {
     public record Result(long impacts, long turns, long overlaps, long escapes, long apart, double worstGap,
                          double drift) {
 
-        /** Whether no impact was missed and no disc escaped. */
+        /** True if no impact was missed and no disc escaped. */
         public boolean isRight() {
             return overlaps == 0 && escapes == 0 && apart == 0;
         }
@@ -66,7 +66,7 @@ public final class CrowdCheck {
         return run(gas.bodies(), gas, rung, impacts, progress);
     }
 
-    /** The same with given bodies in the box of a gas. */
+    /** Plays given bodies in the box of a gas. */
     static Result run(Bodies bodies, Gas gas, Rung rung, long impacts, Progress progress) {
         Advance advance = rung.crowdAdvance(ImpactLaw.PHYSICS.withMaximumImpacts(Integer.MAX_VALUE), gas.walls());
         Watch watch = new Watch(bodies, gas.side(), rung.arithmetic().isOfficial());

@@ -8,7 +8,7 @@ package steward.lab.trial;
  */
 public record Finding(Verdict verdict, String text) {
 
-    /** Whether a case's demand is met. */
+    /** Verdict on a case's demand. */
     public enum Verdict {
         /** The demand is met. */
         HOLDS,

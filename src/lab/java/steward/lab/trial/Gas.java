@@ -64,7 +64,7 @@ public final class Gas {
         return side < 2 ? 0 : 1 + (int) Math.floor((side - 2) / Math.sqrt(3));
     }
 
-    /** How many bodies there are. */
+    /** Returns the number of bodies. */
     public int count() {
         return count;
     }

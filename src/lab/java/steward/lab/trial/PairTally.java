@@ -92,7 +92,7 @@ public final class PairTally {
         return Finding.of(rung.isExact(), met, text());
     }
 
-    /** Whether all decisions were made, and none was wrong. */
+    /** True if all decisions were made, and none was wrong. */
     public boolean isRight() {
         return wrong + refused == 0;
     }

@@ -35,7 +35,7 @@ public class Probe implements TurnSink {
         limited++;
     }
 
-    /** Whether all positions and velocities are finite. */
+    /** True if all positions and velocities are finite. */
     public static boolean finite(Bodies bodies) {
         for (int k = 0; k < bodies.size(); k++) {
             if (!(Double.isFinite(bodies.x[k]) && Double.isFinite(bodies.y[k])
@@ -51,7 +51,7 @@ public class Probe implements TurnSink {
         return OracleBody.of(bodies).stream().map(OracleBody::energy).reduce(BigDecimal.ZERO, BigDecimal::add);
     }
 
-    /** Whether two worlds agree in every bit of every position and velocity. */
+    /** True if two worlds agree in every bit of every position and velocity. */
     public static boolean same(Bodies one, int i, Bodies other, int j) {
         return bits(one.x[i]) == bits(other.x[j]) && bits(one.y[i]) == bits(other.y[j])
             && bits(one.vx[i]) == bits(other.vx[j]) && bits(one.vy[i]) == bits(other.vy[j]);

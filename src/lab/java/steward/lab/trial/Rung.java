@@ -55,7 +55,7 @@ public record Rung(String name, boolean isEvent, boolean isExact, Arithmetic ari
         this(name, isEvent, isExact, arithmetic, maker, maker);
     }
 
-    /** Whether its expressions are chosen by us; the official ones are the server's, with their cancellation. */
+    /** True if its expressions are chosen by us; the official ones are the server's, with their cancellation. */
     public boolean isOurs() {
         return isEvent && !arithmetic.isOfficial();
     }
@@ -65,7 +65,7 @@ public record Rung(String name, boolean isEvent, boolean isExact, Arithmetic ari
         return maker.apply(new PhysicsParts(law, arithmetic, new Contacts(1), List.of(walls), null, false));
     }
 
-    /** The same for many bodies: event rungs use {@link QueueAdvance}. */
+    /** Returns an advance for many bodies: event rungs use {@link QueueAdvance}. */
     public Advance crowdAdvance(ImpactLaw law, Wall... walls) {
         return crowdMaker.apply(new PhysicsParts(law, arithmetic, new Contacts(1), List.of(walls), null, false));
     }

@@ -9,7 +9,7 @@ public interface StabilityCase {
     /** A few words, unique among the cases. */
     String name();
 
-    /** What is demanded, and of which rungs. */
+    /** Describes the demand, and on which rungs it stands. */
     String demand();
 
     /**

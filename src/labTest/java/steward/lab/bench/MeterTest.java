@@ -9,7 +9,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** What is reported of contenders, also when the run is interrupted. */
+/** Report about contenders, also when the run is interrupted. */
 class MeterTest {
 
     private final List<Row> rows = new ArrayList<>();

@@ -67,8 +67,8 @@ class PartByPartPhysicsTest {
     }
 
     /**
-     * What each part brings into a turn and takes out of it, by the classes of the objects that do its work:
-     * where a part is absent, no object does its work.
+     * Each part of a turn brings objects into it and takes others out, seen by their classes: where a part is absent,
+     * no object does its work.
      */
     @Test
     void partsThatTheSceneDoesNotHaveAreNotInTheTurn() {

@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import steward.machines.serve.RemoteGames;
 
-/** What the manual says of how many workers a league can serve follows from the prices that it prints. */
+/** The manual's figures of how many workers a league can serve follow from the prices that it prints. */
 class CapacityDocsTest {
 
     private static final int WORKERS = 1000;

@@ -71,7 +71,7 @@ class CapacitySimulationTest {
         assertEquals(5000, costs.most(Part.STORE, 32), 1e-9);
     }
 
-    /** What was half done before counting begins must not make more games than there is time for. */
+    /** Work half done before counting begins must not make more games than there is time for. */
     @Test
     void whatIsSimulatedStaysWithinItsBound() {
         LeagueCosts costs = new LeagueCosts(1100, 70, 650, 0, 0, 420, 280);
@@ -82,7 +82,10 @@ class CapacitySimulationTest {
         }
     }
 
-    /** The same where games wait to be stored: as long as that queue grows, games begin faster than they end. */
+    /**
+     * A queue of games that wait to be stored does not raise the count: as long as it grows, games begin faster than
+     * they end.
+     */
     @Test
     @Tag("slow")
     void aQueueThatStillGrowsIsNotCounted() {

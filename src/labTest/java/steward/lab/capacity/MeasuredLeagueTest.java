@@ -18,7 +18,7 @@ import steward.lab.cli.bench.BenchDirectBot;
 import steward.lab.cli.bench.BenchLineBot;
 import steward.match.Seat;
 
-/** What is measured is there: games are played by the worker, through the broker, checked and stored. */
+/** Measurements are there: games are played by the worker, through the broker, checked and stored. */
 @Tag("process")
 @Tag("slow")
 @Isolated("counts the time of all threads of a kind")

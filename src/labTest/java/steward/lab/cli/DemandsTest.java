@@ -40,7 +40,7 @@ import steward.scene.SceneFiles;
 class DemandsTest {
 
     private static final int DEMANDS = 200;
-    /** That so many of them are missed by the share that is seen is expected now and then: 2 at the bound itself. */
+    /** Demands missed by the share that is seen are expected now and then: 2 at the bound itself. */
     private static final int MOST_MISSED = 6;
     private static final double LEVEL = 0.999;
     private static final OptionalLong STATES = Long.getLong("steward.states") == null ? OptionalLong.empty()
@@ -51,7 +51,7 @@ class DemandsTest {
     private static final long OTHER_SEEDS = 1_000_000_007;
     private static final int MANY_BODIES = 9;
 
-    /** What was seen of a demand: in how many of the states the error was larger. */
+    /** Observations about a demand: in how many of the states the error was larger. */
     private record Seen(String scene, AccuracyDemand demand, String rung, int larger, int states) {
 
         boolean isMissed() {

@@ -98,7 +98,7 @@ class TradeoffCommandTest {
         Cli.run(false, words.toArray(new String[0])).assertRefused(message);
     }
 
-    /** What explain prints is made scene by scene, and replaced when all of it is there. */
+    /** Figures that explain prints are made scene by scene, and replaced when all of them are there. */
     @Test
     @Tag("slow")
     void partsAreMeasuredForTheShippedScenes() throws IOException {

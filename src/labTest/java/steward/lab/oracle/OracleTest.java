@@ -24,7 +24,7 @@ import steward.physics.Wall;
 @Execution(ExecutionMode.CONCURRENT)
 class OracleTest {
 
-    /** What 64 digits leave of an error after a few operations. */
+    /** Bound on an error that 64 digits leave after a few operations. */
     private static final BigDecimal TINY = new BigDecimal("1e-55");
     private static final ImpactLaw SOFT = ImpactLaw.PHYSICS.withRestitution(ImpactLaw.Restitution.MINIMUM);
 

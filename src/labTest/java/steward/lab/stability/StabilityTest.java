@@ -173,7 +173,7 @@ class StabilityTest {
             "long run of 100"), noticed);
     }
 
-    /** What hangs on the numbering or on left and right; and columns that are pressed buckle. */
+    /** A rung fails that depends on the numbering or on left and right; and columns that are pressed buckle. */
     @Test
     @Tag("slow")
     void aRungThatPrefersTheFirstBodyFails() {

@@ -157,7 +157,7 @@ class TradeoffTest {
         assertEquals(0, ParetoFront.of(new double[0], new double[0]).length);
     }
 
-    /** Seen before: 0.24% along the axes, 7e-7 at random. The same seeds, so the same figures everywhere. */
+    /** Seen before: 0.24% along the axes, 7e-7 at random. Seeds are fixed, so figures are equal everywhere. */
     @Test
     void headingsAlongTheAxesFeelTrigonometryMost() {
         TradeoffHeadings random = TradeoffHeadings.measure(false, 100_000, () -> { });

@@ -7,7 +7,7 @@ import java.nio.file.Path;
 /** A thread of this JVM, which other threads can ask the kernel about: whether it sleeps in a call, or is to run. */
 public final class OwnThread {
 
-    /** What the kernel says of a thread. */
+    /** State of a thread, as the kernel tells it. */
     public enum State {
         /** It waits for something that has not happened. */
         ASLEEP,

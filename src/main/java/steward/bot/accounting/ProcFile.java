@@ -8,7 +8,7 @@ import java.util.regex.Pattern;
 /** Reads small files of {@code /proc} into one buffer, and numbers out of it. Not thread-safe. */
 final class ProcFile {
 
-    /** What is read at most, in bytes: the files are shorter, but for long lists of children. */
+    /** Most bytes that are read: the files are shorter, but for long lists of children. */
     private static final int SIZE = 1 << 15;
 
     private final byte[] bytes = new byte[SIZE];
@@ -72,7 +72,7 @@ final class ProcFile {
         }
     }
 
-    /** Whether there is a further word. */
+    /** True if there is a further word. */
     boolean hasNext() {
         skipSpace();
         return at < length;

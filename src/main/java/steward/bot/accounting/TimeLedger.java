@@ -23,7 +23,7 @@ public final class TimeLedger {
     private long waited;
     /** Threads that ran or waited. */
     private final Set<Long> active = new HashSet<>();
-    /** What was counted for threads that still wait, by thread. */
+    /** Nanoseconds counted for threads that still wait, by thread. */
     private final Map<Long, Long> pending = new HashMap<>();
 
     public TimeLedger(TreeSample first) {

@@ -3,7 +3,7 @@ package steward.bot.accounting;
 import java.util.Map;
 
 /**
- * What a tree of processes had done at one moment. All times in nanoseconds.
+ * Totals of a tree of processes at one moment. All times in nanoseconds.
  *
  * @param at        the moment, on the caller's clock
  * @param shown     whether the system shows any of it

@@ -48,7 +48,7 @@ public final class TreeSampler {
         this.byChildren = byChildren;
     }
 
-    /** What this system shows of this JVM, and so of other processes of the same user. */
+    /** Facilities of this system to look at this JVM, and so at other processes of the same user. */
     private static final class Support {
         static final boolean CPU = new ProcFile().read("/proc/self/stat");
         static final boolean THREADS = schedstat();
@@ -72,12 +72,12 @@ public final class TreeSampler {
         }
     }
 
-    /** Whether the system shows the CPU time of processes. */
+    /** True if the system shows the CPU time of processes. */
     public static boolean showsCpuTime() {
         return Support.CPU;
     }
 
-    /** How many processors the machine has. */
+    /** Returns how many processors the machine has. */
     public static int processors() {
         return Support.PROCESSORS;
     }
@@ -95,22 +95,22 @@ public final class TreeSampler {
         return file.hasNext() ? file.nextHundredths() * TreeSample.STEP : -1;
     }
 
-    /** What the processes have done up to now. */
+    /** Samples the processes: their totals up to now. */
     public TreeSample sample(long at) {
         return sample(at, true, false);
     }
 
     /**
-     * As {@link #sample}, but quicker, for processes that should be waiting: no thread is taken for runnable, and the
-     * idle time of the machine is left out.
+     * Samples as {@link #sample} does, but quicker, for processes that should be waiting: no thread is taken for
+     * runnable, and the idle time of the machine is left out.
      */
     public TreeSample baseline(long at) {
         return sample(at, false, false);
     }
 
     /**
-     * As {@link #baseline}, but without the threads by which a JVM compiles and collects; where there are any, only
-     * what living threads used is known.
+     * Samples as {@link #baseline} does, but without the threads by which a JVM compiles and collects; where there are
+     * any, only what living threads used is known.
      */
     public TreeSample withoutCompilers(long at) {
         return sample(at, false, true);

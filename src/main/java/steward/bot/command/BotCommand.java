@@ -18,7 +18,7 @@ import java.util.regex.Pattern;
  */
 public record BotCommand(String name, Prefix prefix, List<String> words) {
 
-    /** What the word before the colon selects. */
+    /** Kind of bot, as the word before the colon selects it. */
     public enum Prefix {
         /** A bot bundled with the program; uses the JSON protocol. */
         BUILTIN,
@@ -52,7 +52,7 @@ public record BotCommand(String name, Prefix prefix, List<String> words) {
         }
     }
 
-    /** As {@link #parse(String, Prefix)}; a program without a prefix uses JSON. */
+    /** Parses as {@link #parse(String, Prefix)} does; a program without a prefix uses JSON. */
     public static BotCommand parse(String text) {
         return parse(text, Prefix.JSON);
     }

@@ -62,7 +62,7 @@ public final class ProgramFinder {
         return program.indexOf('/') >= 0;
     }
 
-    /** Whether a word is the path of an ordinary file, as seen from the current directory. */
+    /** True if a word is the path of an ordinary file, as seen from the current directory. */
     static boolean isFile(String program) {
         try {
             return Files.isRegularFile(Path.of(program));

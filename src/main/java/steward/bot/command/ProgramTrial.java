@@ -11,7 +11,7 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Whether a program runs here: it is started once, without input, and waited for.
+ * Trial of a program on this machine: it is started once, without input, and waited for.
  *
  * @param status of its exit, or {@value #NONE} if it did not start or did not end in time
  * @param line   the first line that is not blank of what it wrote to stdout or stderr; empty for none
@@ -19,13 +19,13 @@ import java.util.concurrent.TimeUnit;
 public record ProgramTrial(int status, String line) {
 
     private static final int NONE = -1;
-    /** How much of the output is kept, in bytes. */
+    /** Bytes of the output that are kept. */
     private static final int KEPT = 1 << 16;
     /** How often the output is read, in milliseconds: a program whose pipe is full waits so long. */
     private static final long LOOK_MS = 10;
     private static final Path NOTHING = Path.of("/dev/null");
 
-    /** Whether it ended with status 0. */
+    /** True if it ended with status 0. */
     public boolean works() {
         return status == 0;
     }

@@ -1,6 +1,6 @@
 /**
- * How a bot is named on the command line: splitting words as a shell does, prefixes for the protocol, the bundled bots,
- * and finding the program.
+ * Bots as they are named on the command line: splitting words as a shell does, prefixes for the protocol, the bundled
+ * bots, and finding the program.
  */
 @Internal
 package steward.bot.command;

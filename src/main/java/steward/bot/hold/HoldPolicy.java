@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.Locale;
 import java.util.Optional;
 
-/** Which bots are held, that is stopped, while others are asked. */
+/** Policy by which bots are held, that is stopped, while others are asked. */
 public enum HoldPolicy {
 
     /** Bots that {@link WaitingMeter#burns}, from then on. */
@@ -14,7 +14,7 @@ public enum HoldPolicy {
     /** None: bots may think on. */
     NEVER;
 
-    /** As it is written in a call. */
+    /** Returns the word as it is written in a call. */
     public String word() {
         return name().toLowerCase(Locale.ROOT);
     }

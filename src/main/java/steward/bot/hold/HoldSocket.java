@@ -64,7 +64,7 @@ public final class HoldSocket implements AutoCloseable {
         }
     }
 
-    /** Where the launcher is to connect. */
+    /** Returns where the launcher is to connect. */
     public Path path() {
         return path;
     }

@@ -6,7 +6,7 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * Which variables a bot inherits. Without a wish for more or less: at {@link SandboxLevel#STRICT} a short list, at the
+ * Variables that a bot inherits. Without a wish for more or less: at {@link SandboxLevel#STRICT} a short list, at the
  * other levels all but those whose names look like secrets.
  *
  * @param clean whether it is the short list at every level
@@ -14,10 +14,10 @@ import java.util.Set;
  */
 public record BotEnvironment(boolean clean, List<String> names) {
 
-    /** What is usual at each level. */
+    /** The usual environment of each level. */
     public static final BotEnvironment USUAL = new BotEnvironment(false, List.of());
 
-    /** What programs need to find others, and to write text and dates as their user does. */
+    /** Variables that programs need to find others, and to write text and dates as their user does. */
     private static final Set<String> SHORT_LIST = Set.of("PATH", "HOME", "USER", "LOGNAME", "SHELL", "LANG", "LANGUAGE",
         "TZ", "TERM", "TMPDIR", "JAVA_HOME");
 
@@ -28,7 +28,7 @@ public record BotEnvironment(boolean clean, List<String> names) {
         names = List.copyOf(names);
     }
 
-    /** Whether a name looks like that of a secret: has TOKEN, SECRET or PASSWORD in it, or ends with _KEY. */
+    /** True if a name looks like that of a secret: has TOKEN, SECRET or PASSWORD in it, or ends with _KEY. */
     public static boolean isSecret(String name) {
         String upper = name.toUpperCase(Locale.ROOT);
         return upper.contains("TOKEN") || upper.contains("SECRET") || upper.contains("PASSWORD")

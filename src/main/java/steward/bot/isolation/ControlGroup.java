@@ -12,15 +12,15 @@ import java.util.TreeSet;
 import java.util.concurrent.atomic.AtomicLong;
 
 /**
- * A control group (version 2) for one bot, where this program may make groups: it runs as root, or in a group that was
- * delegated to its user, {@code systemd-run --user --scope -p Delegate=yes steward ...}. It can be paused and killed as
- * a whole, and holds memory and processes where the system gives it these controllers and no foreign processes are in
- * the group of this program, which is emptied for that.
+ * Control group (cgroup version 2) of one bot: pauses and kills all its processes at once, and limits their memory and
+ * number. This program can create groups as root, or in a group that was delegated to its user, {@code systemd-run
+ * --user --scope -p Delegate=yes steward ...}. The limits hold where the system offers the two controllers and the
+ * group of this program has no foreign processes; the program moves its own into a group below.
  */
 public final class ControlGroup {
 
     private static final String PREFIX = "steward-";
-    /** For this program itself: a group with controllers for its parts holds no processes. */
+    /** Group of this program's own processes: a group with controllers for its parts holds no processes. */
     private static final String REFEREE = "referee";
     private static final String PROCESSES = "cgroup.procs";
     private static final int ATTEMPTS = 50;
@@ -40,14 +40,14 @@ public final class ControlGroup {
     }
 
     /**
-     * Where groups can be made.
+     * Group in which groups can be created.
      *
-     * @param folder of the group that they are made in
-     * @param limits whether they hold memory and processes
+     * @param folder of the group
+     * @param limits whether its groups limit memory and processes
      */
     record Base(Path folder, boolean limits) {
 
-        /** The group of this process if it may make others there, or {@code null}. */
+        /** Returns the group of this process if it may create others there, or {@code null}. */
         static Base find(Path memberships, Path mounts) {
             try {
                 Path mount = mount(mounts);
@@ -81,7 +81,7 @@ public final class ControlGroup {
             return new Base(folder, enable(folder, root));
         }
 
-        /** Gives the parts of the group the two controllers; whether they have them. */
+        /** Gives the parts of the group the two controllers. @return true if they have them */
         private static boolean enable(Path folder, boolean root) {
             try {
                 if (!words(folder.resolve("cgroup.controllers")).containsAll(List.of("memory", "pids"))) {
@@ -110,12 +110,12 @@ public final class ControlGroup {
             }
         }
 
-        /** Processes of others are not moved. */
+        /** True if the process is this program's; processes of others are not moved. */
         private static boolean isOurs(String pid) {
             return ProcessTree.of(ProcessHandle.current().pid()).contains(Long.valueOf(pid));
         }
 
-        /** Groups of referees that were killed; one that still has processes stays. */
+        /** Removes the groups of referees that were killed; one that still has processes stays. */
         private static void removeOld(Path folder) throws IOException {
             try (DirectoryStream<Path> groups = Files.newDirectoryStream(folder, PREFIX + "[0-9]*-*")) {
                 for (Path group : groups) {
@@ -128,12 +128,14 @@ public final class ControlGroup {
         }
     }
 
-    /** Why bots cannot have groups here, or {@code null} if they can. */
+    /** Returns why bots cannot have groups here, or {@code null} if they can. */
     public static String problem() {
         return Shared.BASE == null ? "no control group was delegated to this program" : null;
     }
 
-    /** Where control groups can be written to: a bot that could would kill and stop others there. */
+    /**
+     * Returns the folders where control groups can be written to: a bot that could would kill and stop others there.
+     */
     static List<String> mountPoints() {
         return Mounted.POINTS;
     }
@@ -153,14 +155,14 @@ public final class ControlGroup {
         }
     }
 
-    /** Whether groups hold memory and processes. */
+    /** True if groups limit memory and processes. */
     public static boolean holdsLimits() {
         return Shared.BASE != null && Shared.BASE.limits();
     }
 
     /**
-     * A new group for a bot, or {@code null} where there can be none or it is not needed: the bot is not to be paused
-     * and has no limits that a group would hold.
+     * Creates a group for a bot. Returns {@code null} where there can be none or it is not needed: the bot is not to be
+     * paused and has no limits that a group would hold.
      */
     public static ControlGroup forBot(Isolation isolation) {
         boolean useful = HoldMeans.of(isolation) == HoldMeans.CONTROL_GROUP
@@ -189,17 +191,17 @@ public final class ControlGroup {
         }
     }
 
-    /** What a process writes 0 to that joins. */
+    /** The group's cgroup.procs file; a process joins the group by writing 0 to it. */
     Path joinFile() {
         return folder.resolve(PROCESSES);
     }
 
-    /** Whether it holds memory and processes. */
+    /** True if it limits memory and processes. */
     boolean limits() {
         return limits;
     }
 
-    /** Stops all its processes, or lets them go on; returns whether that was possible. */
+    /** Stops all its processes, or lets them go on. @return false if that was not possible */
     public boolean pause(boolean stop) {
         try {
             write(folder.resolve("cgroup.freeze"), stop ? "1" : "0");

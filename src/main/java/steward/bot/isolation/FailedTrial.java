@@ -6,8 +6,8 @@ import java.nio.file.Path;
 import java.util.regex.Pattern;
 
 /**
- * Why a trial of a level failed: what the program said, and what is known to cause just that. A property of the machine
- * is named only where the step that failed is one that it forbids.
+ * Reason why a trial of a level failed: the program's words, and the known causes of just that. A property of the
+ * machine is named only where the step that failed is one that it forbids.
  *
  * @param switchedOff whether the kernel's switches for user namespaces are off
  * @param appArmor    whether AppArmor restricts them
@@ -20,7 +20,7 @@ record FailedTrial(boolean switchedOff, boolean appArmor, boolean container) {
         "namespace|unshare|clone|[ug]id_?map|[ug]id map|setgroups|mount|/proc", Pattern.CASE_INSENSITIVE);
     private static final Pattern FORBIDDEN = Pattern.compile("Operation not permitted|Permission denied|No permissions",
         Pattern.CASE_INSENSITIVE);
-    /** What the kernel says where a machine may have no user namespaces. */
+    /** The kernel's words where a machine may have no user namespaces. */
     private static final String NO_MORE = "No space left on device";
     private static final Pattern TOO_OLD = Pattern.compile("unrecognized option|Unknown option");
     /** From here on the statuses mean that the bot of the trial could not be executed, and no step failed. */

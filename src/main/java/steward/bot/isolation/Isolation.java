@@ -6,7 +6,7 @@ import java.util.List;
 import steward.bot.hold.HoldPolicy;
 
 /**
- * How bots are started: at which level, and what they get in it.
+ * Isolation in which bots are started: the level, and the limits and files that they get in it.
  *
  * @param level       which works on this machine, see {@link SandboxSupport}
  * @param network     whether the loopback device of a network namespace is brought up
@@ -50,7 +50,7 @@ public record Isolation(SandboxLevel level, boolean network, ResourceLimits limi
             + (visible.isEmpty() ? "" : ", visible " + visible.size());
     }
 
-    /** The same without a limit of memory. */
+    /** Returns this isolation without a limit of memory. */
     public Isolation withoutMemoryLimit() {
         return new Isolation(level, network, limits.withoutMemory(), environment, visible, hidden, hold);
     }
@@ -62,14 +62,14 @@ public record Isolation(SandboxLevel level, boolean network, ResourceLimits limi
         return new Isolation(level, network, limits, environment, all, hidden, hold);
     }
 
-    /** The same, hiding these files and folders as well. */
+    /** Returns this isolation with these files and folders hidden as well. */
     public Isolation hiding(List<Path> paths) {
         List<Path> all = new ArrayList<>(hidden);
         all.addAll(paths);
         return new Isolation(level, network, limits, environment, visible, all, hold);
     }
 
-    /** The same, hiding what other bots have brought: the files that their commands name. */
+    /** Returns this isolation with other bots' files hidden: those that their commands name. */
     public Isolation hidingFilesOf(List<List<String>> commands) {
         return hiding(commands.stream().flatMap(command -> OwnFiles.brought(command).stream())
             .filter(path -> !SystemFiles.isCommon(path)).toList());
@@ -81,8 +81,8 @@ public record Isolation(SandboxLevel level, boolean network, ResourceLimits limi
     }
 
     /**
-     * Which bots are stopped in fact: at {@link SandboxLevel#OFF} burners are not, since bots there can hide what they
-     * use.
+     * Returns which bots are stopped in fact: at {@link SandboxLevel#OFF} burners are not, since bots there can hide
+     * what they use.
      */
     public HoldPolicy holds() {
         return level == SandboxLevel.OFF && hold == HoldPolicy.BURNERS ? HoldPolicy.NEVER : hold;

@@ -60,7 +60,7 @@ public record Launch(List<String> command, Isolation isolation, List<List<String
     }
 
     /**
-     * What to start, with its variables; streams are left to the caller.
+     * Returns the process to start, with its variables; streams are left to the caller.
      *
      * @param controlGroup that it joins, or {@code null}
      * @param holdSocket   on which the referee listens for its first process, or {@code null}

@@ -120,7 +120,7 @@ final class NativeLauncher {
         return String.format(Locale.ROOT, "%08x", sum.getValue());
     }
 
-    /** Whether it starts here, and is what it should be: without words it says that there is no command. */
+    /** True if it starts here, and is what it should be: without words it says that there is no command. */
     private static boolean runs(Path program) throws InterruptedException {
         return Files.isExecutable(program) && ProgramTrial.of(List.of(program.toString()), PATIENCE_MS).status()
             == NO_COMMAND;

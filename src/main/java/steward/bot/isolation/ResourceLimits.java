@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * What a bot may use at most; 0 for no limit.
+ * Limits on what a bot may use; 0 for no limit.
  *
  * @param memory    in bytes, at least {@value #LEAST_MEMORY}
  * @param processes together with their threads
@@ -13,7 +13,7 @@ import java.util.List;
  */
 public record ResourceLimits(long memory, long processes, long fileSize, long openFiles) {
 
-    /** What programs need to start at all, in bytes. */
+    /** Bytes that programs need to start at all. */
     public static final long LEAST_MEMORY = 16L << 20;
 
     /** The most that a limit may be; more is a slip of the keyboard. */
@@ -22,7 +22,7 @@ public record ResourceLimits(long memory, long processes, long fileSize, long op
     /** A bot must be able to start a thread. */
     public static final long LEAST_PROCESSES = 4;
 
-    /** So many processes a Linux machine can have at most. */
+    /** Most processes that a Linux machine can have. */
     public static final long MOST_PROCESSES = 4_194_304;
 
     /** More than what is kept of a bot's stderr, which is a file. */
@@ -31,13 +31,13 @@ public record ResourceLimits(long memory, long processes, long fileSize, long op
     /** Interpreters open some dozens at their start. */
     public static final long LEAST_OPEN_FILES = 64;
 
-    /** What Linux allows a process at most, unless it was told otherwise. */
+    /** Files that Linux allows a process at most, unless it was told otherwise. */
     public static final long MOST_OPEN_FILES = 1_048_576;
 
     /** No limits. */
     public static final ResourceLimits NONE = new ResourceLimits(0, 0, 0, 0);
 
-    /** What {@link SandboxLevel#STRICT} sets where nothing else is asked for: memory is open. */
+    /** Limits of {@link SandboxLevel#STRICT} where nothing else is asked for: memory is open. */
     public static final ResourceLimits STRICT = new ResourceLimits(0, 512, 1L << 30, 4096);
 
     /** From this version of Linux on processes are counted for each user namespace. */
@@ -61,7 +61,7 @@ public record ResourceLimits(long memory, long processes, long fileSize, long op
         }
     }
 
-    /** Where this one has no limit, the other's. */
+    /** Returns these limits, with the other's where this one has none. */
     public ResourceLimits orElse(ResourceLimits other) {
         return new ResourceLimits(or(memory, other.memory), or(processes, other.processes),
             or(fileSize, other.fileSize), or(openFiles, other.openFiles));
@@ -71,17 +71,17 @@ public record ResourceLimits(long memory, long processes, long fileSize, long op
         return one == 0 ? other : one;
     }
 
-    /** The same without a limit of memory. */
+    /** Returns these limits without one of memory. */
     ResourceLimits withoutMemory() {
         return new ResourceLimits(0, processes, fileSize, openFiles);
     }
 
-    /** The same without those that a control group holds. */
+    /** Returns these limits without those that a control group holds. */
     ResourceLimits withoutControlGroup() {
         return new ResourceLimits(0, 0, fileSize, openFiles);
     }
 
-    /** Whether there is no limit. */
+    /** True if there is no limit. */
     public boolean isNone() {
         return equals(NONE);
     }

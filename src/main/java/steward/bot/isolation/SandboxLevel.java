@@ -3,8 +3,8 @@ package steward.bot.isolation;
 import java.util.Locale;
 
 /**
- * How far a bot is kept from this machine and from other bots. A property of the machine on which a match is played,
- * never of the game: verdicts and exit statuses are the same at every level.
+ * Level of isolation of a bot from this machine and from other bots. A property of the machine on which a match is
+ * played, never of the game: verdicts and exit statuses are the same at every level.
  */
 public enum SandboxLevel {
 
@@ -15,7 +15,7 @@ public enum SandboxLevel {
     /** Also a file system that is read-only and shows little of the home directory, and limits. */
     STRICT;
 
-    /** As it is written in options, results and replays. */
+    /** Returns the word as it is written in options, results and replays. */
     public String word() {
         return name().toLowerCase(Locale.ROOT);
     }

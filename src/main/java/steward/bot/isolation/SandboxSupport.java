@@ -5,7 +5,7 @@ import steward.bot.command.ProgramFinder;
 import steward.bot.command.ProgramTrial;
 import steward.text.TextFormat;
 
-/** Which levels work on this machine. Each is tried once in a JVM, when it is asked for. */
+/** Levels of isolation that work on this machine. Each is tried once in a JVM, when it is asked for. */
 public final class SandboxSupport {
 
     /** How long a trial may take, in milliseconds. */
@@ -31,7 +31,7 @@ public final class SandboxSupport {
         static final String PROBLEM = tried(List.of("setsid", "bwrap", "sh"), SandboxLevel.STRICT);
     }
 
-    /** Why a level does not work here, or {@code null} if it does. */
+    /** Returns why a level does not work here, or {@code null} if it does. */
     public static String problem(SandboxLevel level) {
         return switch (level) {
             case OFF -> null;
@@ -45,12 +45,12 @@ public final class SandboxSupport {
         return problem(SandboxLevel.LIGHT) == null ? SandboxLevel.LIGHT : SandboxLevel.OFF;
     }
 
-    /** Whether bots are started by the small program that starts faster than a shell and others. */
+    /** True if bots are started by the small program that starts faster than a shell and others. */
     public static boolean isNative() {
         return NativeLauncher.program() != null;
     }
 
-    /** Whether this program runs as root, whose files are a bot's own at level light. */
+    /** True if this program runs as root, whose files are a bot's own at level light. */
     public static boolean isRoot() {
         return UserNumbers.isRoot();
     }

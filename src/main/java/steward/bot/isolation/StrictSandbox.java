@@ -15,7 +15,7 @@ final class StrictSandbox {
     /** Where the bot's own launcher is inside. */
     static final String LAUNCHER = "/run/steward-launch";
 
-    /** How much fits into the private folder for temporary files, in bytes. */
+    /** Bytes that fit into the private folder for temporary files. */
     private static final long TEMPORARY_BYTES = 64L << 20;
 
     private static final long PATIENCE_MS = 10_000;

@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 
-/** What this user is in the namespaces of a bot: the same as outside, but root is nobody in particular. */
+/** User and group in the namespaces of a bot: the same as outside, but root is nobody in particular. */
 final class UserNumbers {
 
     private static final int NOBODY = 65534;
@@ -12,7 +12,7 @@ final class UserNumbers {
     private UserNumbers() {
     }
 
-    /** Whether this program runs as root, whose files and rights a bot would share. */
+    /** True if this program runs as root, whose files and rights a bot would share. */
     static boolean isRoot() {
         return number("unix:uid") == 0;
     }

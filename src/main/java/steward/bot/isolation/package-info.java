@@ -1,6 +1,6 @@
 /**
- * How a bot's processes are kept apart from all others: the levels of isolation, which of them this machine offers, and
- * what is done to start a program in each. Knows programs and their limits, not their answers.
+ * Isolation of a bot's processes from all others: the levels, which of them this machine offers, and how a program is
+ * started in each. Knows programs and their limits, not their answers.
  */
 @Internal
 package steward.bot.isolation;

@@ -64,7 +64,7 @@ public final class BotProcess implements Player {
 
     private static final String BROKEN_OFF = "asked again after its end";
 
-    /** What Java tells of the system's refusal to start a program: its number, and the system's words. */
+    /** Java's message about the system's refusal to start a program: its number, and the system's words. */
     private static final Pattern SYSTEM_ERROR = Pattern.compile("error[=:] ?(\\d+)[ ,(]+([^)]*)");
     /** The number of "No such file or directory". */
     private static final String NO_ENTRY = "2";
@@ -74,7 +74,7 @@ public final class BotProcess implements Player {
     private static final int NOT_FOUND = 127;
     private static final int NOT_EXECUTABLE = 126;
 
-    /** How much of a faulty answer is shown, in bytes. */
+    /** Bytes of a faulty answer that are shown. */
     private static final int SHOWN = 1024;
 
     private final String name;
@@ -266,8 +266,8 @@ public final class BotProcess implements Player {
     }
 
     /**
-     * What is said of a program that the system refuses to start. Where bots have sessions of their own, {@code setsid}
-     * is what starts, and then fails in these very words: the verdict does not depend on it.
+     * Describes the system's refusal to start a program. Where bots have sessions of their own, {@code setsid} is what
+     * starts, and then fails in these very words: the verdict does not depend on it.
      *
      * @throws UncheckedIOException if it is not the program that is refused
      */

@@ -12,9 +12,9 @@ import java.util.List;
  */
 final class DataLineScan {
 
-    /** How much is searched, in bytes. */
+    /** Bytes that are searched. */
     static final int LOOKED_AT = 1 << 20;
-    /** How much is kept, in bytes. */
+    /** Bytes that are kept. */
     static final int KEPT = 4 * 1024;
 
     private static final List<byte[]> TAGS = List.of(ascii("[TDATA]"), ascii("[PDATA]"), ascii("[PDATA+]"));
@@ -35,7 +35,7 @@ final class DataLineScan {
         return start < count && isData(bytes, start, count) ? start : count;
     }
 
-    /** Whether the received part of a line begins like a data line. */
+    /** True if the received part of a line begins like a data line. */
     private static boolean isData(byte[] bytes, int from, int to) {
         for (byte[] tag : TAGS) {
             int same = 0;

@@ -64,7 +64,7 @@ final class Deadline {
         watchdog.look(look);
     }
 
-    /** Whether nothing is decided. */
+    /** True if nothing is decided. */
     boolean isPending() {
         return state.get() > 0;
     }

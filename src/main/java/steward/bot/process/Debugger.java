@@ -23,7 +23,7 @@ public final class Debugger {
     private Debugger() {
     }
 
-    /** Whether a command starts a supported debugger: gdb. */
+    /** True if a command starts a supported debugger: gdb. */
     public static boolean is(List<String> command) {
         return GDB.matcher(command.get(0)).matches();
     }

@@ -22,7 +22,7 @@ import steward.bot.accounting.TreeSampler;
  * the verdict counts. Computing is charged in any case, as if the bot had had all processors.
  *
  * <p>Caveat: the fields of the asking thread are read by the watchdog without a lock, at worst while the next question
- * begins. What it then notes is noted for the next question and true of it: it never decides, since the decision is a
+ * begins. Its note is then one on the next question and true of it: it never decides, since the decision is a
  * compare-and-set in {@link Deadline} that fails then.
  */
 final class QuestionClock {
@@ -30,7 +30,7 @@ final class QuestionClock {
     /** A wake-up that is later than this, in nanoseconds, means that the referee did not run; below, it is usual. */
     static final long PAUSE = 1_000_000;
 
-    /** What {@link #look} returns when the time is up. */
+    /** Result of {@link #look} when the time is up. */
     static final long PASSED = 0;
 
     /** When the time is up, the asking thread is looked at a second time after so long: it may be between two reads. */
@@ -101,7 +101,7 @@ final class QuestionClock {
         writing = true;
     }
 
-    /** Whether the next question needs to know what the processes have done before. */
+    /** True if the next question needs to know what the processes have done before. */
     boolean needsBaseline() {
         return basis == TimeBasis.CPU;
     }
@@ -112,12 +112,12 @@ final class QuestionClock {
         writing = false;
     }
 
-    /** When the watchdog is to look for the first time. */
+    /** Returns when the watchdog is to look for the first time. */
     long firstLook() {
         return later(start, limit / QUARTER);
     }
 
-    /** What the answer may take by the wall clock. */
+    /** Returns the time that the answer may take by the wall clock. */
     long wallLimit() {
         boolean backstop = basis == TimeBasis.CPU && limit < Long.MAX_VALUE / TimeBasis.BACKSTOP;
         return backstop ? limit * TimeBasis.BACKSTOP : limit;
@@ -173,8 +173,8 @@ final class QuestionClock {
     }
 
     /**
-     * How long the processes must have been computing, if all processors were theirs. A bot whose threads keep the
-     * referee from running is charged for that.
+     * Returns how long the processes must have been computing, if all processors were theirs. A bot whose threads keep
+     * the referee from running is charged for that.
      */
     private long computed() {
         return cpu() / TreeSampler.processors();
@@ -194,7 +194,7 @@ final class QuestionClock {
         return again ? Long.MAX_VALUE : Math.max(charged, limit - limit / EIGHTH);
     }
 
-    /** Whether the asking thread sleeps, at two looks in a row. */
+    /** Looks twice in a row whether the asking thread sleeps. */
     private long lookOnceMore(long now) {
         OwnThread.State state = asking.get();
         boolean before = asleep;
@@ -210,7 +210,7 @@ final class QuestionClock {
         return PASSED;
     }
 
-    /** Whether there has been a sample in this question before. */
+    /** True if there has been a sample in this question before. */
     private synchronized boolean observe(long now) {
         boolean begun = ledger != null && ledgerOf == number;
         if (!begun) {
@@ -227,18 +227,18 @@ final class QuestionClock {
         return ledger != null && ledgerOf == number ? ledger.cpu() : 0;
     }
 
-    /** How long the samples of the question are apart: CPU time is counted from before the frame is written. */
+    /** Returns how long the samples of the question are apart: CPU time is counted from before the frame is written. */
     private synchronized long sampledSpan() {
         return ledger.until() - ledger.since();
     }
 
-    /** Whether the processes have used up their CPU time. */
+    /** True if the processes have used up their CPU time. */
     private boolean overCpu() {
         return cpu() > limit;
     }
 
     /**
-     * What is charged for an answer that has come before the watchdog found the time to be up.
+     * Returns the charge for an answer that has come before the watchdog found the time to be up.
      *
      * @return in nanoseconds; -1 if it is too much, and then {@link #taken} says how much
      */
@@ -257,24 +257,24 @@ final class QuestionClock {
         return Math.min(passed, wallLimit());
     }
 
-    /** Whether the time was up while the frame could not be written, because the bot did not read. */
+    /** True if the time was up while the frame could not be written, because the bot did not read. */
     boolean unread() {
         return unread;
     }
 
-    /** How long ago the clock was started. */
+    /** Returns how long ago the clock was started. */
     long passed(long now) {
         return now - start;
     }
 
-    /** How long the bot had taken at the verdict, without what is not charged. */
+    /** Returns how long the bot had taken at the verdict, without what is not charged. */
     long taken() {
         return taken;
     }
 
     /**
-     * Where the time of a missed deadline went. The first call looks at the processes for the last time, so that it has
-     * to come before they are killed; later ones return the same.
+     * Returns where the time of a missed deadline went. The first call looks at the processes for the last time, so
+     * that it has to come before they are killed; later ones return the same.
      *
      * @param taken what was charged
      */
@@ -292,7 +292,7 @@ final class QuestionClock {
         return basis;
     }
 
-    /** When the clock was started. */
+    /** Returns when the clock was started. */
     long started() {
         return start;
     }

@@ -180,7 +180,7 @@ final class Sentinel {
         return process == null ? -1 : process.pid();
     }
 
-    /** How many targets are on the list. */
+    /** Returns how many targets are on the list. */
     synchronized int size() {
         return targets.size();
     }

@@ -25,7 +25,7 @@ import steward.bot.Utf8;
  */
 final class StderrFile {
 
-    /** How much of one turn is kept, in bytes. */
+    /** Bytes of one turn that are kept. */
     static final int KEPT = 16 * 1024;
 
     /** Of the last turn this much is from its end, in bytes: there a program says why it fails. */
@@ -81,7 +81,7 @@ final class StderrFile {
         }
     }
 
-    /** Where these files are made. */
+    /** Returns where these files are made. */
     static Path folder() {
         return Path.of(System.getProperty("java.io.tmpdir"));
     }
@@ -115,9 +115,10 @@ final class StderrFile {
     }
 
     /**
-     * What has been written since the last call: its first {@value #KEPT} bytes, a line that says how many more there
-     * were, and of those the data lines that {@link DataLineScan} finds. An incomplete character is left for the next
-     * call. In the last call {@value #KEPT_OF_END} of the bytes are the end of what has been written, in whole lines.
+     * Collects the text written since the last call: its first {@value #KEPT} bytes, a line that says how many more
+     * there were, and of those the data lines that {@link DataLineScan} finds. An incomplete character is left for the
+     * next call. In the last call {@value #KEPT_OF_END} of the bytes are the end of what has been written, in whole
+     * lines.
      *
      * @param last whether there is no next call
      * @return {@code null} when nothing has been written
@@ -190,7 +191,7 @@ final class StderrFile {
         return count;
     }
 
-    /** Where the first whole line in the buffer begins; where none does, the first whole character. */
+    /** Returns where the first whole line in the buffer begins; where none does, the first whole character. */
     private int endStart(int length) {
         for (int i = 0; i < length - 1; i++) {
             if (buffer[i] == '\n') {

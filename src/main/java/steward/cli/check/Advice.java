@@ -13,7 +13,7 @@ import steward.bot.FaultMessages;
 import steward.contest.Contest;
 import steward.contest.Failure;
 
-/** What a beginner does about a failure. */
+/** Advice for a beginner about a failure. */
 public final class Advice {
 
     static final String DEBUGGING = "Print nothing but answers on the standard output, and debugging on stderr "

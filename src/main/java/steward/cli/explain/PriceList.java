@@ -10,7 +10,7 @@ import steward.scene.price.MeasuredPrices;
 import steward.scene.price.PartPrice;
 import steward.scene.price.StoredPartPrices;
 
-/** What each part of a scene adds to a turn: as stored with the program, or measured on this machine. */
+/** Prices of a scene's parts in a turn: as stored with the program, or measured on this machine. */
 final class PriceList {
 
     private static final double PERCENT = 100;
@@ -71,7 +71,7 @@ final class PriceList {
         return price == null ? Double.NaN : measured ? price.nanos() : price.nanos() / PERCENT;
     }
 
-    /** Whether the prices are in nanoseconds and of this machine. */
+    /** True if the prices are in nanoseconds and of this machine. */
     boolean isMeasured() {
         return measured;
     }

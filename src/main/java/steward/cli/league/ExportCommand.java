@@ -47,7 +47,7 @@ final class ExportCommand implements Callable<Integer> {
     @Option(names = "--overwrite", description = "Replaces a file that exists.")
     private boolean overwrite;
 
-    /** What {@code --format} takes. */
+    /** Values of {@code --format}. */
     static final class Formats implements Iterable<String> {
 
         @Override

@@ -92,7 +92,7 @@ final class ImportGamesCommand implements Callable<Integer> {
         }
     }
 
-    /** Where a file is not UTF-8: it is too long to be read at once. */
+    /** Returns where a file is not UTF-8: it is too long to be read at once. */
     private static String place(Path path) {
         try (InputStream in = Files.newInputStream(path)) {
             return Utf8Text.problem(in, path.toString(), "a text in UTF-8").getMessage();

@@ -58,7 +58,7 @@ final class InitCommand implements Callable<Integer> {
             + "(failed, the default), or none.")
     private String keep;
 
-    /** What {@code --keep} takes. */
+    /** Values of {@code --keep}. */
     static final class Keeps implements Iterable<String> {
 
         @Override

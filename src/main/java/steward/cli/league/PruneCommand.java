@@ -58,7 +58,7 @@ final class PruneCommand implements Callable<Integer> {
     @Option(names = "--dry-run", description = "Says what would be removed, and removes nothing.")
     private boolean dry;
 
-    /** What a prune comes to. */
+    /** Total of a prune. */
     private static final class Sum {
         private int files;
         private long bytes;

@@ -39,7 +39,7 @@ final class SelfCheckOptions {
     @Mixin
     private final ThreadsOption threads = new ThreadsOption();
 
-    /** What {@code --only} takes. */
+    /** Values of {@code --only}. */
     static final class Parts extends ArrayList<String> {
 
         private static final long serialVersionUID = 1;

@@ -6,7 +6,7 @@ import steward.cli.league.run.RunCommand;
 import steward.cli.shared.Lab;
 import steward.cli.shared.Streams;
 
-/** Those commands of a league that are about several machines. */
+/** Commands of a league that are about several machines. */
 public final class MachineCommands {
 
     private MachineCommands() {

@@ -47,12 +47,12 @@ public final class CallCheck {
         that(found == null || isWithin(found.longValue(), least, most), outside(option, found, least, most));
     }
 
-    /** Whether a number is in a range, both ends included. */
+    /** True if a number is in a range, both ends included. */
     public static boolean isWithin(long found, long least, long most) {
         return found >= least && found <= most;
     }
 
-    /** What is wrong with an option whose number is out of range. */
+    /** Returns the error of an option whose number is out of range. */
     public static String outside(String option, Number found, long least, long most) {
         return option + ": found " + found + ", expected " + least + " to " + most;
     }
@@ -68,7 +68,7 @@ public final class CallCheck {
     }
 
     /**
-     * What an option that can be repeated chooses by name.
+     * Returns the values that a repeatable option chooses by name.
      *
      * @param names     as they were given; all are chosen where there are none
      * @param separator between the known names in the refusal of an unknown one

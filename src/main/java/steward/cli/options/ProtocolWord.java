@@ -5,7 +5,7 @@ import java.util.Iterator;
 import steward.match.Protocol;
 import steward.text.NearestName;
 
-/** What {@code --protocol} takes. */
+/** Values of {@code --protocol}. */
 public final class ProtocolWord {
 
     /** The names of all protocols. */

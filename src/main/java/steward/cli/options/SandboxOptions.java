@@ -105,7 +105,7 @@ public final class SandboxOptions {
         return List.copyOf(variables);
     }
 
-    /** Whether any is there. */
+    /** True if any is there. */
     public boolean isAny() {
         return level != null || network || isHold() || cleanEnvironment || memory != null || processes != null
             || fileSize != null || openFiles != null || !variables.isEmpty() || !visible.isEmpty();
@@ -117,8 +117,8 @@ public final class SandboxOptions {
     }
 
     /**
-     * What they say. Of {@code auto} without more it is found out, and a warning given, only when bots are started: a
-     * call that is refused for another reason has tried nothing.
+     * Supplies the isolation that the options ask for. Of {@code auto} without more it is found out, and a warning
+     * given, only when bots are started: a call that is refused for another reason has tried nothing.
      *
      * @throws InputException if it cannot be had on this machine
      */
@@ -127,7 +127,7 @@ public final class SandboxOptions {
     }
 
     /**
-     * The same.
+     * Supplies the isolation, with a usual level.
      *
      * @param usual the level where none is asked for, {@code auto} or {@code strict}
      */

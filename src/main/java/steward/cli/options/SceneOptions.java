@@ -11,7 +11,7 @@ public final class SceneOptions {
 
     /** The scene that is played unless another is called for. */
     public static final String USUAL = "mad-pod-racing";
-    /** What {@code --scene} takes. */
+    /** Description of {@code --scene}. */
     public static final String DESCRIPTION
         = "The scene: a file, - for the standard input, or one of ${COMPLETION-CANDIDATES} (default: "
         + "${DEFAULT-VALUE}).";
@@ -23,7 +23,7 @@ public final class SceneOptions {
     @Mixin
     private final AccuracyOption accuracy = new AccuracyOption();
 
-    /** Whether the scene is read from the standard input. */
+    /** True if the scene is read from the standard input. */
     public boolean isPiped() {
         return StandardFiles.is(scene);
     }

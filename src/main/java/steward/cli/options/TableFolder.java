@@ -24,7 +24,7 @@ public final class TableFolder {
         T start() throws IOException;
     }
 
-    /** Whether older files are replaced. */
+    /** True if older files are replaced. */
     public boolean overwrite() {
         return overwrite;
     }

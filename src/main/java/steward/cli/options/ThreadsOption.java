@@ -44,12 +44,12 @@ public final class ThreadsOption {
             "--threads: found '" + threads + "', expected " + least + " to " + CallCheck.MOST_THREADS + ", or auto");
     }
 
-    /** Whether it is there. */
+    /** True if it is there. */
     public boolean isGiven() {
         return threads != null;
     }
 
-    /** How many games at the same time; warns if there are too few processors for them. */
+    /** Returns how many games at the same time; warns if there are too few processors for them. */
     public int count(Streams streams) {
         int processors = Runtime.getRuntime().availableProcessors();
         counted = counted < 0 ? threads(processors) : counted;
@@ -95,7 +95,7 @@ public final class ThreadsOption {
         return Math.max(1, Math.min(processors == 2 && idle ? 2 : processors - 1, CallCheck.MOST_THREADS));
     }
 
-    /** How busy other programs keep the processors. */
+    /** Load of the processors by other programs. */
     private static final class Load {
 
         private static final long SAMPLE_MS = 200;

@@ -11,7 +11,7 @@ public final class TimeLimitOptions {
 
     private static final String WALL = "wall";
 
-    /** What {@code --time} takes. */
+    /** Values of {@code --time}. */
     static final class Bases implements Iterable<String> {
 
         @Override
@@ -42,7 +42,7 @@ public final class TimeLimitOptions {
         return noDeadline ? Double.POSITIVE_INFINITY : timeFactor == null ? 1 : timeFactor;
     }
 
-    /** What they are limits of. */
+    /** Returns the clock of the limits. */
     public TimeBasis basis() {
         check.that(TimeBasis.of(time).isPresent(), "--time: found '" + time + "', expected wall or cpu");
         TimeBasis basis = TimeBasis.of(time).get();

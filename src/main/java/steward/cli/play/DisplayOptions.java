@@ -26,7 +26,7 @@ final class DisplayOptions {
         watch.check(check);
     }
 
-    /** Whether anything is to be shown. */
+    /** True if anything is to be shown. */
     boolean isAny() {
         return view != null || watch.watch() || open;
     }

@@ -14,7 +14,7 @@ import steward.contest.FailureKind;
 import steward.text.TextFormat;
 import tools.jackson.core.JsonGenerator;
 
-/** Why bots failed in many games, for people and for programs. */
+/** Report on failures of bots in many games, for people and for programs. */
 public final class FailureReport {
 
     /** Games that are named in a line at most. */

@@ -24,8 +24,8 @@ import steward.live.LiveServer;
 import steward.replay.page.ReplayPage;
 
 /**
- * The display of a match: a page in a file, a page that follows the match while it is played, or both. What is written
- * here is kept in memory until it has been shown.
+ * The display of a match: a page in a file, a page that follows the match while it is played, or both. Bytes written
+ * here are kept in memory until it has been shown.
  */
 final class MatchDisplay implements AutoCloseable {
 
@@ -110,7 +110,7 @@ final class MatchDisplay implements AutoCloseable {
         }
     }
 
-    /** What a match is to be written to: here, and to its file if it has one. */
+    /** Returns the stream that a match is written to: here, and to its file if it has one. */
     OutputStream with(OutputStream file) {
         return file == null ? recording : new TeeOutputStream(file, recording);
     }

@@ -95,7 +95,7 @@ final class MatchJson {
         out.writeEndArray();
     }
 
-    /** What bots reported on stderr. */
+    /** Writes the data that bots reported on stderr. */
     private static void writeData(JsonGenerator out, Map<String, String> data) {
         out.writeObjectPropertyStart("data");
         data.forEach(out::writeStringProperty);

@@ -49,7 +49,7 @@ final class RefereeArguments {
         return spec.findOption(option).getValue();
     }
 
-    /** Whether there is any player. */
+    /** True if there is any player. */
     boolean hasPlayers() {
         for (int player = 1; player <= MOST_PLAYERS; player++) {
             if (value(bot(player)) != null || value(name(player)) != null) {
@@ -85,7 +85,7 @@ final class RefereeArguments {
         return bots;
     }
 
-    /** What a player, counted from 0, is to be called, or {@code null}. */
+    /** Returns the name that a player, counted from 0, is given, or {@code null}. */
     String nameOf(int player) {
         return value(name(player + 1));
     }

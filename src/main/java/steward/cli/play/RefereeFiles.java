@@ -54,7 +54,7 @@ final class RefereeFiles {
         }
     }
 
-    /** Whether there is a file with something in it; a device such as {@code /dev/null} holds nothing. */
+    /** True if there is a file with something in it; a device such as {@code /dev/null} holds nothing. */
     private static boolean isThere(Path file) {
         try {
             return file != null && Files.isRegularFile(file) && Files.size(file) > 0;

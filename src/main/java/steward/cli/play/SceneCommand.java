@@ -54,7 +54,7 @@ public final class SceneCommand implements Callable<Integer> {
         return ExitStatus.DONE;
     }
 
-    /** What a shipped scene is, in one line; the README says the same. */
+    /** Describes a shipped scene in one line; the README says the same. */
     static String about(String scene) {
         return switch (scene) {
             case "mad-pod-racing" -> "the official rules and maps, two players with two pods";

@@ -16,7 +16,7 @@ import steward.text.NearestName;
 /** The options of many matches. */
 final class SeriesOptions {
 
-    /** What {@code --keep} takes. */
+    /** Values of {@code --keep}. */
     static final class Keeps implements Iterable<String> {
 
         @Override
@@ -25,7 +25,7 @@ final class SeriesOptions {
         }
     }
 
-    /** What {@code --hiccups} takes. */
+    /** Values of {@code --hiccups}. */
     static final class HiccupWords implements Iterable<String> {
 
         @Override
@@ -85,7 +85,7 @@ final class SeriesOptions {
         check.that(keep == null || out, "--keep: expected --out with it");
     }
 
-    /** What does not apply where each bot plays alone, or {@code null}. */
+    /** Returns the error of options that do not apply where each bot plays alone, or {@code null}. */
     String problemAlone() {
         return swap ? "--swap: the scene is for one player, and each bot plays alone: there are no sides to change"
             : keep().equals(KeptReplays.LOST) ? "--keep lost: the scene is for one player, and a game alone has no "
@@ -93,12 +93,12 @@ final class SeriesOptions {
                 + "expected all, failed or none" : null;
     }
 
-    /** Whether there is to be more than one match. */
+    /** True if there is to be more than one match. */
     boolean isAny() {
         return games != null || swap;
     }
 
-    /** How many seeds. */
+    /** Returns how many seeds. */
     int games() {
         return games == null ? 1 : games;
     }
@@ -120,7 +120,7 @@ final class SeriesOptions {
         return Optional.ofNullable(hiccups).flatMap(Hiccups::of).orElse(Hiccups.REPLAY);
     }
 
-    /** How many games at the same time; warns if there are too few processors for them. */
+    /** Returns how many games at the same time; warns if there are too few processors for them. */
     int threads(Streams streams) {
         return threads.count(streams);
     }

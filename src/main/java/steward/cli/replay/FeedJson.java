@@ -7,7 +7,7 @@ import steward.replay.feed.Takeover;
 import steward.replay.verify.Difference;
 import tools.jackson.core.JsonGenerator;
 
-/** What a bot did with a recorded match, for programs: one JSON object. */
+/** A bot's behaviour in a recorded match, for programs: one JSON object. */
 final class FeedJson {
 
     private FeedJson() {

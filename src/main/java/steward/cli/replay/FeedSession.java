@@ -41,12 +41,12 @@ record FeedSession(Streams streams, RecordedMatch match, int player, BotCommand 
     private static final long GRACE_MS = 1000;
     private static final long KILL_MS = 500;
 
-    /** What is done with a bot once it runs; returns the exit status. */
+    /** Work with a bot once it runs; returns the exit status. */
     private interface Work {
         int with(AttendedProcess process, FeedReport report, WaitingNotice waiting) throws InterruptedException;
     }
 
-    /** Where readable text goes. */
+    /** Returns where readable text goes. */
     PrintStream text() {
         return json || piped ? streams.err() : streams.out();
     }

@@ -7,14 +7,14 @@ import steward.replay.ReplayHeader;
 import steward.text.TextFormat;
 
 /**
- * What the header of a replay says, as it is shown to people: the beginning of each text, made safe for a terminal.
- * The file may come from anywhere, and a name in it may have a million letters.
+ * Header of a replay as it is shown to people: the beginning of each text, made safe for a terminal. The file may come
+ * from anywhere, and a name in it may have a million letters.
  */
 final class HeaderText {
 
-    /** How much of a name is shown, in characters; a bot's name has at most as many. */
+    /** Characters of a name that are shown; a bot's name has at most as many. */
     private static final int LONGEST_NAME = 100;
-    /** How much of a command is shown, in characters. */
+    /** Characters of a command that are shown. */
     private static final int LONGEST_COMMAND = 1000;
 
     private HeaderText() {

@@ -12,7 +12,7 @@ final class HeadingText {
     private HeadingText() {
     }
 
-    /** Whether a field of a body is a heading. */
+    /** True if a field of a body is a heading. */
     static boolean is(Object field) {
         return FIELD.equals(field);
     }

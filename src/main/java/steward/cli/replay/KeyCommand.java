@@ -44,7 +44,7 @@ public final class KeyCommand implements Callable<Integer> {
     @Parameters(index = "1", paramLabel = "FILE", description = "The file of the key.")
     private String file;
 
-    /** What can be done. */
+    /** Actions of the command. */
     static final class Actions implements Iterable<String> {
 
         @Override

@@ -14,7 +14,7 @@ final class RecordedResult {
     }
 
     /**
-     * What the last line says, or {@code null} if there is none; known at the end of the replay.
+     * Returns the result in the last line, or {@code null} if there is none; known at the end of the replay.
      *
      * @param names that the players go by
      */

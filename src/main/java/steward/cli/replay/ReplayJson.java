@@ -17,7 +17,7 @@ import steward.replay.verify.Difference;
 import steward.replay.verify.Verification;
 import tools.jackson.core.JsonGenerator;
 
-/** What {@code steward replay} knows of a match, for programs: one JSON object. */
+/** Facts of {@code steward replay} about a match, for programs: one JSON object. */
 record ReplayJson(Streams streams, ReplayReader replay) {
 
     /** The match and its result. */

@@ -66,7 +66,7 @@ record VerifyReport(PrintStream out, Colour colour, boolean partial, Path file, 
         return wrong == null && (verification.verified() || partial) ? ExitStatus.DONE : ExitStatus.FAILED;
     }
 
-    /** Why the replay is not verified, cut off or not; or {@code null}. */
+    /** Returns why the replay is not verified, cut off or not; or {@code null}. */
     String wrong(ReplayReader replay, Verification verification) {
         if (replay.header() == null) {
             return "not verified: the header is cut off";
@@ -97,7 +97,7 @@ record VerifyReport(PrintStream out, Colour colour, boolean partial, Path file, 
             ? "not verified: " + compared(replay, verification) + " were recorded" : null;
     }
 
-    /** Why a signature does not say that bots were kept apart as demanded, or {@code null} if it does. */
+    /** Returns why a signature does not say that bots were kept apart as demanded, or {@code null} if it does. */
     private String weaker(String isolation) {
         if (isolation == null) {
             return "the signature does not say how bots were kept apart, as those of earlier versions do not";

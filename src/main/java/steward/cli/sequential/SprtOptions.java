@@ -7,10 +7,10 @@ import steward.cli.options.CallCheck;
 import steward.league.sequential.Gsprt;
 import steward.text.NearestName;
 
-/** What a sequential test is to decide. */
+/** Options of a sequential test. */
 public final class SprtOptions {
 
-    /** What {@code --elo-model} takes. */
+    /** Values of {@code --elo-model}. */
     static final class Models implements Iterable<String> {
 
         @Override

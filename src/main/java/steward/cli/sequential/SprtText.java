@@ -13,7 +13,7 @@ import steward.league.sequential.SequentialBar;
 import steward.text.TextFormat;
 import tools.jackson.core.JsonGenerator;
 
-/** How a test stands, for people and for programs. */
+/** Text on the state of a test, for people and for programs. */
 final class SprtText {
 
     /** Width of a range of scores that says nothing: a bot that has won all may be the worse one. */
@@ -43,7 +43,7 @@ final class SprtText {
         return test.model().name().toLowerCase(Locale.ROOT);
     }
 
-    /** What is tested. */
+    /** Returns a line about the test: the bots, the hypotheses, the error rates. */
     String heading() {
         return TextFormat.plain(one + " - " + other) + ": " + model() + " Elo " + number(test.elo0()) + " (H0) or "
             + number(test.elo1()) + " (H1), alpha " + number(test.alpha()) + ", beta " + number(test.beta());
@@ -75,7 +75,7 @@ final class SprtText {
         return Math.round(scores.games() * Math.max(least, expected));
     }
 
-    /** How it ended or stands. */
+    /** Returns how it ended or stands. */
     List<String> lines(ScoreCounts scores, Unused unused, Colour colour) {
         List<String> lines = new ArrayList<>();
         Gsprt.State state = test.state(scores);

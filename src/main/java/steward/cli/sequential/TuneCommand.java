@@ -72,7 +72,7 @@ public final class TuneCommand implements Callable<Integer> {
     private static final double GAIN = 20;
     private static final String PREFIX = "tune.";
 
-    /** What a parameter looks like. Other braces may be the bot's own business. */
+    /** Form of a parameter. Other braces may be the bot's own business. */
     private static final Pattern PLACEHOLDER = Pattern.compile("\\{\\w+:[^{}\"]*}");
 
     private final Streams streams;

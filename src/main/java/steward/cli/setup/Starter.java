@@ -53,7 +53,7 @@ enum Starter {
         return bot;
     }
 
-    /** Whether there is one in this language for a game. */
+    /** True if there is one in this language for a game. */
     boolean isFor(String game) {
         return Starter.class.getResource(folder(game) + source) != null;
     }

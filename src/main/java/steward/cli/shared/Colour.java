@@ -35,27 +35,27 @@ public final class Colour {
         return terminal && (noColor == null || noColor.isEmpty()) && !"dumb".equals(term) ? new Colour(true) : NONE;
     }
 
-    /** What matters most: the winner. */
+    /** Colours the most important text: the winner. */
     public String strong(String text) {
         return in(BOLD, text);
     }
 
-    /** What matters least: what is left out. */
+    /** Dims the least important text: the omitted. */
     public String faint(String text) {
         return in(FAINT, text);
     }
 
-    /** What is as it should be. */
+    /** Colours text about things as they should be. */
     public String good(String text) {
         return in(GREEN, text);
     }
 
-    /** What has failed. */
+    /** Colours text about a failure. */
     public String bad(String text) {
         return in(RED, text);
     }
 
-    /** What may be wrong. */
+    /** Colours text about a possible fault. */
     public String warning(String text) {
         return in(YELLOW, text);
     }

@@ -15,7 +15,7 @@ import picocli.CommandLine.RunLast;
  */
 public final class EmptyValues implements IExecutionStrategy {
 
-    /** What stands for files and folders in the help. */
+    /** Placeholders of files and folders in the help. */
     private static final Set<String> FILES = Set.of("FILE", "FILE|NAME", "DIR", "REPLAY", "NEW", "HTML", "SCENE",
         "PUB", "KEY");
 
@@ -33,7 +33,7 @@ public final class EmptyValues implements IExecutionStrategy {
         return new RunLast().execute(call);
     }
 
-    /** Whether a value is an empty text, or one of those of an option that can be repeated is. */
+    /** True if a value is an empty text, or one of those of an option that can be repeated is. */
     private static boolean isEmpty(Object value) {
         return "".equals(value) || value instanceof Collection<?> values && values.contains("");
     }

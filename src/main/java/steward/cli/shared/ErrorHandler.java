@@ -22,7 +22,7 @@ public final class ErrorHandler implements IParameterExceptionHandler, IExecutio
 
     private static final String OPTION = "'(--?[^'=]+)[^']*'(?: \\([^)]*\\))?";
 
-    /** What the library says of options, and what is said in its place. */
+    /** Messages of the library about options, and those in their place. */
     private static final List<Translation> TRANSLATIONS = List.of(
         Translation.of("^Invalid value for option " + OPTION + ": ('.*') is not a boolean$",
             "$1: found $2, expected no value"),

@@ -7,7 +7,7 @@ import steward.contest.Failure;
 import steward.game.JsonNumbers;
 import tools.jackson.core.JsonGenerator;
 
-/** Why a bot failed, for programs. */
+/** Reason of a bot's failure, for programs. */
 public final class FailureJson {
 
     private static final double NANOS_PER_MS = 1e6;

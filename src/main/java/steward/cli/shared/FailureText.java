@@ -4,7 +4,7 @@ import java.io.PrintStream;
 import steward.contest.Failure;
 import steward.text.TextFormat;
 
-/** Why a bot failed, for people. */
+/** Reason of a bot's failure, for people. */
 public final class FailureText {
 
     private static final int LONGEST_LAST = 120;
@@ -12,7 +12,7 @@ public final class FailureText {
     private FailureText() {
     }
 
-    /** What belongs below the line with the reason: the last lines of its stderr, and hints. */
+    /** Prints the lines below the one with the reason: the last lines of its stderr, and hints. */
     public static void print(PrintStream out, Failure failure, String indent) {
         if (failure.stderr().isEmpty()) {
             out.println(indent + "it wrote nothing to its stderr");

@@ -44,7 +44,7 @@ public final class Games {
         return open(SceneFiles.load(scene), accuracy);
     }
 
-    /** As {@link #open(String, Accuracy)}; {@code -} is the scene on the standard input. */
+    /** Opens as {@link #open(String, Accuracy)} does; {@code -} is the scene on the standard input. */
     public static GameSetup open(String scene, Accuracy accuracy, Streams streams) {
         return open(StandardFiles.is(scene) ? StandardFiles.readScene(streams) : SceneFiles.load(scene), accuracy);
     }
@@ -55,7 +55,7 @@ public final class Games {
         return setup;
     }
 
-    /** What the official scene of a game is, in a few words: the game itself says it. */
+    /** Describes the official scene of a game in a few words: the game itself says it. */
     public static String about(String scene) {
         Scene of = open(scene).scene();
         return types().of(of.gameId()).orElseThrow().about(of);

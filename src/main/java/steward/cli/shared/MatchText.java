@@ -40,7 +40,8 @@ public final class MatchText {
         };
     }
 
-    /** As {@link #headline(String, long, MatchResult)}, with the failures of bots on the same line. */
+    /** Returns the headline as {@link #headline(String, long, MatchResult)} does, with the failures of bots on the same
+     * line. */
     public static String headline(String scene, long seed, MatchResult result, List<Failure> failures) {
         StringBuilder line = new StringBuilder(headline(scene, seed, result));
         for (Failure failure : failures) {
@@ -60,7 +61,7 @@ public final class MatchText {
         print(out, Colour.NONE, scene, seed, result, failures);
     }
 
-    /** As {@link #print(PrintStream, String, long, MatchResult, List)}, in colours. */
+    /** Prints as {@link #print(PrintStream, String, long, MatchResult, List)} does, in colours. */
     public static void print(PrintStream out, Colour colour, String scene, long seed, MatchResult result,
                              List<Failure> failures) {
         out.println(colour.strong(headline(scene, seed, result)));

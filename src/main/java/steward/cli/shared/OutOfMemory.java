@@ -12,7 +12,7 @@ public final class OutOfMemory {
     private OutOfMemory() {
     }
 
-    /** Whether a lack of memory is the problem or one of its causes. */
+    /** True if a lack of memory is the problem or one of its causes. */
     public static boolean isBehind(Throwable problem) {
         Throwable cause = problem;
         for (int depth = 0; cause != null && depth < DEEPEST; depth++) {

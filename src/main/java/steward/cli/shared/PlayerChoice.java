@@ -4,10 +4,10 @@ import java.util.List;
 import steward.files.InputException;
 import steward.text.TextFormat;
 
-/** Which player of a recorded match {@code --player} means: a number, counted from 0, or a name. */
+/** Player of a recorded match that {@code --player} means: a number, counted from 0, or a name. */
 public final class PlayerChoice {
 
-    /** How much of the list of names is shown, in characters: they come from a file. */
+    /** Characters of the list of names that are shown: they come from a file. */
     private static final int LONGEST_LIST = 500;
 
     private PlayerChoice() {

@@ -11,7 +11,7 @@ import me.tongfei.progressbar.ProgressBarStyle;
 import steward.text.TextFormat;
 
 /**
- * How many games or other steps are done and how long the rest will take, on one line of a terminal, erased at the end.
+ * Progress of games or other steps, and the time that the rest will take, on one line of a terminal, erased at the end.
  */
 public final class ProgressLine implements AutoCloseable {
 
@@ -71,7 +71,7 @@ public final class ProgressLine implements AutoCloseable {
         }
     }
 
-    /** So many in all; by any thread. */
+    /** Sets how many there are in all; by any thread. */
     public void reach(int steps) {
         bar.stepTo(steps);
     }

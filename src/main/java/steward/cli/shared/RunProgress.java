@@ -5,9 +5,9 @@ import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
 
 /**
- * How far a run of many parts is and how long all the rest will take, on one line of a terminal. Parts differ in length
- * by factors of thousands, so each counts by the time that it is expected to take; how much slower or faster this
- * machine is shows as the run goes on.
+ * Progress of a run of many parts, and the time that all the rest will take, on one line of a terminal. Parts differ in
+ * length by factors of thousands, so each counts by the time that it is expected to take; how much slower or faster
+ * this machine is shows as the run goes on.
  */
 public final class RunProgress {
 
@@ -32,7 +32,7 @@ public final class RunProgress {
         total = expected.stream().mapToDouble(Double::doubleValue).sum();
     }
 
-    /** How long all parts together are expected to take, in seconds. */
+    /** Returns how long all parts together are expected to take, in seconds. */
     public double total() {
         return total;
     }
@@ -78,7 +78,7 @@ public final class RunProgress {
     }
 
     /**
-     * How long the rest will take, in seconds.
+     * Returns how long the rest will take, in seconds.
      *
      * @param elapsed seconds of the run so far
      * @param done    expected seconds of what is done

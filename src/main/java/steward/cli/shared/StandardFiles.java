@@ -13,7 +13,7 @@ import steward.scene.SceneText;
 /** The word {@code -} where a file is expected: the standard input, or the standard output. */
 public final class StandardFiles {
 
-    /** What the standard input is called in errors. */
+    /** Name of the standard input in errors. */
     public static final String INPUT = "standard input";
 
     private static final String DASH = "-";
@@ -21,7 +21,7 @@ public final class StandardFiles {
     private StandardFiles() {
     }
 
-    /** Whether a file as it was typed is one of the standard streams; {@code null} is not. */
+    /** True if a file as it was typed is one of the standard streams; {@code null} is not. */
     public static boolean is(String typed) {
         return DASH.equals(typed);
     }
@@ -35,7 +35,7 @@ public final class StandardFiles {
         }
     }
 
-    /** The same, if it is not too much, see {@link #readAll(InputStream, String, int, String)}. */
+    /** Reads the standard input if it is not too much, see {@link #readAll(InputStream, String, int, String)}. */
     public static byte[] readAll(Streams streams, int most, String expected) {
         try {
             return readAll(new BufferedInputStream(streams.in()), INPUT, most, expected);

@@ -120,12 +120,12 @@ public final class Streams {
         return Colour.of(errTerminal);
     }
 
-    /** Whether the output has no reader any more ({@code | head}), so that the command can stop. */
+    /** True if the output has no reader any more ({@code | head}), so that the command can stop. */
     public boolean outEnded() {
         return watched.problem != null;
     }
 
-    /** Why the output could not be written, or {@code null}; a reader that has closed it is no problem. */
+    /** Returns why the output could not be written, or {@code null}; a reader that has closed it is no problem. */
     public String outProblem() {
         out.flush();
         return watched.problem == null || watched.problem.contains("Broken pipe") ? null : watched.problem;

@@ -1,8 +1,8 @@
 package steward.cli.shared;
 
-/** How much is printed about matches. */
+/** Amount of printing about matches. */
 public enum Verbosity {
-    /** What happens during a match on a terminal, and the whole result. */
+    /** Events during a match on a terminal, and the whole result. */
     FULL,
     /** One line with the result. */
     LINE,

@@ -1,5 +1,5 @@
 /**
- * What several commands share: streams and terminals, messages of errors and their exit status, the list of games.
+ * Common parts of several commands: streams and terminals, messages of errors and their exit status, the list of games.
  */
 @Internal
 package steward.cli.shared;

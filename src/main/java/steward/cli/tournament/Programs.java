@@ -26,7 +26,7 @@ record Programs(List<Program> programs, List<String> others) {
     /** Names that a league keeps for parameters that are tried. */
     private static final String TUNED = "tune.";
 
-    /** How a program is made ready to run. */
+    /** Kind of program, by how it is made ready to run. */
     enum Kind { PYTHON, JS, JAVA, CPP, FOLDER }
 
     /**

@@ -129,7 +129,7 @@ public final class LeaguePage {
         return html.toByteArray();
     }
 
-    /** What an open page is sent: all that it shows, on one line. */
+    /** Returns the message to an open page: all that it shows, on one line. */
     public static String live(LeagueView view) {
         return json(out -> LeagueJson.view(out, view, game -> game.replay() == null ? null : LIVE));
     }

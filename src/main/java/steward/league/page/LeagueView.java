@@ -7,7 +7,7 @@ import steward.league.rating.LeagueTable;
 import steward.league.rating.RatingPath;
 
 /**
- * What there is to show of a league at one moment.
+ * View of a league at one moment: all that its page shows.
  *
  * @param season what all its games have in common
  * @param table  the table

@@ -13,30 +13,31 @@ import steward.league.RoundOrder;
 import steward.league.rating.Ratings;
 
 /**
- * Chooses the group whose next games shrink most the doubt about the order. The doubt about two bots that are neither
- * surely ordered nor surely equal is the variance of the difference of their ratings. It is a sum over groups, each
- * part being inverse to the group's number of clusters: one more of n takes the part 1/(n + 1) of the group's part
- * away. Sums of these over all doubtful pairs, each as a share of its variance, are compared.
+ * Chooses the group of bots whose next games most reduce the doubt about the order of the table. A pair is in doubt
+ * while the rule neither orders it nor calls it equal; its doubt is the variance of the difference of its two ratings.
+ * That variance is a sum over groups, each part inverse to the group's number of clusters: one cluster more than n
+ * takes the share 1/(n + 1) of the group's part away. Such reductions, each as a share of its pair's variance, are
+ * added up over all doubtful pairs, and the group with the largest sum is chosen.
  *
- * <p>All pairs of bots that are in doubt count, not only those that stand beside each other now: which of them do is
- * chance, and where chance says who plays, those who were lucky play less and stay lucky, and bars hold too rarely. For
- * the same reason variances are those of the model, not of the few clusters that a pairing has, and pairs that are
- * settled go on counting: together the part {@link #SETTLED} of those that are not.
+ * <p>Every undecided pair counts, not only neighbours in the table. Who is a neighbour depends on luck; if luck decided
+ * who plays, a lucky bot would play less and keep its luck, and the bars would cover too rarely. For the same reason
+ * variances are the model's, not those of the few clusters of a pairing, and settled pairs keep counting: together they
+ * have the weight {@link #SETTLED} of the undecided ones.
  *
- * <p>Before that every pair meets {@value #FIRST} times, and each group of at most {@value #FEW} plays once; always
- * each bot has at least the share {@link #LEAST} of the games that it would have in a round robin. What is chosen
- * follows from results of decisions that are {@code lag} back, at the last of {@link Looks}, and from how often each
+ * <p>Doubt decides only after every pair has met {@value #FIRST} times and, if there are at most {@value #FEW} groups,
+ * each group has played once. Every bot always gets at least the share {@link #LEAST} of its games in a round robin. A
+ * choice depends on the results of decisions {@code lag} back, at the last of {@link Looks}, and on how often each
  * group was decided on.
  */
 public final class AdaptivePairing implements Pairing {
 
-    /** How often every pair meets at first. */
+    /** Meetings of every pair before doubt decides. */
     public static final int FIRST = 4;
-    /** Of the games of a round robin. */
+    /** Least share of its games in a round robin that every bot gets. */
     static final double LEAST = 0.2;
-    /** What all pairs that are settled count together, against those that are not. */
+    /** Weight of all settled pairs together, against those that are not. */
     static final double SETTLED = 0.5;
-    /** If there are no more groups than this, each plays once before doubt decides: what never played has no weight. */
+    /** Most groups that each play once before doubt decides: a group that never played has no weight. */
     static final int FEW = 1000;
 
     private final List<Integer> versions;
@@ -45,15 +46,15 @@ public final class AdaptivePairing implements Pairing {
     private final int lag;
     private final List<int[]> groups;
     private final Map<List<Integer>, Integer> places = new HashMap<>();
-    /** Of each group, how often it was decided on. */
+    /** Decisions on each group. */
     private final int[] counts;
-    /** Of each group, what the doubt would lose by n games of n clusters: to be divided by the number and one more. */
+    /** Worth of each group: divided by n (n + 1), n its decisions, it is the reduction of doubt by one more. */
     private double[] worth;
     private final int[] ofBot;
     private final int[] ofPair;
     private long all;
     private int look = -1;
-    /** Whether the worth is that of an earlier look: it is computed only when a choice depends on it. */
+    /** True if the worth is that of an earlier look: it is computed only when a choice depends on it. */
     private boolean due;
 
     /**
@@ -108,7 +109,7 @@ public final class AdaptivePairing implements Pairing {
         }
     }
 
-    /** What each group is worth, or {@code null} if nothing is in doubt. */
+    /** Returns the worth of a game of each group, or {@code null} if nothing is in doubt. */
     private double[] worth(Ratings found) {
         List<int[]> open = new ArrayList<>();
         List<int[]> settled = new ArrayList<>();
@@ -166,7 +167,7 @@ public final class AdaptivePairing implements Pairing {
     }
 
     /**
-     * The group with the pairs that have met least, of several the one whose bots have played least, while there is a
+     * Returns the group whose pairs have met least, of several the one whose bots have played least, while there is a
      * pair that has met too rarely; or -1.
      */
     private int leastMet(IntPredicate may) {
@@ -197,7 +198,7 @@ public final class AdaptivePairing implements Pairing {
         return place;
     }
 
-    /** The least played group of a bot that has too few games, or -1. */
+    /** Returns the least played group of a bot that has too few games, or -1. */
     private int neglected(IntPredicate may) {
         for (int bot = 0; bot < ofBot.length; bot++) {
             double uniform = (double) all * groups.get(0).length / ofBot.length;
@@ -212,7 +213,7 @@ public final class AdaptivePairing implements Pairing {
         return -1;
     }
 
-    /** The first of those groups that were decided on least often, or -1 if there are none. */
+    /** Returns the first of the wanted groups with the fewest decisions, or -1 if none is wanted. */
     private int least(IntPredicate wanted) {
         int place = -1;
         for (int k = 0; k < counts.length; k++) {

@@ -24,7 +24,7 @@ public final class LeagueEnd implements IntPredicate {
         this.versions = versions;
     }
 
-    /** Whether the schedule ends before a decision. */
+    /** True if the schedule ends before a decision. */
     @Override
     public boolean test(int decision) {
         if (decision == asked) {
@@ -40,7 +40,7 @@ public final class LeagueEnd implements IntPredicate {
         return last;
     }
 
-    /** What was known when it ended, or {@code null}. */
+    /** Returns the ratings when the rule was met, or {@code null}. */
     public Ratings met() {
         return met;
     }

@@ -1,7 +1,7 @@
 package steward.league.pairing;
 
 /**
- * When results are looked at: before every decision at first, later whenever there are about 2% more. Which decisions
+ * Schedule of looks at results: before every decision at first, later whenever there are about 2% more. Which decisions
  * these are follows from their numbers alone, so that an interrupted league looks at the same ones.
  */
 public final class Looks {
@@ -21,7 +21,7 @@ public final class Looks {
         return Math.max(0, of(decision) - lag + 1);
     }
 
-    /** Whether there is a look before this decision. */
+    /** True if there is a look before this decision. */
     public static boolean isLook(int decision) {
         return of(decision) == decision;
     }

@@ -8,7 +8,7 @@ import steward.league.rating.Difference;
 import steward.league.rating.Ratings;
 
 /**
- * When enough is known. All by bars that hold at any time.
+ * Rule by which enough is known. All by bars that hold at any time.
  *
  * @param bars   ends when each bot's rating has a bar of at most so many Elo; NaN for no such end
  * @param ranked ends when every two neighbours in the table are ordered or equal
@@ -16,7 +16,7 @@ import steward.league.rating.Ratings;
  */
 public record StopRule(double bars, boolean ranked, double equal) {
 
-    /** What is known of two neighbours in the table. */
+    /** Order of two neighbours in the table, as far as it is known. */
     public enum Order {
         /** The first is better. */
         ORDERED,
@@ -28,17 +28,17 @@ public record StopRule(double bars, boolean ranked, double equal) {
 
     /** Elo within which bots count as equal, if nothing else is said. */
     public static final double USUAL_EQUAL = 5;
-    /** How much of what may be said wrongly falls to the test of bots that win or lose nearly everything. */
+    /** Share of the permitted errors that falls to the test of bots that win or lose nearly everything. */
     private static final double TESTED = 0.1;
     /** One that never ends a league. */
     public static final StopRule NONE = new StopRule(Double.NaN, false, USUAL_EQUAL);
 
-    /** Whether it is there. */
+    /** True if it is there. */
     public boolean isAny() {
         return ranked || !Double.isNaN(bars);
     }
 
-    /** Whether enough is known. */
+    /** True if enough is known. */
     public boolean isMet(Ratings ratings) {
         return (Double.isNaN(bars) || ratings.versions().stream()
             .allMatch(version -> ratings.rating(version).anytimeBar() <= bars))
@@ -51,7 +51,7 @@ public record StopRule(double bars, boolean ranked, double equal) {
             -ratings.fit().rating(ratings.versions().indexOf(version))).thenComparing(version -> version)).toList();
     }
 
-    /** What is known of each version of an order and the next one. */
+    /** Returns the known order of each version in a list and the next one. */
     public List<Order> orders(Ratings ratings, List<Integer> order) {
         List<Order> orders = new ArrayList<>();
         for (int k = 0; k + 1 < order.size(); k++) {
@@ -61,9 +61,10 @@ public record StopRule(double bars, boolean ranked, double equal) {
     }
 
     /**
-     * What is known of two versions; it does not matter which of them is the better one. All that is said holds with
-     * 95% for all pairs of bots and at all looks at once: each has the part of the 5% that falls to one of so many
-     * pairs, nine tenths for its bar and one for the test of those of which one has won or lost nearly everything.
+     * Returns the known order of two versions; it does not matter which of them is the better one. All that is said
+     * holds with 95% for all pairs of bots and at all looks at once: each has the part of the 5% that falls to one of
+     * so many pairs, nine tenths for its bar and one for the test of those of which one has won or lost nearly
+     * everything.
      */
     Order order(Ratings ratings, int one, int other) {
         int bots = ratings.versions().size();

@@ -38,12 +38,12 @@ public interface Elsewhere {
     List<List<StoredGame>> play(List<Game> games) throws InterruptedException;
 
     /**
-     * Whether there may be one machine where all of these bots run; asked before games are taken that go together.
+     * True if there may be one machine where all of these bots run; asked before games are taken that go together.
      *
      * @param members of all of these games
      */
     boolean canPlay(List<Member> members);
 
-    /** Whether games are to be believed that were played on this machine; asked just before they are stored. */
+    /** True if games are to be believed that were played on this machine; asked just before they are stored. */
     boolean isTrusted(String machine);
 }

@@ -9,19 +9,19 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 
 /**
- * The games of a run that other machines play. Those that go together have a thread while they are under way. One
- * thread waits for places and for games: thousands that wait, looking several times a second, would keep a processor
- * busy.
+ * Plays the games of a run on other machines. Games that belong together share a thread while they are under way. A
+ * single thread waits for free places and for games: thousands of waiting threads, each looking several times a second,
+ * would keep a processor busy.
  */
 record FarGames(Elsewhere elsewhere) {
 
-    /** The run that they are of. */
+    /** Run to which the games belong. */
     interface Run {
 
-        /** Whether no games are begun any more. */
+        /** True if no games are begun any more. */
         boolean isOver();
 
-        /** Waits for games that go together, at most so many; none at the end. */
+        /** Waits for games that belong together, at most so many; returns none at the end. */
         List<Elsewhere.Game> take(int most) throws InterruptedException;
 
         /** Plays games that were taken. */
@@ -32,7 +32,7 @@ record FarGames(Elsewhere elsewhere) {
     }
 
     /**
-     * Plays until the run is over and all of these games are.
+     * Plays until the run is over and all of its games here have ended.
      *
      * @throws Exception what a game failed with
      */

@@ -32,10 +32,10 @@ import steward.match.MatchResult;
  */
 public record GamePlay(Season season, Contest contest, Recordings recordings, String machine, LongSupplier clock) {
 
-    /** What becomes of the replays of games that are over. */
+    /** Destination of the replays of games that are over. */
     public interface Recordings {
 
-        /** Whether anything has to be recorded. */
+        /** True if anything has to be recorded. */
         boolean isAny(LeagueSettings settings);
 
         /**

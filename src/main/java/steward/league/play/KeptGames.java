@@ -19,7 +19,7 @@ public final class KeptGames implements GamePlay.Recordings {
 
     private final LeagueFolder folder;
 
-    /** Those of a league. */
+    /** Finds the kept replays of a league. */
     public KeptGames(LeagueFolder folder) {
         this.folder = folder;
     }
@@ -40,7 +40,7 @@ public final class KeptGames implements GamePlay.Recordings {
     }
 
     /**
-     * Whether the replay of a game that is over is kept.
+     * True if the replay of a game that is over is kept.
      *
      * @param result whether it has one
      * @param names  of the bots, by seat

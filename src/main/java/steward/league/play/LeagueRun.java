@@ -71,7 +71,7 @@ public final class LeagueRun {
     private Pauses pauses;
 
     /**
-     * How long to play.
+     * Limits of a run.
      *
      * @param threads games at the same time
      * @param games   that the schedule has in all when the run ends; {@code Long.MAX_VALUE} for no end
@@ -217,7 +217,7 @@ public final class LeagueRun {
         return null;
     }
 
-    /** What is played elsewhere. */
+    /** Games that are played elsewhere. */
     private final class Far implements FarGames.Run {
 
         @Override
@@ -243,7 +243,7 @@ public final class LeagueRun {
         }
     }
 
-    /** Who plays games. */
+    /** Player of games. */
     private interface Player {
         /** As {@link Elsewhere#play}. */
         List<List<StoredGame>> play(List<Elsewhere.Game> games) throws InterruptedException;
@@ -445,7 +445,7 @@ public final class LeagueRun {
         return games;
     }
 
-    /** Why it ended before its time, or {@code null}. */
+    /** Returns why it ended before its time, or {@code null}. */
     public synchronized String stopped() {
         return stopped;
     }
@@ -455,12 +455,12 @@ public final class LeagueRun {
         return roster;
     }
 
-    /** How many games the schedule has had, in this run and before. */
+    /** Returns how many games the schedule has had, in this run and before. */
     public synchronized long games() {
         return schedule.games() - underWay;
     }
 
-    /** How many have been stored in this run, attempts included. */
+    /** Returns how many have been stored in this run, attempts included. */
     public long stored() {
         return writer.stored();
     }

@@ -73,7 +73,7 @@ public final class RosterReader {
         return new Roster(settings, members);
     }
 
-    /** What would make a bot another program; no file is read. */
+    /** Returns a stamp of the bot's program, which changes when the program may be another; no file is read. */
     public String stamp(LeagueBot bot) {
         return identity.stamp(bot);
     }

@@ -50,12 +50,12 @@ final class RosterWatch {
         }
     }
 
-    /** Whether the file of a bot is being changed or cannot be used: no game is to be begun then. */
+    /** True if the file of a bot is being changed or cannot be used: no game is to be begun then. */
     boolean isPaused() {
         return paused;
     }
 
-    /** Whether a file of one of these bots has changed since they were read. */
+    /** True if a file of one of these bots has changed since they were read. */
     boolean isChanged(List<Member> members) {
         return members.stream().anyMatch(member -> !reader.stamp(member.bot()).equals(member.stamp()));
     }
@@ -108,7 +108,7 @@ final class RosterWatch {
         seen = now;
     }
 
-    /** Whether the files of the bots have changed since they were last looked at. */
+    /** True if the files of the bots have changed since they were last looked at. */
     private boolean isUnstable(Roster roster) {
         String now = String.join("\n", roster.members().stream().map(member -> reader.stamp(member.bot())).toList());
         boolean same = now.equals(unstable);

@@ -2,7 +2,7 @@ package steward.league.rating;
 
 import steward.league.StoredGame.StoredSeat;
 
-/** What is summed up over the games of one version of a bot. */
+/** Sums over the games of one version of a bot. */
 public final class BotSums {
 
     private long games;
@@ -29,7 +29,7 @@ public final class BotSums {
         worstNanos = Math.max(worstNanos, worst);
     }
 
-    /** How many count. */
+    /** Returns how many count. */
     public long games() {
         return games;
     }

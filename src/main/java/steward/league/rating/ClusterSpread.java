@@ -4,24 +4,25 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * The B of the sandwich A^-1 B A^-1, the covariance of an estimate at which all that clusters push comes to nothing
- * (P. J. Huber, "The behavior of maximum likelihood estimates under nonstandard conditions", Berkeley Symposium 5,
+ * Middle matrix B of the sandwich A^-1 B A^-1, the covariance of a fit at which the scores of all clusters add up to
+ * zero (P. J. Huber, "The behavior of maximum likelihood estimates under nonstandard conditions", Berkeley Symposium 5,
  * 1967). It is derived in five steps.
  *
  * <ol>
- * <li>A cluster pushes the ratings by u, for each of its pairs the weight times points - expected points, up for one
- * bot and down for the other; likewise the weight of ties. Clusters are independent, so B is the sum of their
- * covariances. Games within a cluster need not be: all that they have in common is in the square of their sum.</li>
- * <li>The n clusters of a stratum are drawn alike. Their covariance is n/(n - 1) times the sum of (u - m)(u - m)', m
- * their own mean: that is right where the model is wrong, too. It has n - 1 degrees of freedom.</li>
- * <li>Of fewer than {@link RatingFit#WHOLE} clusters the own mean takes too much away. There m is the model's. The fit
- * has drawn that towards them by their leverage h, which the factor 1/(1 - h) gives back (CR2: R. M. Bell and D. F.
- * McCaffrey, "Bias reduction in standard errors for linear regression with multi-stage samples", Survey Methodology 28,
- * 2002). It has n(1 - h) degrees of freedom.</li>
- * <li>A few clusters that happen to be alike would seem certain. So the covariance that the model tells is taken as a
- * second estimate, with half a degree of freedom, and both are averaged by their degrees of freedom.</li>
- * <li>Of two bots of which one has fewer than two points the clusters show hardly any spread. Up to the model's
- * variance of points what they lack is added.</li>
+ * <li>The score u of a cluster, its push on the ratings, is for each of its pairs the weight times points - expected
+ * points, up for one bot and down for the other; likewise for the weight of ties. Clusters are independent, so B is the
+ * sum of their covariances. Games within a cluster may depend on each other: the square of their sum contains
+ * that.</li>
+ * <li>The n clusters of a stratum have one distribution. Their covariance is n/(n - 1) times the sum of (u - m)(u -
+ * m)', m their own mean; this is right even where the model is wrong. It has n - 1 degrees of freedom.</li>
+ * <li>With fewer than {@link RatingFit#WHOLE} clusters the own mean takes too much of the spread away. There m is the
+ * model's. The fit has drawn that towards the clusters by their leverage h, which the factor 1/(1 - h) corrects (CR2:
+ * R. M. Bell and D. F. McCaffrey, "Bias reduction in standard errors for linear regression with multi-stage samples",
+ * Survey Methodology 28, 2002). It has n(1 - h) degrees of freedom.</li>
+ * <li>A few clusters that happen to be alike would seem certain. So the model's covariance is a second estimate, with
+ * half a degree of freedom, and both are averaged by their degrees of freedom.</li>
+ * <li>Where one bot of a pair has fewer than two points, the clusters show hardly any spread. Their variance is raised
+ * to the model's variance of points.</li>
  * </ol>
  */
 final class ClusterSpread {
@@ -38,13 +39,15 @@ final class ClusterSpread {
     private final boolean tied;
     private final double ties;
     private final double[][] inverse;
-    /** By stratum, over its bots' ratings and the weight of ties, in rows; {@code null} without clusters. */
+    /**
+     * Covariances by stratum, over its bots' ratings and the weight of ties, in rows; {@code null} without clusters.
+     */
     private final double[][] moments;
     private final double[] freedoms;
-    /** By stratum of two bots: both, and the three of its moments that differ. Looked up one after another. */
+    /** Strata of two bots: both bots, and the three moments that differ. Looked up one after another. */
     private final int[] pairs;
     private final double[] threes;
-    /** By stratum and pair, as the model tells them: variance of points, covariance, variance of ties, all weighted. */
+    /** The model's variance of points, covariance and variance of ties, by stratum and pair, all weighted. */
     private final double[][] variances;
 
     /**
@@ -76,12 +79,12 @@ final class ClusterSpread {
         }
     }
 
-    /** Whether a stratum has clusters; of others there is nothing to ask. */
+    /** True if the stratum has at least one cluster; the other methods require it. */
     boolean isAny(int q) {
         return moments[q] != null;
     }
 
-    /** Degrees of freedom of a stratum's part. */
+    /** Returns the degrees of freedom of a stratum's part. */
     double freedom(int q) {
         return freedoms[q];
     }
@@ -103,7 +106,9 @@ final class ClusterSpread {
         }
     }
 
-    /** A stratum's part in the variance of a sum along a direction, which has been multiplied by the inverse. */
+    /**
+     * Returns a stratum's part in the variance of a sum along a direction, which has been multiplied by the inverse.
+     */
     double along(int q, double... along) {
         double last = tied ? along[along.length - 1] : 0;
         if (pairs[2 * q] != pairs[2 * q + 1]) {
@@ -128,7 +133,7 @@ final class ClusterSpread {
     }
 
     /**
-     * A stratum's part if games vary as the model tells and do not go together. It is told by all games: a pairing
+     * Returns a stratum's part if games vary as the model says and are independent. All games determine it: a pairing
      * whose few clusters happen to be alike does not seem surer than others.
      */
     double modelled(int q, double... along) {
@@ -139,7 +144,7 @@ final class ClusterSpread {
         return sum;
     }
 
-    /** Part of one pair, likewise. */
+    /** Returns one pair's part, likewise. */
     double modelledPair(int q, int k, double... along) {
         Stratum stratum = strata.get(q);
         double[] told = variances[q];
@@ -191,7 +196,7 @@ final class ClusterSpread {
     }
 
     /**
-     * What the model says of a stratum.
+     * Computes means and variances of a stratum by the model.
      *
      * @param mean      to be filled: points and ties of a game, of the model or of the stratum itself
      * @param told      to be filled: variance of the points, covariance, variance of ties of all weighted games
@@ -226,7 +231,7 @@ final class ClusterSpread {
         return Math.min(MOST_LEVERAGE, leverage / stratum.clusters);
     }
 
-    /** The sum over clusters of the squares of their distances to a mean. */
+    /** Returns the sum over clusters of the squares of their distances to a mean. */
     private double[] observed(int q, double... mean) {
         Stratum stratum = strata.get(q);
         int last = stratum.bots.length;
@@ -256,7 +261,7 @@ final class ClusterSpread {
         return moment;
     }
 
-    /** By pair, which part of the model's variance of points is added; see the last step. */
+    /** Returns by pair the share of the model's variance of points that is added; see the last step. */
     private static double[] lacking(Stratum stratum, double[] weights, double[] mean, double... told) {
         double[] lacking = new double[stratum.pairs()];
         for (int k = 0; k < lacking.length; k++) {

@@ -146,7 +146,7 @@ final class Clusters {
     }
 
     /**
-     * What a fit takes.
+     * Returns the strata for a fit.
      *
      * @param places of versions in the fit, ascending as the versions; groups with others are left out
      */
@@ -185,7 +185,7 @@ final class Clusters {
         return Arrays.copyOf(numbers, to);
     }
 
-    /** How many clusters there are. */
+    /** Returns the number of clusters. */
     long count() {
         joinAll();
         return shapes.values().stream().flatMap(patterns -> patterns.values().stream()).mapToLong(Long::longValue)

@@ -53,7 +53,7 @@ public record Difference(double value, double variance, double freedom, double s
     /** In Elo; a bar of so much says that nothing is known. */
     public static final double MOST_BAR = 9999;
 
-    /** Whether a bar says anything. */
+    /** True if a bar says anything. */
     public static boolean isKnown(double bar) {
         return bar < MOST_BAR;
     }
@@ -90,7 +90,7 @@ public record Difference(double value, double variance, double freedom, double s
         return anytimeBar(AnytimeBar.ALPHA);
     }
 
-    /** The same for another probability to be ever outside. */
+    /** Returns the bar for another probability to be ever outside. */
     public double anytimeBar(double alpha) {
         return Math.min(MOST_BAR, RatingFit.ELO * AnytimeBar.of(variance, freedom, alpha));
     }

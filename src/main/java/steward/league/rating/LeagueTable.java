@@ -108,7 +108,7 @@ public record LeagueTable(List<Row> rows, Results results, Ratings ratings) {
         return ratings.bounded(rows.get(row).entry().version(), rows.get(column).entry().version());
     }
 
-    /** What the games of two rows say beside their ratings. */
+    /** Returns the residual of the games of two rows beside their ratings. */
     public Residual residual(int row, int column) {
         return ratings.residual(rows.get(row).entry().version(), rows.get(column).entry().version());
     }

@@ -49,7 +49,7 @@ public final class Normal {
         return Math.max(0, 0.5 - density(x) * sum);
     }
 
-    /** Where the probability above is {@code tail}, of more than 0 and at most 1/2. */
+    /** Returns the point above which the probability is {@code tail}, of more than 0 and at most 1/2. */
     public static double above(double tail) {
         double low = 0;
         double high = FARTHEST;
@@ -65,9 +65,9 @@ public final class Normal {
     }
 
     /**
-     * What Student's t is as far out as z is in the normal distribution (D. L. Wallace, "Bounds on normal
-     * approximations to Student's and the chi-square distributions", Annals of Mathematical Statistics 30, 1959, solved
-     * for t): z = sqrt(f log(1 + t^2/f)) (8 f + 1)/(8 f + 3).
+     * Returns the quantile of Student's t that is as far out as z is in the normal distribution (D. L. Wallace, "Bounds
+     * on normal approximations to Student's and the chi-square distributions", Annals of Mathematical Statistics 30,
+     * 1959, solved for t): z = sqrt(f log(1 + t^2/f)) (8 f + 1)/(8 f + 3).
      *
      * @param freedom degrees of freedom f
      */

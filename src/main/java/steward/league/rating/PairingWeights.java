@@ -5,13 +5,16 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 
-/** What a game weighs so that all pairings weigh the same, and all games together their number. */
+/**
+ * Weights of games in the fit: pairings with {@link RatingFit#WHOLE} clusters or more all have the same total weight,
+ * those with fewer a part of it, and all weights add up to the number of games.
+ */
 final class PairingWeights {
 
     private PairingWeights() {
     }
 
-    /** By stratum and pair; {@code pooled} as in {@link RatingFit#of}. */
+    /** Returns the weight of a game, by stratum and pair; {@code pooled} as in {@link RatingFit#of}. */
     static double[][] of(List<Stratum> strata, boolean pooled) {
         Map<List<Integer>, Integer> numbers = new HashMap<>();
         int[][] pairings = new int[strata.size()][];

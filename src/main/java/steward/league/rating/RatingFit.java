@@ -25,13 +25,13 @@ public final class RatingFit {
     /** The prior's standard deviation, in Elo: strengths of 95% of all bots within about 3000. */
     static final double PRIOR_ELO = 750;
     static final double PRIOR = ELO * ELO / (PRIOR_ELO * PRIOR_ELO);
-    /** Of the logarithm of the weight of ties, whose standard deviation is 3: a factor of 20. */
+    /** Prior of the logarithm of the weight of ties, whose standard deviation is 3: a factor of 20. */
     static final double TIES_PRIOR = 1.0 / 9;
     private static final int MOST_STEPS = 100;
     /** A longer step is shortened: far from the top the parabola is a poor guide. */
     private static final double LONGEST_STEP = 2;
     private static final double CLOSE = 1e-10;
-    /** How much more than the games two ratings pull that are held together. */
+    /** Pull between two ratings that are held together, as a multiple of the games'. */
     private static final double HELD = 10_000;
     /** Degrees of freedom of a variance that is known. */
     static final double CERTAIN = 1e9;
@@ -75,7 +75,7 @@ public final class RatingFit {
         return of(bots, strata, pooled, null);
     }
 
-    /** The same, begun at another fit of the same bots, which is quicker where that is close; or {@code null}. */
+    /** Fits, beginning at another fit of these bots, which is quicker where that is close; or {@code null}. */
     public static RatingFit of(int bots, List<Stratum> strata, boolean pooled, RatingFit near) {
         RatingFit fit = new RatingFit(bots, strata, PairingWeights.of(strata, pooled));
         fit.climb(near, null);
@@ -236,7 +236,7 @@ public final class RatingFit {
         return strata;
     }
 
-    /** How many bots there are. */
+    /** Returns the number of bots. */
     public int bots() {
         return bots;
     }

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * How the ratings went while games were played: the table after each of some numbers of games.
+ * Path of the ratings while games were played: the table after each of some numbers of games.
  *
  * @param entries the versions
  * @param points  in the order of time

@@ -68,7 +68,7 @@ public record Ratings(List<Integer> versions, RatingFit fit, double... weights) 
     }
 
     /**
-     * Whether two versions of which one has won or lost nearly everything are surely not equal; the one with the higher
+     * True if two versions of which one has won or lost nearly everything are surely not equal; the one with the higher
      * rating is the better one then. May be asked at any time.
      *
      * @param alpha the probability with which this may ever be said wrongly
@@ -88,7 +88,7 @@ public record Ratings(List<Integer> versions, RatingFit fit, double... weights) 
         return List.of(RankRange.all(fit));
     }
 
-    /** How much more the first wins against the second than their ratings tell. */
+    /** Returns the residual of the first against the second beside their ratings. */
     public Residual residual(int one, int other) {
         return fit.residuals().of(place(one), place(other));
     }

@@ -1,7 +1,7 @@
 package steward.league.rating;
 
 /**
- * What the games between two bots say beside their ratings.
+ * Residual of the games between two bots beside their ratings.
  *
  * @param share    of the points of the first; NaN without games
  * @param expected as the ratings tell
@@ -18,7 +18,7 @@ public record Residual(double share, double expected, long clusters, double z) {
     private static final double LEAST = 0.005;
 
     /**
-     * Whether it is more than chance would do once in twenty leagues, where so many pairs are looked at, and at least
+     * True if it is more than chance would do once in twenty leagues, where so many pairs are looked at, and at least
      * half a percent of the points.
      */
     public boolean isSurprise(int pairs) {

@@ -11,10 +11,10 @@ import steward.league.StoredGame;
 import steward.numerics.StateHash;
 
 /**
- * What the games of a season come to: points between any two versions, and sums for each. Games are added one by one or
- * many at once; the order does not matter. A game of n players counts as its n (n - 1) / 2 pairs, each with the weight
- * 2 / n, so that it tells as much as n - 1 games of two. Where each plays alone, the results of two bots on one map
- * count as a game between them. Games of one seed between the same bots are one cluster.
+ * Results of a season's games: points between any two versions, and sums for each. Games are added one by one or many
+ * at once; the order does not matter. A game of n players counts as its n (n - 1) / 2 pairs, each with the weight 2 /
+ * n, so that it tells as much as n - 1 games of two. Where each plays alone, the results of two bots on one map count
+ * as a game between them. Games of one seed between the same bots are one cluster.
  *
  * <p>Not thread-safe.
  */
@@ -164,7 +164,7 @@ public final class Results {
         clusters.add(scores.keySet().stream().mapToInt(Integer::intValue).toArray(), List.of(ranks), count);
     }
 
-    /** How many clusters there are: games of one seed between the same bots. */
+    /** Returns the number of clusters: games of one seed between the same bots. */
     public long clusters() {
         return clusters.count();
     }
@@ -178,7 +178,7 @@ public final class Results {
         return clusters.strata(places);
     }
 
-    /** Whether each bot plays alone. */
+    /** True if each bot plays alone. */
     boolean alone() {
         return alone;
     }
@@ -202,17 +202,17 @@ public final class Results {
         return sums.getOrDefault(version, new BotSums());
     }
 
-    /** How many games count. */
+    /** Returns how many games count. */
     public long games() {
         return games;
     }
 
-    /** How many were played again since the machine was starved, and do not count. */
+    /** Returns how many were played again since the machine was starved, and do not count. */
     public long playedAgain() {
         return again;
     }
 
-    /** How many have no result. */
+    /** Returns how many have no result. */
     public long withoutResult() {
         return without;
     }

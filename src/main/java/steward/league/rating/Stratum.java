@@ -26,7 +26,7 @@ public final class Stratum {
     final int[] low;
     /** By pair: the place of its second bot. */
     final int[] high;
-    /** What one comparison weighs, in games of two. */
+    /** Weight of one comparison, in games of two. */
     final double weight;
     /** Patterns, each with its numbers. */
     double[][] patterns = new double[FIRST][];
@@ -104,7 +104,7 @@ public final class Stratum {
         }
     }
 
-    /** How many clusters there are. */
+    /** Returns the number of clusters. */
     public long clusters() {
         return clusters;
     }

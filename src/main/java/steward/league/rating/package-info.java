@@ -1,6 +1,4 @@
-/**
- * How strong bots are, from the games that were stored and nothing else: sums, a joint fit of all games, tables.
- */
+/** Ratings of bots, from the games that were stored and nothing else: sums, a joint fit of all games, tables. */
 @Internal
 package steward.league.rating;
 

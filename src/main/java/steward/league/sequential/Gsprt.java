@@ -39,7 +39,7 @@ public record Gsprt(double elo0, double elo1, double alpha, double beta, Model m
     static final double NORMALIZED = 800 / 2.302585092994046;
     private static final double LOGISTIC = 400 / 2.302585092994046;
 
-    /** What Elo means. */
+    /** Scale of Elo. */
     public enum Model {
         /** By the spread of the scores. */
         NORMALIZED,
@@ -47,7 +47,7 @@ public record Gsprt(double elo0, double elo1, double alpha, double beta, Model m
         LOGISTIC
     }
 
-    /** How it stands. */
+    /** State of a test. */
     public enum State {
         /** The difference is rather elo0 or less. */
         H0,
@@ -110,7 +110,7 @@ public record Gsprt(double elo0, double elo1, double alpha, double beta, Model m
         return Arrays.stream(logs(scores)).map(Math::abs).max().orElseThrow();
     }
 
-    /** How it stands. */
+    /** Returns how it stands. */
     public State state(ScoreCounts scores) {
         if (scores.observations() < LEAST) {
             return State.OPEN;

@@ -94,7 +94,7 @@ public final class ScoreCounts {
         return games;
     }
 
-    /** How often each score came, from the lowest; also those that have not come. */
+    /** Returns how often each score came, from the lowest; also those that have not come. */
     public Map<Double, Long> counts() {
         Map<Double, Long> all = new TreeMap<>();
         for (int k = 0; k < scores.length; k++) {

@@ -127,7 +127,7 @@ final class Database implements AutoCloseable {
         });
     }
 
-    /** What is done with a connection before it is used. */
+    /** Preparation of a connection before it is used. */
     private interface Preparation {
         void of(Database database) throws SQLException;
     }
@@ -194,7 +194,7 @@ final class Database implements AutoCloseable {
         }
     }
 
-    /** What an error of the database means. */
+    /** Translates an error of the database for a person. */
     static InputException meaning(Path file, SQLException problem) {
         SQLiteErrorCode code = problem instanceof SQLiteException known ? known.getResultCode()
             : SQLiteErrorCode.UNKNOWN_ERROR;

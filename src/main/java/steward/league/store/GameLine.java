@@ -88,7 +88,7 @@ public final class GameLine {
             return read(place, game, seats, true);
         }
 
-        /** The same, but gives no bot a version. */
+        /** Checks a game as {@link #read} does, but gives no bot a version. */
         public void check(String place, Map<String, String> game, List<Map<String, String>> seats) {
             read(place, game, seats, false);
         }

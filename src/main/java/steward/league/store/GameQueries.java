@@ -19,7 +19,7 @@ import steward.league.rating.LeagueTable;
 import steward.league.rating.RatingPath;
 import steward.league.rating.Results;
 
-/** What is read of the games of one season: sums, decisions, lists. */
+/** Queries on the games of one season: sums, decisions, lists. */
 public final class GameQueries {
 
     private static final String SUMS = "SELECT version, count(*), sum(score), count(fault), sum(answers), "
@@ -281,7 +281,7 @@ public final class GameQueries {
             + "WHERE season = ?", season));
     }
 
-    /** How the ratings of these versions went. */
+    /** Returns how the ratings of these versions went. */
     public RatingPath path(List<LeagueTable.Entry> entries) {
         RatingPath.Collector path = new RatingPath.Collector(entries);
         database.with(() -> {
@@ -355,7 +355,7 @@ public final class GameQueries {
         read(reader, GAME + "WHERE g.season = ? ORDER BY g.id, s.seat", season);
     }
 
-    /** Whether any game was played on a machine whose name begins so. */
+    /** True if any game was played on a machine whose name begins so. */
     public boolean isPlayedOn(String machine) {
         return database.with(() -> database.value("SELECT 1 FROM machine WHERE substr(name, 1, length(?)) = ? LIMIT 1",
             machine, machine) != null);

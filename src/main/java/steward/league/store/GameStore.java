@@ -83,7 +83,7 @@ public final class GameStore implements AutoCloseable {
         return checked(Database.open(folder, true, false));
     }
 
-    /** As {@link #write}; each game is on the disk before the next, also if the power fails. */
+    /** Opens as {@link #write} does; each game is on the disk before the next, also if the power fails. */
     public static GameStore durable(LeagueFolder folder) {
         return checked(Database.open(folder, true, true));
     }
@@ -124,7 +124,7 @@ public final class GameStore implements AutoCloseable {
         });
     }
 
-    /** How many games a season has, of whatever kind. */
+    /** Returns how many games a season has, of whatever kind. */
     public long games(int season) {
         return database.with(() -> ((Number) database.value("SELECT count(*) FROM game WHERE season = ?", season))
             .longValue());
@@ -224,7 +224,7 @@ public final class GameStore implements AutoCloseable {
         database.inTransaction(() -> database.update("UPDATE version SET bot = ? WHERE bot = ?", name, bot));
     }
 
-    /** How many games of any season a version has that count. */
+    /** Returns how many games of any season a version has that count. */
     public long gamesOf(int version) {
         return database.with(() -> ((Number) database.value("SELECT count(*) FROM seat WHERE season IN "
             + "(SELECT id FROM season) AND version = ?", version)).longValue());
@@ -232,12 +232,12 @@ public final class GameStore implements AutoCloseable {
 
     // ---- games -----------------------------------------------------------------------------------
 
-    /** Whether a game of this name is there. */
+    /** True if a game of this name is there. */
     public boolean has(byte[] name) {
         return database.with(() -> database.value("SELECT 1 FROM game WHERE name = ?", (Object) name) != null);
     }
 
-    /** How the game of this name ended; empty if it is not there, was played again or has no result. */
+    /** Returns how the game of this name ended; empty if it is not there, was played again or has no result. */
     public Optional<Outcome> outcome(byte[] name) {
         return database.with(() -> {
             List<Integer> ranks = new ArrayList<>();
@@ -262,7 +262,7 @@ public final class GameStore implements AutoCloseable {
     }
 
     /**
-     * How a game ended, by seat.
+     * Outcome of a game, by seat.
      *
      * @param ranks  0 is best
      * @param scores the game's own
@@ -296,7 +296,7 @@ public final class GameStore implements AutoCloseable {
         return add(season, games, () -> null);
     }
 
-    /** The same, and something more in the same transaction. */
+    /** Stores games, and something more in the same transaction. */
     int add(int season, List<StoredGame> games, Database.Work<?> more) {
         try {
             return database.inTransaction(() -> {
@@ -415,7 +415,7 @@ public final class GameStore implements AutoCloseable {
         return database.with(() -> ((Number) database.value("SELECT count(*) FROM game")).longValue());
     }
 
-    /** Whether the file is whole, as SQLite sees it: {@code ok}, or what is wrong. */
+    /** Returns {@code ok} if the file is whole, as SQLite sees it, or what is wrong. */
     public String integrity() {
         return (String) database.with(() -> database.value("PRAGMA integrity_check"));
     }
@@ -433,7 +433,7 @@ public final class GameStore implements AutoCloseable {
         }
     }
 
-    /** Where it is. */
+    /** Returns where it is. */
     public Path file() {
         return database.file();
     }

@@ -83,7 +83,7 @@ public final class GameWriter implements AutoCloseable {
         transactions++;
     }
 
-    /** How many games have been stored. */
+    /** Returns how many games have been stored. */
     public synchronized long stored() {
         return stored;
     }
@@ -93,7 +93,7 @@ public final class GameWriter implements AutoCloseable {
         return transactions;
     }
 
-    /** Why no more can be stored, or {@code null}. */
+    /** Returns why no more can be stored, or {@code null}. */
     public InputException problem() {
         return problem;
     }

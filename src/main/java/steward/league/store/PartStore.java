@@ -28,7 +28,7 @@ public final class PartStore implements AutoCloseable {
     private final int number;
 
     /**
-     * Which part of what.
+     * Head of a part: the part and the whole that it is of.
      *
      * @param part    from 1
      * @param parts   how many there are
@@ -38,7 +38,7 @@ public final class PartStore implements AutoCloseable {
      */
     public record Head(int part, int parts, long games, long seed, String pairing) {
 
-        /** What differs from another, for a person; {@code null} if nothing. */
+        /** Describes the difference to another, for a person; {@code null} if there is none. */
         String difference(Head other) {
             return part != other.part || parts != other.parts
                 ? "part " + part + "/" + parts + ", expected part " + other.part + "/" + other.parts
@@ -122,12 +122,12 @@ public final class PartStore implements AutoCloseable {
         }
     }
 
-    /** Which part it is. */
+    /** Returns which part it is. */
     public Head head() {
         return head;
     }
 
-    /** What all its games have in common. */
+    /** Returns the season of all its games. */
     public Season season() {
         return season;
     }
@@ -137,12 +137,12 @@ public final class PartStore implements AutoCloseable {
         return games;
     }
 
-    /** What can be read of its games. */
+    /** Returns the queries on its games. */
     public GameQueries queries() {
         return new GameQueries(games, number, season);
     }
 
-    /** How many games it has. */
+    /** Returns how many games it has. */
     public long count() {
         return games.games(number);
     }

@@ -40,12 +40,12 @@ public final class Spsa {
         path.add(places.clone());
     }
 
-    /** How many steps have been made. */
+    /** Returns how many steps have been made. */
     public int step() {
         return path.size() - 1;
     }
 
-    /** Whether all steps have been made. */
+    /** True if all steps have been made. */
     public boolean isOver() {
         return step() >= steps;
     }
@@ -108,7 +108,7 @@ public final class Spsa {
         return mean;
     }
 
-    /** How far the path was from its mean over the last quarter: the root of the mean square, by parameter. */
+    /** Returns how far the path was from its mean over the last quarter: the root of the mean square, by parameter. */
     public double[] spread() {
         int from = path.size() - Math.max(1, path.size() / LAST_PART);
         double[] mean = result();

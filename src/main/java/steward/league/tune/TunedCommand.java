@@ -66,7 +66,7 @@ public record TunedCommand(List<String> parts, List<Parameter> parameters) {
         return String.join(", ", words);
     }
 
-    /** Where tuning begins. */
+    /** Returns where tuning begins. */
     public double[] start() {
         return parameters.stream().mapToDouble(Parameter::start).toArray();
     }

@@ -42,7 +42,7 @@ public final class BrokerClient implements AutoCloseable {
     private final ClientProducer producer;
     private final ClientConsumer told;
 
-    /** Why there is no connection, or no longer. */
+    /** Failure of a connection: it could not be made, or it broke. */
     public static final class BrokenException extends Exception {
 
         private static final long serialVersionUID = 1;
@@ -54,7 +54,7 @@ public final class BrokerClient implements AutoCloseable {
             this.refused = refused;
         }
 
-        /** Whether it makes no sense to try again: the token is not good here, or the broker is another. */
+        /** True if it makes no sense to try again: the token is not good here, or the broker is another. */
         public boolean isRefused() {
             return refused;
         }
@@ -167,7 +167,7 @@ public final class BrokerClient implements AutoCloseable {
         }
     }
 
-    /** What the league says to this worker next; {@code null} if nothing for so long. */
+    /** Returns the league's next message to this worker; {@code null} if nothing comes for so long. */
     public byte[] listen(long waitMs) throws BrokenException {
         try {
             ClientMessage message = told.receive(waitMs);

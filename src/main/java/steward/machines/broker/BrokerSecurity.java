@@ -12,8 +12,8 @@ import org.apache.activemq.artemis.spi.core.security.jaas.NoCacheLoginException;
 import org.apache.activemq.artemis.spi.core.security.jaas.UserPrincipal;
 
 /**
- * Who may do what: the league itself, from within its process, everything; a worker may take jobs, send reports and
- * read what it is told, and nothing else.
+ * Permissions at the broker: the league itself, from within its process, may do everything; a worker may take jobs,
+ * send reports and read what it is told, and nothing else.
  */
 final class BrokerSecurity implements ActiveMQSecurityManager5 {
 

@@ -70,7 +70,7 @@ public final class LeagueBroker implements AutoCloseable {
     private final ClientConsumer reports;
 
     /**
-     * What a worker said.
+     * A worker's message.
      *
      * @param worker its name, as the broker knows it
      * @param bytes  of the message
@@ -223,7 +223,7 @@ public final class LeagueBroker implements AutoCloseable {
     }
 
     /**
-     * What a worker says next.
+     * Returns a worker's next message.
      *
      * @return {@code null} if nobody says anything for so long
      */

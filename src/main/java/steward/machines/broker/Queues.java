@@ -5,7 +5,7 @@ final class Queues {
 
     /** Games to be played; whoever is free takes one. */
     static final String JOBS = "jobs";
-    /** What workers say. */
+    /** Queue of the workers' messages. */
     static final String REPORTS = "reports";
     /** Before a worker's name: what only it is told. */
     static final String TO = "to.";
@@ -17,7 +17,7 @@ final class Queues {
     private Queues() {
     }
 
-    /** What selects jobs that do not need any of these bundles; {@code null} for all jobs. */
+    /** Returns the selector of jobs that do not need any of these bundles; {@code null} for all jobs. */
     static String without(Iterable<String> bundles) {
         StringBuilder filter = new StringBuilder();
         for (String bundle : bundles) {

@@ -88,7 +88,7 @@ public record Bundle(String hash, byte[] bytes) {
         zip.closeEntry();
     }
 
-    /** Where a file is in the bundle. */
+    /** Returns where a file is in the bundle. */
     private static String place(Path file) {
         Path plain = file.normalize();
         boolean here = !plain.isAbsolute() && !plain.startsWith("..") && !plain.toString().isEmpty();

@@ -34,7 +34,7 @@ import steward.scene.json.SceneException;
  */
 public record UnpackedBundle(Path folder, BotCommand command, List<String> words) {
 
-    /** How much a bundle may come to when it is unpacked, in bytes. */
+    /** Bytes that a bundle may have at most when it is unpacked. */
     static final long LARGEST_UNPACKED = 1L << 30;
     private static final long TRIAL_MS = 10_000;
 
@@ -43,7 +43,7 @@ public record UnpackedBundle(Path folder, BotCommand command, List<String> words
         words = List.copyOf(words);
     }
 
-    /** Whether a program can be started in a folder of its own by {@code env -C}. */
+    /** Test for programs that can be started in a folder of their own by {@code env -C}. */
     private static final class Change {
         static final boolean POSSIBLE = find();
 
@@ -116,7 +116,7 @@ public record UnpackedBundle(Path folder, BotCommand command, List<String> words
         return files;
     }
 
-    /** Whether a name leads nowhere else: words apart by slashes, none of them empty or only dots. */
+    /** True if a name leads nowhere else: words apart by slashes, none of them empty or only dots. */
     static boolean isPlain(String name) {
         if (name.isEmpty() || name.length() > 1000 || name.indexOf('\\') >= 0 || name.indexOf(':') >= 0
             || name.chars().anyMatch(c -> c < ' ' || c == 0x7F)) {

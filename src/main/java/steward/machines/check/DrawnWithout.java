@@ -90,7 +90,7 @@ final class DrawnWithout {
         return z <= 0 ? 0.5 : Math.min(0.5, StrictMath.exp(-z * z / 2) / (z * StrictMath.sqrt(2 * Math.PI)));
     }
 
-    /** How many were to be expected. */
+    /** Returns how many were to be expected. */
     double mean() {
         return mean;
     }

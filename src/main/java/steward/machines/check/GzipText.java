@@ -18,7 +18,7 @@ public final class GzipText {
     /** How long a replay may be, in bytes: some hundred times that of a long match. */
     public static final int LONGEST = 64 << 20;
 
-    /** How much is taken at once, in bytes. */
+    /** Bytes that are taken at once. */
     private static final int BUFFER = 1 << 13;
     /** Room for a usual text, in bytes: it grows where that is not enough. */
     private static final int USUAL = 1 << 16;
@@ -36,7 +36,7 @@ public final class GzipText {
         return compressed(bytes, count, Deflater.DEFAULT_COMPRESSION);
     }
 
-    /** The same, faster and not as short: for what is sent once. */
+    /** Compresses so many of the bytes faster and not as short: for data that is sent once. */
     static byte[] quickly(byte[] bytes, int count) {
         return compressed(bytes, count, Deflater.BEST_SPEED);
     }
@@ -52,7 +52,7 @@ public final class GzipText {
     }
 
     /**
-     * What is in it, to be read once.
+     * Opens the text, to be read once.
      *
      * @throws IOException if it is not compressed by gzip; also later, if there is more than {@link #LONGEST}
      */

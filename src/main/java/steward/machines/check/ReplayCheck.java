@@ -69,7 +69,7 @@ public final class ReplayCheck {
     }
 
     /**
-     * What a game came to.
+     * Result of a game, read from its replay.
      *
      * @param turns how many were played
      * @param facts what a result does not contain
@@ -151,7 +151,7 @@ public final class ReplayCheck {
         return new Outcome(turns, facts, seats, 0);
     }
 
-    /** What was measured; 0 where nothing is said. */
+    /** Returns the measured times; 0 where nothing is said. */
     private static long[] nanos(JsonLine times, String name, int players) {
         long[] nanos = new long[players];
         if (times == null || !times.has(name)) {

@@ -11,9 +11,9 @@ import steward.numerics.SplitMix64;
 import steward.numerics.StateHash;
 
 /**
- * What a program computes in a scene: a hash of all states of some short games, by pilots of all kinds. Two programs
- * whose rules of the game, physics or starts differ have another one, where these games show it; and so have two that
- * send games in another form.
+ * Fingerprint of a program's rules in a scene: a hash of all states of some short games, by pilots of all kinds. Two
+ * programs whose rules of the game, physics or starts differ have another one, where these games show it; and so have
+ * two that send games in another form.
  */
 public final class RulesFingerprint {
 

@@ -37,7 +37,7 @@ import steward.match.Protocol;
 import steward.replay.RecordedMatch;
 
 /**
- * Merges parts into a league. What is stored of a game is read from its replay, which is played again; of some games
+ * Merges parts into a league. The stored facts of a game are read from its replay, which is played again; of some games
  * the bots are asked again. A part of which anything is wrong is refused as a whole. Merging a part again changes
  * nothing.
  */
@@ -83,7 +83,7 @@ public final class PartMerge {
             .computeIfAbsent(game.decision(), key -> new HashSet<>()).add(group(game.lineup())));
     }
 
-    /** Who meets in a decision: alone each on the same map. */
+    /** Returns who meets in a decision: alone each on the same map. */
     private String group(int... lineup) {
         int[] sorted = lineup.clone();
         Arrays.sort(sorted);
@@ -91,7 +91,7 @@ public final class PartMerge {
     }
 
     /**
-     * What became of a part.
+     * Result of merging a part.
      *
      * @param added  games that are new
      * @param there  games that the league had already
@@ -290,7 +290,7 @@ public final class PartMerge {
             && !member.bot().random() && !version.random()).map(Member::entrant).findFirst();
     }
 
-    /** The same with its replay, if the league keeps it. */
+    /** Returns the game with its replay, if the league keeps it. */
     private StoredGame kept(PartStore part, StoredGame game, long place, Map<Integer, Version> versions) {
         byte[] replay = part.replay(place);
         Map<Integer, String> bots = versions.values().stream().distinct()

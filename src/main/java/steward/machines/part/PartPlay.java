@@ -197,7 +197,7 @@ public final class PartPlay {
         return underWay;
     }
 
-    /** Why it ended before its time, or {@code null}. */
+    /** Returns why it ended before its time, or {@code null}. */
     public synchronized String stopped() {
         return stopped;
     }

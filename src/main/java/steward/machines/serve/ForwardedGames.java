@@ -15,7 +15,7 @@ public abstract class ForwardedGames implements Elsewhere {
         this.games = games;
     }
 
-    /** Those of the workers. */
+    /** Returns the games of the workers. */
     protected final RemoteGames games() {
         return games;
     }

@@ -6,8 +6,8 @@ import java.util.concurrent.TimeUnit;
 import steward.machines.wire.GameJob;
 
 /**
- * How many games should go to a worker together: as many as take half a second where games take longest. A job costs
- * the broker as much as a short game costs a worker. Thread-safe.
+ * Number of games that go to a worker together: as many as take half a second where games take longest. A job costs the
+ * broker as much as a short game costs a worker. Thread-safe.
  */
 final class JobSize {
 
@@ -30,7 +30,7 @@ final class JobSize {
         means.remove(worker);
     }
 
-    /** How many games should go together, from 1 to so many; 1 if nothing is known. */
+    /** Returns how many games should go together, from 1 to so many; 1 if nothing is known. */
     synchronized int games(int most) {
         double slowest = means.values().stream().mapToDouble(mean -> mean).max().orElse(Double.POSITIVE_INFINITY);
         return (int) Math.max(1, Math.min(Math.min(most, GameJob.MOST_GAMES), JOB_NANOS / Math.max(1, slowest)));

@@ -26,7 +26,7 @@ import steward.machines.wire.WorkerWord;
 /** Jobs that are offered to workers, and what comes of them. Thread-safe. */
 final class OfferedJobs {
 
-    /** How much of a header the bots of a job may take, in characters as they may be written. */
+    /** Characters of a header that the bots of a job may take, as they may be written. */
     private static final int BOTS_SIZE = WireMessage.LONGEST_HEADER / 2;
     /** How often it is looked whether a job has to go to others, in milliseconds. */
     private static final long LOOK_MS = 1000;
@@ -50,7 +50,7 @@ final class OfferedJobs {
     }
 
     /**
-     * What a worker says of the games of a job that it has begun.
+     * A worker's report on the games of a job that it has begun.
      *
      * @param nanos for which it has had the job
      */
@@ -72,7 +72,7 @@ final class OfferedJobs {
         this.ended = ended;
     }
 
-    /** How many have gone together, on average; 1 if none have. */
+    /** Returns how many have gone together, on average; 1 if none have. */
     synchronized double perJob() {
         return jobs == 0 ? 1 : (double) games / jobs;
     }
@@ -117,7 +117,7 @@ final class OfferedJobs {
         }
     }
 
-    /** How many characters a bot takes in a header, at most. */
+    /** Returns how many characters a bot takes in a header, at most. */
     private static int size(GameJob.Seat bot) {
         return 6 * bot.name().length() + 200;
     }
@@ -147,7 +147,7 @@ final class OfferedJobs {
         return null;
     }
 
-    /** What a worker says of a job; of no consequence if it is not the worker's, or not any more. */
+    /** Takes a worker's result of a job; of no consequence if it is not the worker's, or not any more. */
     void told(String worker, WorkerWord.Result result) {
         Offer offer = offers.get(result.job());
         if (offer == null || !worker.equals(broker.holder(result.job()))) {

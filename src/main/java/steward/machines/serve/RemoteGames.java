@@ -75,7 +75,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
     private volatile boolean closed;
     /** Why no game can be kept any more, or {@code null}. */
     private volatile InputException unusable;
-    /** Whether a worker plays; as of the last look. */
+    /** True if a worker plays; as of the last look. */
     private volatile boolean anyConnected;
     private volatile SettingAside setter = (machine, why) -> 0;
 
@@ -85,7 +85,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
     private String stamp;
 
     /**
-     * How workers are served.
+     * Service to workers: its address and its rules.
      *
      * @param address    to listen at
      * @param share      of the games whose bots are asked again, 0..1
@@ -186,7 +186,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
         notifyAll();
     }
 
-    /** How many games have gone together, on average. */
+    /** Returns how many games have gone together, on average. */
     public double perJob() {
         return offered.perJob();
     }
@@ -225,7 +225,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
         return canPlay(bundles.known(members));
     }
 
-    /** Whether a worker that is connected has not said of any of these bundles that it does not run there. */
+    /** True if a worker that is connected has not said of any of these bundles that it does not run there. */
     private synchronized boolean canPlay(Collection<String> needs) {
         return !anyConnected || workers.values().stream().anyMatch(worker -> slots(worker) > 0
             && Collections.disjoint(worker.unfit, needs));
@@ -411,7 +411,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
         }
     }
 
-    /** That two programs do not compute the same. */
+    /** Describes the difference between two programs that do not compute the same. */
     private String apart(String worker, String theirs, String their, String own) {
         return "found Steward " + theirs + " (results " + their + ") on worker " + worker + " and Steward " + version
             + " (results " + own + ") in the league, expected versions that compute the same";

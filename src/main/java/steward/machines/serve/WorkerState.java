@@ -3,7 +3,7 @@ package steward.machines.serve;
 import java.util.HashSet;
 import java.util.Set;
 
-/** What is known of a worker. Guarded by {@link RemoteGames}. */
+/** State of a worker, as the league knows it. Guarded by {@link RemoteGames}. */
 final class WorkerState {
 
     final String name;
@@ -22,7 +22,7 @@ final class WorkerState {
         this.name = name;
     }
 
-    /** How the texts begin that say where its games were played. */
+    /** Returns how the texts begin that say where its games were played. */
     static String machine(String name) {
         return "worker " + name + ": ";
     }

@@ -113,7 +113,7 @@ public final class PrivateFile {
         }
     }
 
-    /** What is to be said where others may read or write a file; {@code null} if they may not. */
+    /** Returns a warning where others may read or write a file; {@code null} if they may not. */
     public static String warning(Path file) {
         try {
             if (isPosix(file)) {

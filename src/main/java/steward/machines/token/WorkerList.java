@@ -28,7 +28,7 @@ import steward.scene.json.SceneException;
  */
 public record WorkerList(List<Worker> workers) {
 
-    /** What a worker may be called. */
+    /** Form of a worker's name. */
     public static final Pattern NAME = Pattern.compile("[A-Za-z0-9_-]{1,40}");
     /** How many there may be. */
     public static final int MOST = 1000;
@@ -61,7 +61,7 @@ public record WorkerList(List<Worker> workers) {
         return folder(folder).resolve("workers.json");
     }
 
-    /** Those of a league; none if there never were any. */
+    /** Reads the workers of a league; none if there never were any. */
     public static WorkerList read(LeagueFolder folder) {
         Path file = file(folder);
         if (Files.notExists(file)) {
@@ -84,7 +84,7 @@ public record WorkerList(List<Worker> workers) {
         }
     }
 
-    /** What changes when the file does. */
+    /** Returns a stamp that changes when the file does. */
     public static String stamp(LeagueFolder folder) {
         try {
             return Files.getLastModifiedTime(file(folder)).toInstant() + " " + Files.size(file(folder)) + " "
@@ -189,7 +189,7 @@ public record WorkerList(List<Worker> workers) {
         return HexFormat.of().formatHex(BrokerKey.sha256(secret.getBytes(StandardCharsets.UTF_8)));
     }
 
-    /** Whether this is the secret of a worker that may play. */
+    /** True if this is the secret of a worker that may play. */
     public boolean admits(String name, String secret) {
         return name != null && secret != null && of(name).filter(worker -> worker.revoked() == null
             && MessageDigest.isEqual(worker.hash().getBytes(StandardCharsets.UTF_8),

@@ -8,7 +8,7 @@ import steward.scene.json.JsonTree;
 import steward.scene.json.SceneException;
 
 /**
- * What a worker needs to join a league: its name and secret, and the fingerprint of the key that the broker has to
+ * Token with which a worker joins a league: its name and secret, and the fingerprint of the key that the broker has to
  * have.
  *
  * @param worker its name
@@ -63,7 +63,7 @@ public record WorkerToken(String worker, String secret, String broker) {
         return text;
     }
 
-    /** As it stands in its file. */
+    /** Returns the token as it stands in its file. */
     public String text() {
         return "{ \"token\": 1, \"worker\": \"" + worker + "\", \"secret\": \"" + secret + "\", \"broker\": \"" + broker
             + "\" }\n";

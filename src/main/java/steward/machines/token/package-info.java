@@ -1,4 +1,4 @@
-/** Who may play for a league: the broker's key, the workers and their tokens, in private files. */
+/** Permission to play for a league: the broker's key, the workers and their tokens, in private files. */
 @Internal
 package steward.machines.token;
 

@@ -6,11 +6,11 @@ import steward.bot.hold.HoldPolicy;
 import steward.contest.Hiccups;
 import steward.scene.json.Block;
 
-/** What a league says to one worker, read strictly; a {@link GameJob} is offered to all. */
+/** Message of a league to one worker, read strictly; a {@link GameJob} is offered to all. */
 public interface LeagueWord {
 
     /**
-     * That it takes the worker, and how its games are played.
+     * Acceptance of a worker, and how its games are played.
      *
      * @param version of its program
      * @param rules   what that computes in the scene, as a fingerprint
@@ -25,7 +25,7 @@ public interface LeagueWord {
         implements LeagueWord {
     }
 
-    /** That it does not take the worker. */
+    /** Refusal of a worker. */
     record Refused(String reason) implements LeagueWord {
     }
 

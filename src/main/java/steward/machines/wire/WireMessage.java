@@ -22,7 +22,7 @@ public record WireMessage(Block header, byte[] payload) {
     public static final int LONGEST_HEADER = 1 << 16;
     /** How long a message may be, in bytes: two compressed replays of the longest matches. */
     public static final int LONGEST = 16 << 20;
-    /** How much of a large file one message has, in bytes. */
+    /** Bytes of a large file that one message has. */
     public static final int CHUNK = 1 << 18;
 
     /** The bytes of a message. */

@@ -6,16 +6,16 @@ import java.util.List;
 import steward.contest.Attempts;
 import steward.scene.json.Block;
 
-/** What a worker says, read strictly. */
+/** Message of a worker to its league, read strictly. */
 public interface WorkerWord {
 
-    /** How many games a worker may play at the same time. */
+    /** Most games that a worker may play at the same time. */
     int MOST_SLOTS = 256;
-    /** How often a game may have been played. */
+    /** Most attempts at one game. */
     int MOST_ATTEMPTS = Attempts.MOST;
 
     /**
-     * That it is there.
+     * First message of a worker: its version, rules and capacity.
      *
      * @param version of its program
      * @param bits    what that computes: the keys of the laws of all rungs, or one key for all
@@ -26,7 +26,7 @@ public interface WorkerWord {
     }
 
     /**
-     * That it wants a piece of a bundle.
+     * Request for the next piece of a bundle.
      *
      * @param bundle its hash
      * @param from   which byte is the first
@@ -35,7 +35,7 @@ public interface WorkerWord {
     }
 
     /**
-     * What came of a job.
+     * Result of a job.
      *
      * @param job   its id
      * @param games of the job's in their order; those that are missing at the end were not begun
@@ -47,7 +47,7 @@ public interface WorkerWord {
             games = List.copyOf(games);
         }
 
-        /** The message that says it. */
+        /** Returns the encoded message. */
         public byte[] bytes() {
             List<HeaderText> texts = new ArrayList<>();
             List<byte[]> payloads = new ArrayList<>();
@@ -67,7 +67,7 @@ public interface WorkerWord {
     }
 
     /**
-     * What came of a game.
+     * Result of a game.
      *
      * @param transcripts compressed, of each attempt
      * @param starved     of each, whether it was played again because others used the processors
@@ -88,15 +88,15 @@ public interface WorkerWord {
         }
     }
 
-    /** That a bot does not run there. */
+    /** Report that a bot does not run there. */
     record Unfit(String bundle, String reason) implements WorkerWord {
     }
 
-    /** That its program computes other results in the league's scene. */
+    /** Report that the worker's program computes other results in the league's scene. */
     record Differs(String rules) implements WorkerWord {
     }
 
-    /** That it ends. */
+    /** Last message of a worker. */
     record Bye() implements WorkerWord {
     }
 

@@ -1,4 +1,4 @@
-/** What a league and its workers send each other: a header in JSON, read strictly, and bytes behind it. */
+/** Messages between a league and its workers: a header in JSON, read strictly, and bytes behind it. */
 @Internal
 package steward.machines.wire;
 

@@ -16,7 +16,7 @@ final class BotTrial {
     private BotTrial() {
     }
 
-    /** Why it does not run here, or {@code null}. A late answer says nothing: the machine may be busy. */
+    /** Returns why it does not run here, or {@code null}. A late answer says nothing: the machine may be busy. */
     static String problem(Contest contest, Entrant entrant) throws InterruptedException {
         if (entrant.problem() != null) {
             return entrant.problem();

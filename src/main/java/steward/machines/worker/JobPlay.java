@@ -33,7 +33,7 @@ import steward.match.TeeListener;
 /** Plays jobs of a league: its scene and limits, and the bots that have been fetched. Thread-safe. */
 final class JobPlay {
 
-    /** What a report has when no more games are added to it, in bytes. */
+    /** Bytes of a report to which no more games are added. */
     private static final long LARGE = 1 << 20;
     /** After so long no other game of a job is begun, in nanoseconds. */
     private static final long LONG_NANOS = TimeUnit.SECONDS.toNanos(1);

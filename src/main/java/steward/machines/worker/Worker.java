@@ -29,8 +29,8 @@ import steward.scene.RungLaw;
 import steward.scene.json.SceneException;
 
 /**
- * Plays games of a league until it is told to end. A connection that breaks is made anew; the games that were under way
- * then are lost here and go to others.
+ * Plays games of a league on this machine until it is told to end. A broken connection is made anew; its games under
+ * way are lost here and go to other workers.
  */
 public final class Worker {
 
@@ -62,7 +62,7 @@ public final class Worker {
     }
 
     /**
-     * What a worker does.
+     * Options of a worker.
      *
      * @param host      of the league
      * @param port      of its broker
@@ -80,7 +80,7 @@ public final class Worker {
                           Supplier<Isolation> isolation, Path folder, String version, String machine,
                           BotStarter starter) {
 
-        /** A worker whose bots are programs. */
+        /** Options of a worker whose bots are programs. */
         public Options(String host, int port, WorkerToken token, int slots, long games, long nanos,
                        Supplier<Isolation> isolation, Path folder, String version, String machine) {
             this(host, port, token, slots, games, nanos, isolation, folder, version, machine, null);
@@ -95,7 +95,7 @@ public final class Worker {
         end = options.nanos() == Long.MAX_VALUE ? Long.MAX_VALUE : System.nanoTime() + options.nanos();
     }
 
-    /** Takes no game any more; those under way are finished. From any thread. */
+    /** Takes no more games; those under way are finished. Any thread may call it. */
     public void drain() {
         draining = true;
     }
@@ -116,7 +116,7 @@ public final class Worker {
     }
 
     /**
-     * Plays until it is over. Call once.
+     * Plays until no more games may begin. Call once.
      *
      * @throws RefusedException if the league does not take it
      * @throws InputException   if what the league says cannot be used
@@ -146,7 +146,7 @@ public final class Worker {
         }
     }
 
-    /** One connection. */
+    /** Plays over one connection. */
     private void session(BrokerClient client) throws BrokenException, InterruptedException {
         client.say(WireMessage.bytes(new HeaderText().put("type", "hello").put("version", options.version())
             .put("bits", RungLaw.keys()).put("machine", options.machine()).put("slots", options.slots())));
@@ -223,7 +223,7 @@ public final class Worker {
         }
     }
 
-    /** One place: takes jobs until it is over. */
+    /** Plays in one slot: takes jobs until it is over. */
     private void slot(BrokerClient client, JobPlay jobs) throws Exception {
         while (!isOver()) {
             int known = unfit.size();
@@ -251,7 +251,7 @@ public final class Worker {
         }
     }
 
-    /** Games that cannot be reported have not been played: they go to others. */
+    /** Reports a result. If that fails, its games are handed back and other workers play them. */
     private void report(BrokerClient.Taker taker, WorkerWord.Result result) throws BrokenException {
         boolean reported = false;
         try {
@@ -269,12 +269,12 @@ public final class Worker {
             .put("reason", unfit.get(bundle))));
     }
 
-    /** Whether one more game may begin, which then has. */
+    /** Reserves one more game. @return false if none may begin */
     private boolean begins() {
         return !isOver() && begun.incrementAndGet() <= options.games();
     }
 
-    /** The bytes of a bundle, piece by piece; one bundle at a time. */
+    /** Fetches the bytes of a bundle, piece by piece; one bundle at a time. */
     private synchronized byte[] fetch(BrokerClient client, String hash, int size) throws BrokenException {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         while (bytes.size() < size) {

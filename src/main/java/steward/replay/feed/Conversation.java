@@ -62,7 +62,7 @@ final class Conversation {
         return dialogue.message(player);
     }
 
-    /** Whether the player is to be asked in the next turn. */
+    /** True if the player is to be asked in the next turn. */
     boolean isIn() {
         return again.game().isIn(player);
     }
@@ -89,7 +89,7 @@ final class Conversation {
         return new FedTurn(recorded.number(), replaced, fault, recorded.faults()[player], differences, gone);
     }
 
-    /** Whether the command of the answer is recorded as this program writes it. */
+    /** True if the command of the answer is recorded as this program writes it. */
     private boolean isRecorded(RecordedTurn recorded) {
         writeCommand();
         return recorded.hasCommand(player, command.bytes(), command.size());

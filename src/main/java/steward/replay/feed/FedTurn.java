@@ -4,7 +4,7 @@ import java.util.List;
 import steward.replay.verify.Difference;
 
 /**
- * What a bot did when it was sent a recorded turn, beside what was recorded of it.
+ * A bot's answer to a recorded turn, beside the recorded one.
  *
  * @param number        of the turn, counted from 1
  * @param replaced      whether its answer was played in place of the recorded one
@@ -21,7 +21,7 @@ public record FedTurn(int number, boolean replaced, String fault, String recorde
         differences = List.copyOf(differences);
     }
 
-    /** Whether it did what was recorded. */
+    /** True if it did what was recorded. */
     public boolean same() {
         return differences.isEmpty() && (fault == null ? recordedFault == null : fault.equals(recordedFault));
     }

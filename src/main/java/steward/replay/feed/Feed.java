@@ -16,11 +16,11 @@ import steward.replay.verify.Resimulation;
 
 /**
  * Sends a bot everything that one player of a recorded match was sent, turn by turn, and compares its answers with the
- * recorded ones. What is played is what was recorded, whatever the bot answers.
+ * recorded ones. The recorded commands are played, whatever the bot answers.
  */
 public final class Feed {
 
-    /** How feeding ended. */
+    /** Ending of feeding. */
     public enum Ending {
         /** All turns were sent in which the player was asked, and the end of the match if it has one. */
         WHOLE,

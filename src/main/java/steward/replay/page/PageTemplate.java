@@ -70,7 +70,10 @@ public final class PageTemplate {
         return policy(connect, "", "");
     }
 
-    /** The same, and allows the script and the style of another page, by their hashes as a policy has them. */
+    /**
+     * Returns the policy that allows also the script and the style of another page, by their hashes as a policy has
+     * them.
+     */
     public String policy(String connect, String otherScript, String otherStyle) {
         return "default-src 'none'; script-src " + hash(script) + otherScript + "; style-src " + hash(style)
             + otherStyle
@@ -87,12 +90,12 @@ public final class PageTemplate {
         return hash(style);
     }
 
-    /** What stands before the data. */
+    /** Returns the text before the data. */
     String before() {
         return fill(template.substring(0, template.indexOf(REPLAY)));
     }
 
-    /** What stands behind the data. */
+    /** Returns the text behind the data. */
     String after() {
         return fill(template.substring(template.indexOf(REPLAY) + REPLAY.length()));
     }

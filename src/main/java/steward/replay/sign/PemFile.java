@@ -67,7 +67,7 @@ final class PemFile {
         }
     }
 
-    /** Whether there is such a file, and it begins as one of that kind. */
+    /** True if there is such a file, and it begins as one of that kind. */
     static boolean isOf(Path file, String kind) {
         try (InputStream in = Files.newInputStream(file)) {
             String begin = "-----BEGIN " + kind + "-----";

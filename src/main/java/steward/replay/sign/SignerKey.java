@@ -77,7 +77,7 @@ public final class SignerKey {
         return "SHA256:" + Base64.getEncoder().withoutPadding().encodeToString(LinesDigest.sha256().digest(encoded));
     }
 
-    /** Whether the signature, in base64, is that of the message by the owner of this key. */
+    /** True if the signature, in base64, is that of the message by the owner of this key. */
     public boolean verifies(byte[] message, String signature) {
         try {
             byte[] bytes = Base64.getDecoder().decode(signature);

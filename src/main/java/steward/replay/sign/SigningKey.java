@@ -54,7 +54,7 @@ public final class SigningKey {
         }
     }
 
-    /** Whether a file seems to hold a private key. */
+    /** True if a file seems to hold a private key. */
     public static boolean isPrivate(Path file) {
         return PemFile.isOf(file, PEM);
     }
@@ -105,7 +105,7 @@ public final class SigningKey {
         PemFile.write(beside, SignerKey.PEM, publicKey.encoded(), false);
     }
 
-    /** Where the public key of a private one is put. */
+    /** Returns where the public key of a private one is put. */
     public static Path publicFile(Path file) {
         return file.resolveSibling(file.getFileName() + ".pub");
     }

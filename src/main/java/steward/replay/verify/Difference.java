@@ -12,7 +12,7 @@ import tools.jackson.core.JsonToken;
 import tools.jackson.core.ObjectReadContext;
 
 /**
- * Where a recorded match and its re-simulation first differ.
+ * First place where a recorded match and its re-simulation differ.
  *
  * @param turn     counted from 1; 0 is the start, before the first turn
  * @param field    path of the field, such as {@code state.bodies[2].x}
@@ -41,8 +41,8 @@ public record Difference(int turn, String field, String recorded, String found) 
     }
 
     /**
-     * The same for a record of what another referee saw: fields that it does not have are passed over, and an array
-     * that it says is empty may be left out. {@code null} if all that was recorded agrees.
+     * Returns the first difference to a record of another referee's observations: fields that it does not have are
+     * passed over, and an array that it says is empty may be left out. {@code null} if all that was recorded agrees.
      */
     static Difference fromObserved(int turn, byte[] recorded, byte[] found) {
         List<Difference> differences = new ArrayList<>();
@@ -97,7 +97,7 @@ public record Difference(int turn, String field, String recorded, String found) 
                 && none.isEmpty();
         }
 
-        /** Whether the fields that both have are in the same order. */
+        /** True if the fields that both have are in the same order. */
         private static boolean isInOrder(Set<?> recorded, Set<?> found) {
             List<Object> common = new ArrayList<>(found);
             common.retainAll(recorded);

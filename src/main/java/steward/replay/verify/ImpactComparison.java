@@ -89,12 +89,12 @@ final class ImpactComparison {
         return times[impact];
     }
 
-    /** The same of its impulse. */
+    /** Returns the impulse of an impact, ours or the recorded one, as {@link #time} does. */
     double impulse(int impact) {
         return impulses[impact];
     }
 
-    /** What was found in all turns. */
+    /** Returns the counts over all turns. */
     ImpactCounts counts() {
         return new ImpactCounts(equal, within, outside, shown);
     }

@@ -7,8 +7,8 @@ import steward.physics.Impact;
 import steward.physics.TurnLog;
 
 /**
- * How far times and impulses of the impacts of a turn move when each sine and cosine of that turn is a unit in the last
- * place off: the range in which another referee's values must lie where they are not equal to the last bit.
+ * Range of the times and impulses of a turn's impacts when each sine and cosine of that turn is a unit in the last
+ * place off: another referee's values must lie in it where they are not equal to the last bit.
  */
 final class ImpactRange {
 
@@ -54,12 +54,12 @@ final class ImpactRange {
         }
     }
 
-    /** Whether a recorded time of an impact can be that of a referee with such errors. */
+    /** True if a recorded time of an impact can be that of a referee with such errors. */
     boolean holdsTime(int impact, double time) {
         return time >= leastTime[impact] && time <= greatestTime[impact];
     }
 
-    /** The same of an impulse. */
+    /** True if a recorded impulse can be that of a referee with such errors. */
     boolean holdsImpulse(int impact, double impulse) {
         return impulse >= leastImpulse[impact] && impulse <= greatestImpulse[impact];
     }

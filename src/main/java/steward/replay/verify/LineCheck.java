@@ -223,7 +223,7 @@ final class LineCheck {
         return data;
     }
 
-    /** Whether a recorded line is the one that was written; then it is signed. */
+    /** True if a recorded line is the one that was written; then it is signed. */
     private boolean agrees(byte[] line) {
         LineBuffer written = lines.line();
         int size = written.size();

@@ -32,29 +32,29 @@ final class LineScanner {
         return text.getBytes(StandardCharsets.UTF_8);
     }
 
-    /** Where the commands of a turn begin. */
+    /** Returns where the commands of a turn begin. */
     static int commands(byte[] line, int number) {
         return skip(line, skipNumber(line, skip(line, 0, BEFORE_NUMBER), number), BEFORE_COMMANDS);
     }
 
-    /** Where the outcome begins, if its field name begins at {@code from}. */
+    /** Returns where the outcome begins, if its field name begins at {@code from}. */
     static int outcome(byte[] line, int from) {
         return skip(line, from, BEFORE_OUTCOME);
     }
 
-    /** Where the digits of the hash begin, if its field name begins at {@code from}. */
+    /** Returns where the digits of the hash begin, if its field name begins at {@code from}. */
     static int hash(byte[] line, int from) {
         return skip(line, from, BEFORE_HASH);
     }
 
-    /** Whether a line ends as it is written: with its brace, perhaps {@code times} before it, whatever is in them. */
+    /** True if a line ends as it is written: with its brace, perhaps {@code times} before it, whatever is in them. */
     static boolean isEnd(byte[] line, int from) {
         int times = skip(line, from, BEFORE_TIMES);
         return times >= 0 ? line.length >= times + 2 && line[line.length - 1] == '}' && line[line.length - 2] == '}'
             : from == line.length - 1 && line[from] == '}';
     }
 
-    /** Whether the times of the players follow, numbers and nulls with commas between, and then the end of the line. */
+    /** True if the times of the players follow, numbers and nulls with commas between, and then the end of the line. */
     static boolean isTimes(byte[] line, int from) {
         int at = skip(line, skip(line, from, BEFORE_TIMES), BEFORE_NANOS);
         while (at >= 0) {

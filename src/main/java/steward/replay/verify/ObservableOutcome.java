@@ -8,8 +8,9 @@ import steward.physics.TurnLog;
 import tools.jackson.core.JsonGenerator;
 
 /**
- * What another referee can have observed of a turn just played, in the form in which it records it: places of impacts
- * rounded, half the sum of both velocities before, rounded, in place of the velocities; the ranks as they stand.
+ * Outcome of a turn just played as another referee can have observed it, in the form in which it records it: places of
+ * impacts rounded, half the sum of both velocities before, rounded, in place of the velocities; the ranks as they
+ * stand.
  */
 final class ObservableOutcome {
 

@@ -14,8 +14,8 @@ import tools.jackson.core.JsonToken;
 import tools.jackson.core.ObjectReadContext;
 
 /**
- * What an imported replay holds of another referee's observations, to be written again: each value as it is recorded,
- * in the one spelling that is accepted.
+ * Writes another referee's observations again from an imported replay: each value as it is recorded, in the one
+ * spelling that is accepted.
  */
 final class RecordedObservations implements Observations {
 
@@ -35,7 +35,7 @@ final class RecordedObservations implements Observations {
         outcomePlace = where;
     }
 
-    /** Whether an outcome has a state in which every body has its place. */
+    /** True if an outcome has a state in which every body has its place. */
     static boolean hasState(byte[] outcome) {
         JsonLine fields = new JsonLine("outcome", outcome);
         if (!fields.has("state")) {

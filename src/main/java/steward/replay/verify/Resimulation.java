@@ -27,7 +27,7 @@ import tools.jackson.core.ObjectReadContext;
 /** Plays a recorded match again, from its scene, seed, commands and faults. */
 public final class Resimulation {
 
-    /** How much of a wrong name errors show, in characters. */
+    /** Characters of a wrong name that errors show. */
     private static final int SHOWN = 60;
     private static final byte[] NULL = {'n', 'u', 'l', 'l'};
 
@@ -122,7 +122,7 @@ public final class Resimulation {
         return game;
     }
 
-    /** How the site's server shows the game, or {@code null}. */
+    /** Returns how the site's server shows the game, or {@code null}. */
     ServerView serverView() {
         return serverView;
     }
@@ -151,8 +151,8 @@ public final class Resimulation {
     }
 
     /**
-     * As {@link #prepare}, for a turn of a match that is not over, in which no player failed and whose commands are
-     * written as games usually write them.
+     * Prepares as {@link #prepare} does, for a turn of a match that is not over, in which no player failed and whose
+     * commands are written as games usually write them.
      *
      * @param json where the array of commands begins at {@code from} and ends before {@code to}
      * @return the place behind the commands; or -1 if they have to be read by {@link #prepare}
@@ -270,7 +270,7 @@ public final class Resimulation {
         return token == JsonToken.VALUE_NULL ? null : codec.state().readPartialCommand(in, player);
     }
 
-    /** What is wrong with the commands; they are read one by one to find it. */
+    /** Finds the error in the commands, read one by one. */
     private Difference readCarefully(RecordedTurn turn) {
         byte[] json = turn.commands();
         int player = 0;

@@ -19,7 +19,7 @@ public record SignatureCheck(Verdict verdict, SignerKey signer, String isolation
         this(verdict, signer, null);
     }
 
-    /** What was found. */
+    /** Result of the check. */
     public enum Verdict {
         /** The replay names no signer. */
         UNSIGNED,
@@ -31,7 +31,7 @@ public record SignatureCheck(Verdict verdict, SignerKey signer, String isolation
         WRONG
     }
 
-    /** Whether the owner of this very key has signed. */
+    /** True if the owner of this very key has signed. */
     public boolean isBy(SignerKey key) {
         return verdict == Verdict.RIGHT && signer.equals(key);
     }

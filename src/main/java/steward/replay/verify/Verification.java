@@ -24,12 +24,12 @@ public record Verification(int turns, int states, boolean whole, Difference diff
                            ImpactCounts impacts, ViewCounts views, String olderLaw,
                            SignatureCheck signature) {
 
-    /** Whether everything recorded agrees, even if the replay was cut off; false if the header is incomplete. */
+    /** True if everything recorded agrees, even if the replay was cut off; false if the header is incomplete. */
     public boolean agrees() {
         return difference == null && olderLaw == null && signature.verdict() != SignatureCheck.Verdict.WRONG;
     }
 
-    /** Whether everything agrees up to a result, states were compared, and the signature is right if one is due. */
+    /** True if everything agrees up to a result, states were compared, and the signature is right if one is due. */
     public boolean verified() {
         return agrees() && whole && states > 0 && signature.verdict() != SignatureCheck.Verdict.CUT_OFF;
     }
@@ -46,7 +46,7 @@ public record Verification(int turns, int states, boolean whole, Difference diff
     }
 
     /**
-     * The same.
+     * Verifies a replay as {@link #of(ReplayReader, GameTypes)} does, and counts questions.
      *
      * @param asked counts in how many turns each player was asked, one element a player; or {@code null}
      * @throws ReplayException as above; also if there are not as many players

@@ -32,8 +32,8 @@ import steward.bot.isolation.SandboxLevel;
 import steward.bot.isolation.SandboxSupport;
 
 /**
- * Bots that attack their opponent and this machine, at every level of isolation that works here. What is held is the
- * table of {@code docs/security.md}; an attack that succeeds at level off shows that it is one.
+ * Bots that attack their opponent and this machine, at every level of isolation that works here. The table held is that
+ * of {@code docs/security.md}; an attack that succeeds at level off shows that it is one.
  */
 @Tag("process")
 class SandboxAttackTest {

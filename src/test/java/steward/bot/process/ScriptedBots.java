@@ -105,7 +105,7 @@ public final class ScriptedBots {
         player.finish(bytes, bytes.length);
     }
 
-    /** Whether a process is there and not just waiting for its parent to take note of its end. */
+    /** True if a process is there and not just waiting for its parent to take note of its end. */
     static boolean isRunning(long pid) {
         try {
             String stat = Files.readString(Path.of("/proc/" + pid + "/stat"), StandardCharsets.ISO_8859_1);
@@ -116,7 +116,7 @@ public final class ScriptedBots {
         }
     }
 
-    /** Whether a process is stopped by a signal or frozen. */
+    /** True if a process is stopped by a signal or frozen. */
     static boolean isHalted(long pid) {
         try {
             String stat = Files.readString(Path.of("/proc/" + pid + "/stat"), StandardCharsets.ISO_8859_1);

@@ -22,7 +22,7 @@ public final class BrokenTranscripts {
     }
 
     /**
-     * Whether a broken one is refused.
+     * True if a broken one is refused.
      *
      * @param bare whether it is not compressed, either
      * @throws AssertionError if it is refused in words of Java

@@ -57,8 +57,8 @@ import steward.machines.worker.Worker;
 import steward.scene.RungLaw;
 
 /**
- * All that a league and a worker say is as the schema says. What the league says is written down by a made-up worker;
- * then a made-up league says the same to a real worker.
+ * All that a league and a worker say is as the schema says. A made-up worker writes down the league's messages; then a
+ * made-up league says the same to a real worker.
  */
 @Tag("process")
 @Tag("slow")

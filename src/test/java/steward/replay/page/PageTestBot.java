@@ -75,7 +75,7 @@ final class PageTestBot implements Bot {
         return distance < 1500 && pod.get("id").asInt() % 2 == 1 ? maximum / 2 : maximum;
     }
 
-    /** Whether an opponent will be near in two turns and comes fast. */
+    /** True if an opponent will be near in two turns and comes fast. */
     private boolean isThreatened(JsonNode pod, JsonNode pods) {
         for (JsonNode other : pods) {
             double vx = other.get("vx").asDouble() - pod.get("vx").asDouble();

@@ -126,7 +126,7 @@ class PlainCommandsTest {
         }
     }
 
-    /** Whether already the first command that is expected is not plain. */
+    /** True if already the first command that is expected is not plain. */
     private static boolean firstIsDamaged(Resimulation game, String text) {
         byte[] json = text.getBytes(StandardCharsets.UTF_8);
         int player = game.game().isIn(0) ? 0 : 1;

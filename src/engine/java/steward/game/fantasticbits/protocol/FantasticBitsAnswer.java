@@ -127,7 +127,7 @@ final class FantasticBitsAnswer extends CommandsAnswer<WizardCommand> {
         return refusal == null ? keep(index, command) : (refusal.startsWith("found") ? ": " : ".") + refusal;
     }
 
-    /** What is missing or too much beside the action. */
+    /** Returns the error in the fields beside the action: one is missing or too much. */
     private String wrongBeside() {
         if (action == Action.CAST) {
             return Double.isNaN(target) ? ".target: found nothing, expected a number" : targetBeside("spell");

@@ -12,7 +12,7 @@ import steward.physics.Segment;
 import steward.physics.Wall;
 import tools.jackson.core.JsonGenerator;
 
-/** What of Fantastic Bits does not change: the pitch, its walls with the goals left open, and the entities. */
+/** Shapes of Fantastic Bits that do not change: the pitch, its walls with the goals left open, and the entities. */
 final class FantasticBitsDrawing implements Drawing {
 
     /** Around the pitch, so that the goals are seen. */

@@ -15,7 +15,7 @@ import steward.scene.Bumper;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.io.SerializedString;
 
-/** What bots of Fantastic Bits are sent as JSON; answers are read by {@link FantasticBitsAnswer}. */
+/** JSON frames that bots of Fantastic Bits are sent; answers are read by {@link FantasticBitsAnswer}. */
 final class FantasticBitsFrames implements BotFrames {
 
     private static final SerializedString ENTITIES = new SerializedString("entities");

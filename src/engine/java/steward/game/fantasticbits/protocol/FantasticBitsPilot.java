@@ -12,8 +12,8 @@ import steward.numerics.SplitMix64;
 import steward.physics.Bodies;
 
 /**
- * Wizards by rule: each heads for the nearest snaffle and throws it at the goal; now and then a spell. Those that
- * gather head for the middle; those that mingle for anywhere on the pitch.
+ * Wizards by rule: each heads for the nearest snaffle and throws it at the goal; now and then a spell. Gathering
+ * wizards head for the middle; mingling ones for anywhere on the pitch.
  */
 final class FantasticBitsPilot implements Pilot {
 

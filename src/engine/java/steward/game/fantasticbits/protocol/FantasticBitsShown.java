@@ -23,7 +23,7 @@ import tools.jackson.core.JsonGenerator;
  *             how many snaffles there are, and id x y inPlay of each; how many bludgers, and id x y of each
  *             a score per player; the magic of each; then what has met, in order
  * </pre>
- * What the server's referee was given, {@code refereeInput}, has a line {@code seed=}. Which variant was played it does
+ * The input of the server's referee, {@code refereeInput}, has a line {@code seed=}. Which variant was played it does
  * not tell: today's is taken.
  */
 final class FantasticBitsShown implements ServerView.Shown {

@@ -6,7 +6,7 @@ import steward.game.StateCodec;
 import steward.text.ViewLines;
 import tools.jackson.core.JsonGenerator;
 
-/** What the server shows of Fantastic Bits: all entities after a turn, scores and magic. */
+/** Reads the server's views of Fantastic Bits: all entities after a turn, scores and magic. */
 final class FantasticBitsView implements ServerView {
 
     static final String TITLE = "Fantastic Bits";

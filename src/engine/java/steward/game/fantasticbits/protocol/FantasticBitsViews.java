@@ -16,7 +16,7 @@ import steward.physics.Bodies;
 import steward.physics.TeeSink;
 import steward.scene.Scene;
 
-/** What the server shows of Fantastic Bits, in the form that {@link FantasticBitsShown} tells. */
+/** Writes views of Fantastic Bits as the server shows them, in the form that {@link FantasticBitsShown} tells. */
 final class FantasticBitsViews implements ViewWriter {
 
     private static final List<Spell> ORDER = List.of(Spell.ACCIO, Spell.FLIPENDO, Spell.OBLIVIATE, Spell.PETRIFICUS);

@@ -1,6 +1,6 @@
 /**
- * What bots of Fantastic Bits read and write: JSON frames and answers, the site's lines; what a replay keeps and draws;
- * and {@link steward.game.fantasticbits.protocol.FantasticBitsType}, the game as the other rooms see it.
+ * Protocol of Fantastic Bits: JSON frames and answers, the site's lines; replays and drawing; and {@link
+ * steward.game.fantasticbits.protocol.FantasticBitsType}, the game as the other rooms see it.
  */
 @Internal
 package steward.game.fantasticbits.protocol;

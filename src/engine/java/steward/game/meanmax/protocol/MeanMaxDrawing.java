@@ -8,7 +8,7 @@ import steward.game.meanmax.UnitKind;
 import steward.physics.Bodies;
 import tools.jackson.core.JsonGenerator;
 
-/** What of Mean Max does not change: the area to show, the arena, where tankers fill, and the looters. */
+/** Shapes of Mean Max that do not change: the area to show, the arena, where tankers fill, and the looters. */
 final class MeanMaxDrawing implements Drawing {
 
     /** Around the arena tankers come and go. */

@@ -10,7 +10,7 @@ import steward.game.meanmax.UnitKind;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.io.SerializedString;
 
-/** What bots of Mean Max are sent as JSON; answers are read by {@link MeanMaxAnswer}. */
+/** JSON frames that bots of Mean Max are sent; answers are read by {@link MeanMaxAnswer}. */
 final class MeanMaxFrames implements BotFrames {
 
     private static final SerializedString UNITS = new SerializedString("units");

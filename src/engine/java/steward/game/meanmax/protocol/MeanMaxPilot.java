@@ -12,7 +12,7 @@ import steward.physics.Bodies;
 
 /**
  * Looters by rule: destroyers head for tankers, reapers for wrecks, doofs for reapers of others; now and then a skill.
- * Those that gather head for the centre; those that mingle for anywhere in the arena.
+ * Gathering looters head for the centre; mingling ones for anywhere in the arena.
  */
 final class MeanMaxPilot implements Pilot {
 

@@ -120,7 +120,7 @@ final class MeanMaxShown implements ServerView.Shown {
         return view.whole(words[0], MOST, line);
     }
 
-    /** What happened at one time. @return the line behind it */
+    /** Reads the impacts and deaths of one time. @return the line behind it */
     private int readMoment(ViewLines view, int from, int end, ShownTurn turn) {
         String text = view.line(from).strip();
         if (!text.startsWith("#")) {

@@ -14,10 +14,10 @@ import steward.text.ViewLines;
 import tools.jackson.core.JsonGenerator;
 
 /**
- * What the server shows of Mean Max: times of impacts with five digits behind the point, places and speeds of units as
- * they came into an impact, rounded to whole numbers; where and when tankers went; units, wrecks and effects after the
- * turn, and scores and rages. Speeds after a turn are shown before friction, which no state of ours has; a tanker that
- * has come is shown only from the next turn on.
+ * Reads the server's views of Mean Max: times of impacts with five digits behind the point, places and speeds of units
+ * as they came into an impact, rounded to whole numbers; where and when tankers went; units, wrecks and effects after
+ * the turn, and scores and rages. Speeds after a turn are shown before friction, which no state of ours has; a tanker
+ * that has come is shown only from the next turn on.
  */
 final class MeanMaxView implements ServerView {
 

@@ -19,7 +19,7 @@ import steward.physics.Bodies;
 import steward.physics.TeeSink;
 import steward.scene.Scene;
 
-/** What the server shows of Mean Max, in the form that {@link MeanMaxShown} tells. */
+/** Writes views of Mean Max as the server shows them, in the form that {@link MeanMaxShown} tells. */
 final class MeanMaxViews implements ViewWriter {
 
     private static final int LONGEST_MESSAGE = 19;

@@ -9,7 +9,7 @@ import steward.game.meanmax.UnitKind;
 import tools.jackson.core.JsonGenerator;
 
 /**
- * What the server has shown of a turn, in the form of a replay.
+ * A turn as the server has shown it, in the form of a replay.
  *
  * @param impacts in order
  * @param deaths  tankers that went in this turn, those sunk first
@@ -31,7 +31,7 @@ record ShownTurn(List<Impact> impacts, List<Death> deaths, List<Unit> units, Lis
     record Death(double time, Unit tanker) {
     }
 
-    /** What a unit is, told once. @param player -1 for a tanker */
+    /** Kind, radius and owner of a unit, told once. @param player -1 for a tanker */
     record What(UnitKind kind, double radius, int player) {
     }
 
@@ -43,7 +43,7 @@ record ShownTurn(List<Impact> impacts, List<Death> deaths, List<Unit> units, Lis
         }
     }
 
-    /** What a tanker has left where it sank. */
+    /** A tanker's remains where it sank. */
     record Wreck(int id, double x, double y, double radius) {
     }
 

@@ -10,7 +10,7 @@ import steward.scene.Scene;
 import tools.jackson.core.JsonGenerator;
 
 /**
- * What there is to draw of a pod race: field, walls, checkpoints, pods and bumpers.
+ * Shapes of a pod race: field, walls, checkpoints, pods and bumpers.
  *
  * @param race  the race
  * @param scene what it was made from

@@ -12,7 +12,7 @@ import steward.scene.Scene;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.io.SerializedString;
 
-/** What bots of the pod race are sent as JSON; answers are read by {@link PodRaceAnswer}. */
+/** JSON frames that bots of the pod race are sent; answers are read by {@link PodRaceAnswer}. */
 final class PodRaceFrames implements BotFrames {
 
     /** The names that every turn writes, encoded once. */

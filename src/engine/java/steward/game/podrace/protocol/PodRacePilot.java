@@ -11,7 +11,7 @@ final class PodRacePilot {
 
     /** One of this many commands is a shield. */
     private static final int SHIELDS = 25;
-    /** The same in a crowd. */
+    /** Divisor of shields in a crowd. */
     private static final int CROWD_SHIELDS = 20;
     /** How many turns of its velocity a pod aims short of its checkpoint, so that the drift carries it there. */
     private static final int DRIFT = 3;

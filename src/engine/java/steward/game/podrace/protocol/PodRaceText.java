@@ -31,13 +31,13 @@ public final class PodRaceText implements TextCodec {
 
     private static final int FULL_TURN = 360;
 
-    /** What languages print for a double; Java alone would also read 1d, 0x1p3, NaN and Infinity. */
+    /** Decimals as languages print them; Java alone would also read 1d, 0x1p3, NaN and Infinity. */
     private static final Pattern DECIMAL = Pattern.compile("[+-]?(\\d+\\.?\\d*|\\.\\d+)([eE][+-]?\\d+)?");
 
     /** Two blanks or more behind Y stand for a thrust that is left out: what follows is a message. */
     private static final Pattern MESSAGE_ONLY = Pattern.compile("\\S+\\s+\\S+\\s\\s+(.*\\D.*)");
 
-    /** The whole line as the site reads it. What is not there after Y and a blank is full thrust. */
+    /** The whole line as the site reads it. A missing thrust after Y and a blank is full thrust. */
     private static final Pattern SITE =
         Pattern.compile("(-?[0-9]{1,9})\\s+(-?[0-9]{1,9})\\s+([0-9]{1,9}|SHIELD|BOOST)?(?:\\s+(.+))?");
 

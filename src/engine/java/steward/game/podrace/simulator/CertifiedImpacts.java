@@ -207,7 +207,7 @@ final class CertifiedImpacts {
     }
 
     /**
-     * Whether it is certain that, and about when, a pair meets or that it does not. Sets {@link #time} from now,
+     * True if it is certain that, and about when, a pair meets or that it does not. Sets {@link #time} from now,
      * infinite for never, and the speed of {@link #approach}.
      */
     private boolean isSure(int pair, boolean start, double error, double left) {

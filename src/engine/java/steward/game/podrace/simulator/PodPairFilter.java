@@ -8,7 +8,7 @@ final class PodPairFilter {
     private PodPairFilter() {
     }
 
-    /** Whether no pair of four pods can meet, by the coarse test without a loop; true for most turns. */
+    /** True if no pair of four pods can meet, by the coarse test without a loop; true for most turns. */
     static boolean allFar(double[] of, double reach) {
         double x0 = of[PodTurn.X];
         double y0 = of[PodTurn.Y];

@@ -116,7 +116,7 @@ final class PodPaths implements TurnSink {
         }
     }
 
-    /** How many knots all paths have together: at least two for each impact. */
+    /** Returns how many knots all paths have together: at least two for each impact. */
     int knots() {
         return knots;
     }
@@ -147,7 +147,7 @@ final class PodPaths implements TurnSink {
             || CheckpointSweep.distance(checkpointX, checkpointY, endX, endY) <= reachOfEnd;
     }
 
-    /** How near the path of a pod comes to a checkpoint, in u; infinite if it stays farther away by a tenth. */
+    /** Returns how near the path of a pod comes to a checkpoint, in u; infinite if it stays farther away by a tenth. */
     double nearest(int pod, double startX, double startY, double endX, double endY, double checkpointX,
                    double checkpointY) {
         double least = Double.POSITIVE_INFINITY;

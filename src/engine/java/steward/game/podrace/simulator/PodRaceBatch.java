@@ -50,7 +50,7 @@ public final class PodRaceBatch {
         }
 
         /**
-         * As {@link PodCommands#set}.
+         * Sets a command as {@link PodCommands#set} does.
          *
          * @param game index of the game, from 0
          * @param pod  index of the pod, 0..3
@@ -68,7 +68,7 @@ public final class PodRaceBatch {
         }
 
         /**
-         * As {@link PodCommands#turn}.
+         * Sets a command as {@link PodCommands#turn} does.
          *
          * @param game index of the game, from 0
          * @param pod  index of the pod, 0..3
@@ -98,7 +98,7 @@ public final class PodRaceBatch {
     }
 
     /**
-     * The same for another edition of the rules.
+     * Games at the start, under another edition of the rules.
      *
      * @throws IllegalArgumentException as above
      */

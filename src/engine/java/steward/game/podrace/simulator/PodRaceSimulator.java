@@ -76,7 +76,7 @@ public final class PodRaceSimulator {
     }
 
     /**
-     * The same for other numbers of players, pods and laps.
+     * A race with other numbers of players, pods and laps.
      *
      * @param checkpoints   as above
      * @param players       1 or more
@@ -89,7 +89,7 @@ public final class PodRaceSimulator {
     }
 
     /**
-     * The same for another edition of the rules.
+     * A race under another edition of the rules.
      *
      * @throws IllegalArgumentException as above
      */
@@ -212,7 +212,7 @@ public final class PodRaceSimulator {
         System.arraycopy(other.counts, 0, counts, 0, counts.length);
     }
 
-    /** Whether a state of the other fits here. */
+    /** Checks that a state of the other fits here. */
     void checkAlike(PodRaceSimulator other) {
         if (pods != other.pods || perPlayer != other.perPlayer || checkpoints != other.checkpoints) {
             throw new IllegalArgumentException(other.words() + ", expected " + words());
@@ -340,7 +340,7 @@ public final class PodRaceSimulator {
         return counts[PodTurn.COUNTS * pod + PodTurn.TIMER] & PodTurn.TIMER_BITS;
     }
 
-    /** Whether the boost is left. */
+    /** True if the boost is left. */
     public boolean boostLeft(int pod) {
         return counts[PodTurn.COUNTS * pod + PodTurn.BOOST] != 0;
     }

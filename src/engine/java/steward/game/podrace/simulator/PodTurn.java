@@ -200,7 +200,7 @@ final class PodTurn {
         }
     }
 
-    /** The same for any pod, with the game's own direction. */
+    /** Applies the command of any pod, with the game's own direction. */
     private void steerExactly(int pod, double targetX, double targetY, int command) {
         int at = NUMBERS * pod;
         int to = SPEED * pod;
@@ -372,7 +372,7 @@ final class PodTurn {
         return exact | glide(~exact);
     }
 
-    /** Whether the impacts of certified speeds, with all their results, are certified to be those of the game. */
+    /** True if the impacts of certified speeds, with all their results, are certified to be those of the game. */
     private boolean flyCertified(long near) {
         for (int pod = 0; pod < pods; pod++) {
             int in = SPEED * pod;
@@ -415,7 +415,7 @@ final class PodTurn {
      * rounded at each, by less than 2^-37. In MOST_CORNERS / 2 flights that stays below the 2^-27 that DOUBT leaves.
      */
 
-    /** Whether the roundings of these pods (bits) are all certain: no fraction is close to where the result changes. */
+    /** True if the roundings of these pods (bits) are all certain: no fraction is close to where the result changes. */
     private boolean areSure(int which) {
         for (int pod = 0; pod < pods; pod++) {
             if ((which >> pod & 1) != 0 && !isSure(SPEED * pod)) {

@@ -10,7 +10,7 @@ import steward.physics.Bodies;
 import steward.physics.Wall;
 import tools.jackson.core.JsonGenerator;
 
-/** What there is to draw: the table, its walls, and the players' chips at the start; their radii are in the states. */
+/** Shapes of a table: its walls, and the players' chips at the start; their radii are in the states. */
 final class PokerChipRaceDrawing implements Drawing {
 
     private final PokerChipRace game;

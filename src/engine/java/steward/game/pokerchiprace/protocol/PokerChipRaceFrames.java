@@ -7,7 +7,7 @@ import steward.game.pokerchiprace.PokerChipRace;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.io.SerializedString;
 
-/** What bots are sent as JSON; answers are read by {@link PokerChipRaceAnswer}. */
+/** JSON frames that bots are sent; answers are read by {@link PokerChipRaceAnswer}. */
 final class PokerChipRaceFrames implements BotFrames {
 
     private static final SerializedString CHIPS = new SerializedString("chips");

@@ -21,7 +21,7 @@ import tools.jackson.core.JsonGenerator;
  *             and t x y radius rotation other         for each of the points, then its message
  * then        an area per player and of all chips; a score per player
  * </pre>
- * What the server's referee was given, {@code refereeInput}, has a line {@code seed=} and the settings of the start.
+ * The input of the server's referee, {@code refereeInput}, has a line {@code seed=} and the settings of the start.
  */
 final class PokerChipRaceShown implements ServerView.Shown {
 
@@ -42,7 +42,7 @@ final class PokerChipRaceShown implements ServerView.Shown {
     private final Turn start;
     private final List<Turn> shown = new ArrayList<>();
 
-    /** What is on the table. */
+    /** Chips on the table, and scores. */
     private record Turn(List<PokerChipRaceView.Chip> chips, int[] scores) {
     }
 

@@ -14,9 +14,9 @@ import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.io.NumberOutput;
 
 /**
- * What the server shows of the Poker Chip Race: the chips after a turn with owner, radius and place, radius and place
- * with two digits behind the point, and the scores. Speeds are not shown. Points of paths, and the angles by which the
- * site turns its pictures, are not read.
+ * Reads the server's views of the Poker Chip Race: the chips after a turn with owner, radius and place, radius and
+ * place with two digits behind the point, and the scores. Speeds are not shown. Points of paths, and the angles by
+ * which the site turns its pictures, are not read.
  */
 final class PokerChipRaceView implements ServerView {
 

@@ -42,7 +42,7 @@ final class GraphicsLines {
     }
 
     /**
-     * What of a view is compared.
+     * Returns the lines of a view that are compared.
      *
      * @param text of the view
      * @param kept the attributes that count, per entity; {@code null} for an entity that does not

@@ -6,8 +6,7 @@ import steward.game.searchrace.SearchRace;
 import tools.jackson.core.JsonGenerator;
 
 /**
- * What there is to draw of a search race: the field, the checkpoints, and the car, which is a point and gets the size
- * of a mark.
+ * Shapes of a search race: the field, the checkpoints, and the car, which is a point and gets the size of a mark.
  *
  * @param race the race
  */

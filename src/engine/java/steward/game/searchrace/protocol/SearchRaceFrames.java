@@ -9,7 +9,7 @@ import steward.game.searchrace.SearchRaceSettings;
 import steward.scene.Scene;
 import tools.jackson.core.JsonGenerator;
 
-/** What bots of the search race are sent as JSON; answers are read by {@link SearchRaceAnswer}. */
+/** JSON frames that bots of the search race are sent; answers are read by {@link SearchRaceAnswer}. */
 final class SearchRaceFrames implements BotFrames {
 
     private final SearchRace race;

@@ -32,7 +32,7 @@ final class SearchRaceShown implements ServerView.Shown {
     private final Turn start;
     private double time = Double.NaN;
 
-    /** What is known after a turn. */
+    /** The car's state after a turn, as far as it is shown. */
     private record Turn(String x, String y, int passed, int timer) {
     }
 

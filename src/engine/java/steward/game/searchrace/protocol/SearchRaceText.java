@@ -96,7 +96,7 @@ final class SearchRaceText implements TextCodec {
         return null;
     }
 
-    /** What is wrong with a whole number, or {@code null}. */
+    /** Returns the error of a whole number, or {@code null}. */
     private static String wrong(String what, String word, int least, int most) {
         try {
             int value = Integer.parseInt(word);

@@ -7,7 +7,7 @@ import steward.text.ViewLines;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.databind.JsonNode;
 
-/** What the server shows of the search race; its views have no title, but checkpoints with tooltips. */
+/** Reads the server's views of the search race; they have no title, but checkpoints with tooltips. */
 final class SearchRaceView implements ServerView {
 
     @Override

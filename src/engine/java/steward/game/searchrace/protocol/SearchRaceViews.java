@@ -16,9 +16,9 @@ import steward.game.searchrace.SearchRace;
 import steward.numerics.StrictAngles;
 
 /**
- * View of the server of the search race, in the form that {@link SearchRaceShown} tells, as {@link GraphicsLines}:
- * places in pixels, angles in whole degrees cut off, scales with six digits; of each the first time and when it
- * changes.
+ * Writes views of the search race as the server shows them, in the form that {@link SearchRaceShown} tells, as {@link
+ * GraphicsLines}: places in pixels, angles in whole degrees cut off, scales with six digits; of each the first time and
+ * when it changes.
  */
 final class SearchRaceViews implements ViewWriter {
 

@@ -11,7 +11,7 @@ import steward.game.podrace.PodState;
 import steward.game.podrace.Races;
 import steward.numerics.SplitMix64;
 
-/** What is spelled once and copied is what would be spelled now. */
+/** Text that is spelled once and copied is the text that would be spelled now. */
 class PodJsonCacheTest {
 
     private final PodRace race = Races.official(Races.FAR);

@@ -57,7 +57,7 @@ record VectorMatch(String name, JsonNode header, JsonNode start, List<JsonNode> 
         return checkpoints;
     }
 
-    /** Whether a state was set by hand before every turn. */
+    /** True if a state was set by hand before every turn. */
     boolean isTurnByTurn() {
         return header.get("injectedEachTurn").asBoolean();
     }

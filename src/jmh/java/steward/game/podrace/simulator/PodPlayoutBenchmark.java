@@ -16,7 +16,7 @@ import org.openjdk.jmh.annotations.Warmup;
 import steward.numerics.SplitMix64;
 
 /**
- * What a bot pays for a turn when it searches by random playouts: every pod turns by 18 degrees to a random side and
+ * Price of a turn to a bot that searches by random playouts: every pod turns by 18 degrees to a random side and
  * thrusts, {@code ./gradlew jmh -Pbench=PodPlayout}. One operation is one turn of four pods, with its commands; a state
  * is copied every eight turns.
  *

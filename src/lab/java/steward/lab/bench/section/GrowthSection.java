@@ -12,7 +12,7 @@ import steward.lab.bench.Row;
 import steward.lab.bench.Section;
 import steward.match.MatchListener;
 
-/** How the cost of a match grows with its players and its turns. */
+/** Growth of the cost of a match with its players and its turns. */
 final class GrowthSection implements Section {
 
     private static final MatchListener NO_LISTENER = new MatchListener() { };

@@ -8,7 +8,7 @@ import steward.game.GameTypes;
 import steward.match.DirectBot;
 
 /**
- * What is needed to measure whole matches; supplied by the command line, which alone knows the games.
+ * Fixture to measure whole matches; supplied by the command line, which alone knows the games.
  *
  * @param types     the games
  * @param setup     the scene

@@ -16,7 +16,7 @@ import steward.lab.bench.Meter;
 import steward.lab.bench.Row;
 
 /**
- * What each level of isolation costs that works on this machine: from the start of a shell to its first answer, and for
+ * Costs of each level of isolation that works on this machine: from the start of a shell to its first answer, and for
  * each further answer. Levels take turns, so that all see the same machine.
  */
 final class SandboxStarts {

@@ -17,8 +17,8 @@ import steward.lab.bench.Meter;
 import steward.lab.bench.Row;
 
 /**
- * What a turn costs where a bot's limits are limits of its CPU time: what its processes have used is then looked up
- * before each question. One bot for each basis, asked in turns, so that both see the same machine; at the level of
+ * Costs of a turn where a bot's limits are limits of its CPU time: the time that its processes have used is then looked
+ * up before each question. One bot for each basis, asked in turns, so that both see the same machine; at the level of
  * isolation that is usual here.
  */
 final class TimeBasisTurns {

@@ -8,7 +8,7 @@ import tools.jackson.core.JsonParser;
 import tools.jackson.core.JsonToken;
 import tools.jackson.core.ObjectReadContext;
 
-/** The same bot as {@link BenchDirectBot}, but exchanging lines. */
+/** The bot {@link BenchDirectBot}, but exchanging lines. */
 public final class BenchLineBot implements Bot {
 
     private final List<double[]> checkpoints = new ArrayList<>();

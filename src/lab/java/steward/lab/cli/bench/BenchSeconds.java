@@ -3,7 +3,7 @@ package steward.lab.cli.bench;
 import java.util.Map;
 import steward.lab.bench.Effort;
 
-/** How long the parts of {@code steward bench} take, approximately: for what is said beforehand, and the time left. */
+/** Approximate seconds of the parts of {@code steward bench}: for the announcement beforehand, and the time left. */
 final class BenchSeconds {
 
     /**

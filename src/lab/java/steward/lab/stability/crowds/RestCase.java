@@ -19,16 +19,19 @@ import steward.physics.ImpactLaw;
 import steward.physics.TurnLog;
 import steward.physics.Wall;
 
-/** Piles that fall or are pressed on a wall or into a corner, without and with restitution, and come to rest. */
+/**
+ * Stability case of rest: piles fall or are pressed on a wall or into a corner, without and with restitution, and must
+ * come to rest.
+ */
 public final class RestCase implements StabilityCase {
 
     private static final long SEED = 18;
     private static final int TURNS = 40;
     private static final int MOST_IMPACTS = 500;
     private static final double STILL = 1e-9;
-    /** Of rows that lie in the gaps of the rows below: half of the root of 3. */
+    /** Height of a row that lies in the gaps of the row below: half of the root of 3. */
     private static final double HEIGHT = 0.8660254037844387;
-    /** So that the growth of nothing is a number. */
+    /** Added energy, so that the growth of nothing is a number. */
     private static final BigDecimal TINY = new BigDecimal(1e-30);
     private static final ImpactLaw SOFT = ImpactLaw.PHYSICS.withRestitution(ImpactLaw.Restitution.MINIMUM);
 
@@ -64,7 +67,7 @@ public final class RestCase implements StabilityCase {
             tally.fastest));
     }
 
-    /** What the piles of a rung have shown. */
+    /** Counts over the piles of a rung. */
     private static final class Tally {
 
         private long most;
@@ -111,10 +114,10 @@ public final class RestCase implements StabilityCase {
         }
     }
 
-    /** How a pile is built. */
+    /** Layout of a pile. */
     private enum Shape { COLUMN, GRID, STAGGERED }
 
-    /** A column that falls straight, or rows with jitter that fall anyhow. */
+    /** Returns a column that falls straight, or rows with jitter that fall anyhow. */
     private static Bodies bodies(SplitMix64 random, int count, Shape shape, double gaps, double restitution) {
         Bodies bodies = new Bodies(count);
         boolean column = shape == Shape.COLUMN;

@@ -55,7 +55,7 @@ public final class TradeoffReport implements AutoCloseable {
         csv = new CsvFile(folder.resolve(CSV), TradeoffFields.names());
     }
 
-    /** What was measured so far. */
+    /** Returns the measurements so far. */
     public TradeoffResult result() {
         return new TradeoffResult(machine, date, rows, headings);
     }

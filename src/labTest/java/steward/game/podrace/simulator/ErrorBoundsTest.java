@@ -17,17 +17,17 @@ import steward.physics.event.OfficialAdvance;
 /**
  * The bounds that the fast turn's proofs state, measured in 70 digits where they are closest: how far a certified
  * vector is from the true direction and from the game's, how far both ways to see a turn by 18 degrees differ, how far
- * a certified speed and place are from the game's, and that whoever is set aside stays out of reach. What was seen is
- * printed.
+ * a certified speed and place are from the game's, and that whoever is set aside stays out of reach. The figures seen
+ * are printed.
  */
 @Execution(ExecutionMode.CONCURRENT)
 class ErrorBoundsTest {
 
     private static final long SEED = Long.getLong("steward.seed", 41);
     private static final double TOUCH = 800;
-    /** What {@link PodTurn} leaves of its DOUBT for speeds and places that come from certified vectors. */
+    /** Rest of its DOUBT that {@link PodTurn} leaves for speeds and places that come from certified vectors. */
     private static final double SPEED_ERROR = 0x1p-27;
-    /** What both ways to see an angle may differ by, see {@link Headings}. */
+    /** Bound on the difference of both ways to see an angle, see {@link Headings}. */
     private static final double ANGLE_ERROR = 0x1p-36;
 
     private final SplitMix64 random = new SplitMix64(SEED);

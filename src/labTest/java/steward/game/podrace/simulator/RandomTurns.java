@@ -26,7 +26,7 @@ final class RandomTurns {
     final PodCommands commands = new PodCommands(PODS);
 
     private final SplitMix64 random;
-    /** Whether all pods turn to one side all the time: long chains of turns by 18 degrees. */
+    /** True if all pods turn to one side all the time: long chains of turns by 18 degrees. */
     private boolean spinning;
 
     RandomTurns(long seed) {

@@ -18,7 +18,7 @@ import steward.lab.bench.Section;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
-/** What {@code steward bench} prints, writes and refuses; no test depends on how fast anything is. */
+/** Output, files and refusals of {@code steward bench}; no test depends on how fast anything is. */
 class BenchCommandTest {
 
     @TempDir

@@ -19,9 +19,9 @@ import steward.lab.tradeoff.TradeoffResult;
 import steward.lab.tradeoff.TradeoffRow;
 
 /**
- * What is published of the measured trade-off, in {@code docs}: page and table are of one run, every sentence follows
- * from the columns, and columns agree with each other. A page that was changed by hand fails:
- * {@code steward tradeoff --out docs --overwrite} makes it anew.
+ * Published pages of the measured trade-off, in {@code docs}: page and table are of one run, every sentence follows
+ * from the columns, and columns agree with each other. A page that was changed by hand fails: {@code steward tradeoff
+ * --out docs --overwrite} makes it anew.
  */
 class PublishedTradeoffTest {
 

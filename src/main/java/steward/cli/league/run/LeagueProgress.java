@@ -17,7 +17,7 @@ import steward.league.rating.Results;
 import steward.league.store.GameStore;
 import steward.text.TextFormat;
 
-/** What a run has come to so far, counted as games end. Thread-safe. */
+/** Counts of a run so far, as games end. Thread-safe. */
 final class LeagueProgress {
 
     private static final int MOST_ROWS = 20;

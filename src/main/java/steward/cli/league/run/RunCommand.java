@@ -151,12 +151,12 @@ public final class RunCommand implements Callable<Integer> {
         }
     }
 
-    /** What {@code --for} says, in nanoseconds; {@code Long.MAX_VALUE} where it is not there. */
+    /** Returns the nanoseconds of {@code --for}; {@code Long.MAX_VALUE} where it is not there. */
     public static long nanos(String time) {
         return nanos("--for", time);
     }
 
-    /** The same for another option. */
+    /** Returns the nanoseconds of another option. */
     public static long nanos(String option, String time) {
         if (time == null) {
             return Long.MAX_VALUE;
@@ -235,7 +235,7 @@ public final class RunCommand implements Callable<Integer> {
         return ExitStatus.DONE;
     }
 
-    /** What has been read meanwhile. */
+    /** Returns the result of a reading that went on meanwhile. */
     private static <T> T done(CompletableFuture<T> reading) {
         try {
             return reading.join();
@@ -291,12 +291,12 @@ public final class RunCommand implements Callable<Integer> {
             + TextFormat.number(progress.rate(), 2) + " games/s.");
     }
 
-    /** What is noted with each game. */
+    /** Returns the machine that is noted with each game. */
     public static String machine(Contest contest) {
         return machine(contest.sandbox());
     }
 
-    /** The same for a level of isolation. */
+    /** Returns the machine for a level of isolation. */
     public static String machine(String sandbox) {
         return "Java " + System.getProperty("java.version") + ", " + System.getProperty("os.name") + " "
             + System.getProperty("os.arch") + ", "

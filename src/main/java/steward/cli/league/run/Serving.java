@@ -30,7 +30,7 @@ public interface Serving {
         /** A game that is handed over to be stored, by any thread. */
         void stored(StoredGame game);
 
-        /** What is to be seen of them. */
+        /** Returns the workers' rows to show. */
         List<WorkerRow> workers();
 
         @Override

@@ -13,7 +13,7 @@ import steward.league.rating.Difference;
 import steward.league.rating.Ratings;
 import steward.text.TextFormat;
 
-/** When enough is known to end a league. */
+/** Options for when a league knows enough to end. */
 final class UntilOptions {
 
     private static final double MOST_ELO = 1000;
@@ -42,7 +42,7 @@ final class UntilOptions {
         return new StopRule(bars == null ? Double.NaN : bars, ranked, equal == null ? StopRule.USUAL_EQUAL : equal);
     }
 
-    /** What is known at the end. */
+    /** Describes at the end how the rule was met. */
     static List<String> tell(LeagueEnd end, Roster roster) {
         List<String> lines = new ArrayList<>();
         Ratings met = end.met();
@@ -67,7 +67,7 @@ final class UntilOptions {
         return lines;
     }
 
-    /** What is missing where a run ended before enough was known; nothing where little is. */
+    /** Lists the open questions where a run ended before enough was known; nothing where little is. */
     static List<String> missing(StopRule rule, Ratings found) {
         List<String> lines = new ArrayList<>();
         if (!Double.isNaN(rule.bars())) {

@@ -18,7 +18,7 @@ import steward.replay.ReplayException;
 import steward.replay.ReplayReader;
 import steward.text.TextFormat;
 
-/** Why bots failed in games of a league: each game's failures from its replay, and how often each kind came. */
+/** Failures of bots in games of a league: each game's failures from its replay, and how often each kind came. */
 public final class GameFailures {
 
     private static final int MOST = 10;

@@ -68,7 +68,7 @@ final class GameFilter {
     }
 
     /**
-     * Whether a game is meant.
+     * True if a game is meant.
      *
      * @param version  of {@link #version}
      * @param opponent of {@link #opponent}

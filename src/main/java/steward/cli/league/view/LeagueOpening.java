@@ -41,7 +41,7 @@ public final class LeagueOpening {
         return folder.named(() -> Games.open(folder.scene(settings.scene())));
     }
 
-    /** What is played, without bots. */
+    /** Returns the match that is played, without bots. */
     public static Contest contest(LeagueFolder folder, LeagueSettings settings, Streams streams) {
         return Contest.withoutBots(Games.warn(setup(folder, settings), streams), settings.factor())
             .limitedBy(settings.basis()).isolatedBy(isolation(folder, settings, streams));
@@ -130,7 +130,7 @@ public final class LeagueOpening {
         return opened(folder, folder.read(), Files.exists(folder.database()) ? GameStore.read(folder) : null);
     }
 
-    /** The same for writing. */
+    /** Opens a league for writing. */
     public static Opened write(LeagueFolder folder) {
         return opened(folder, folder.read(), Files.exists(folder.database()) ? GameStore.write(folder) : null);
     }

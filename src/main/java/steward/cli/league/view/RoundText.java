@@ -33,8 +33,8 @@ public final class RoundText {
     }
 
     /**
-     * How far the round is that has begun and is not complete; empty if there is none, or each bot plays alone, or that
-     * is not known: of a game in which all failed, the table does not say who met.
+     * Returns how far the round is that has begun and is not complete; empty if there is none, or each bot plays alone,
+     * or that is not known: of a game in which all failed, the table does not say who met.
      */
     public static Optional<String> unfinished(LeagueTable table, LeagueSettings settings, int players) {
         List<Row> rows = table.rows().stream().filter(row -> row.entry().active()).toList();

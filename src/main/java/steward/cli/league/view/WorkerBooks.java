@@ -8,7 +8,7 @@ import steward.league.store.GameQueries;
 import steward.league.store.GameStore;
 import steward.machines.check.WorkerBook;
 
-/** Who played the games of a league, from what is stored. */
+/** Players of a league's games, from what is stored. */
 public final class WorkerBooks {
 
     private WorkerBooks() {
@@ -25,7 +25,7 @@ public final class WorkerBooks {
         return book;
     }
 
-    /** What is shown of them where the league is not being played. */
+    /** Returns the workers' rows where the league is not being played. */
     static List<WorkerRow> rows(WorkerBook book) {
         return book.lines().stream().map(line -> new WorkerRow(line.name(), line.aside() > 0 ? "caught" : "",
             line.games(), line.aside(), Double.NaN, line.faults(), line.repeated(), null, -1, line.doubts())).toList();
