@@ -76,8 +76,11 @@ int main() {
                 }
             }
             steward::State trial = state;
-            map->play(trial, commands);
-            state = trial;
+            long before = different;
+            if (!map->play(trial, commands)) {
+                std::printf("turn %ld was not played to its end\n", turns);
+            }
+            std::swap(state, trial);
             turns++;
             for (int pod = 0; pod < 4; pod++) {
                 compare("x", pod, word(), steward::podrace::bits(state.x[pod]));
@@ -97,6 +100,11 @@ int main() {
             int number = whole();
             std::uint64_t hash = word();
             compare("hash", 0, hash, number < 0 ? hash : map->hash(state, number));
+            for (int pod = 0; before == 0 && different > 0 && pod < 4; pod++) {
+                std::printf("from %a %a %a %a heading %a flags %d, command %a %a %d\n", trial.x[pod], trial.y[pod],
+                    trial.vx[pod], trial.vy[pod], trial.heading[pod], trial.flags[pod], commands.x[pod],
+                    commands.y[pod], commands.thrust[pod]);
+            }
         }
     }
     std::printf("%ld turns, %ld values, %ld different\n", turns, values, different);

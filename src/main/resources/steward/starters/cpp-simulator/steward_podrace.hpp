@@ -650,14 +650,15 @@ struct alignas(32) Commands {
 
     Commands() : x(), y(), thrust{NO_COMMAND, NO_COMMAND, NO_COMMAND, NO_COMMAND} { }
 
-    /// Steers towards finite numbers as in a bot's answer. Thrust: 0..650, SHIELD, BOOST or NO_COMMAND.
+    /// Steers as a bot's answer. Coordinates: 0 or 2^-300..2^300 in size. Thrust: 0..650, SHIELD, BOOST, NO_COMMAND.
     void target(int pod, double targetX, double targetY, int power) {
         x[pod] = targetX;
         y[pod] = targetY;
         thrust[pod] = power;
     }
 
-    /// Turns by -18..18 degrees, more count as 18; positive is clockwise on the screen. Without a heading: nothing.
+    /// Turns by -18..18 degrees, more count as 18, 0 or from 2^-300 on; positive is clockwise on the screen. A pod
+    /// without a heading neither turns nor thrusts.
     void turn(int pod, double degrees, int power) {
         x[pod] = (degrees < -18 ? -18 : degrees < 18 ? degrees : 18) * 0.017453292519943295;
         y[pod] = podrace::number(0x7ff8000000000000u);
@@ -702,13 +703,15 @@ public:
         return state;
     }
 
-    /// Sets a pod: u, u per turn (each 0 or 2^-100..2^30 in size), radians or NaN, timer 0..4, checkpoints passed. At
-    /// timer 4 it weighs 10 until its next command. Throws std::invalid_argument if a number is out of range.
+    /// Sets a pod: u, u per turn (each 0 or 2^-100..2^30 in size), radians (0 or from 2^-300 on) or NaN, timer 0..4,
+    /// checkpoints passed. At timer 4 it weighs 10 until its next command. Throws std::invalid_argument if a number is
+    /// out of range.
     void set(State& state, int pod, double px, double py, double vx, double vy, double heading, int timer,
              bool boostLeft, int passed) const {
         require(pod >= 0 && pod < podrace::PODS, "pod out of range");
         require(fits(px) && fits(py) && fits(vx) && fits(vy), "place or speed out of range");
-        require((podrace::bits(heading) & ~0ull >> 1) != 0x7ff0000000000000u, "infinite heading");
+        double size = podrace::number(podrace::bits(heading) & ~0ull >> 1);
+        require(!(size > 0 && size < 0x1p-300) && podrace::bits(size) != 0x7ff0000000000000u, "heading out of range");
         require(timer >= 0 && timer <= 4 && passed >= 0 && passed <= 1000000, "timer or passed out of range");
         state.x[pod] = px;
         state.y[pod] = py;

@@ -142,6 +142,17 @@ public final class CppHeader implements AutoCloseable {
         return Arrays.stream(numbers).map(Math::abs).allMatch(size -> size == 0 || size >= 0x1p-100 && size <= 0x1p30);
     }
 
+    /** True if the header takes these targets; the engine plays the speeds that others lead to in another way. */
+    static boolean fits(PodCommands commands) {
+        return IntStream.range(0, PODS).allMatch(pod -> isTarget(commands.targetX(pod))
+            && isTarget(commands.targetY(pod)));
+    }
+
+    private static boolean isTarget(double value) {
+        double size = Math.abs(value);
+        return size == 0 || size >= 0x1p-300 && size <= 0x1p300;
+    }
+
     /** Begins to play on another map. */
     public void map(double[][] map, RulesEdition rules) {
         record.putLong(1).putLong(rules == RulesEdition.CONTEST ? 1 : 0).putLong(map.length);
