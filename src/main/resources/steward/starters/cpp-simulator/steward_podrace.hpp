@@ -126,7 +126,11 @@ inline V onlyIf(M mask, V value) { return _mm256_and_pd(mask, value); }
 inline int lanesOf(M mask) { return _mm256_movemask_pd(mask); }
 inline V size(V a) { return _mm256_andnot_pd(all(-0.0), a); }
 inline V withSign(V of, V sign) { return _mm256_or_pd(size(of), _mm256_and_pd(all(-0.0), sign)); }
-inline V root(V a) { return _mm256_sqrt_pd(a); }
+/* Turns the sign of one by that of another. */
+inline V oppositeIf(V of, V sign) { return _mm256_xor_pd(of, _mm256_and_pd(all(-0.0), sign)); }
+/* The next greater double in size. */
+inline V next(M mask, V of) { return _mm256_castsi256_pd(_mm256_sub_epi64(_mm256_castpd_si256(of),
+    _mm256_castpd_si256(mask))); }
 inline V roundDown(V a) { return _mm256_floor_pd(a); }
 inline V cut(V a) { return _mm256_round_pd(a, _MM_FROUND_TO_ZERO | _MM_FROUND_NO_EXC); }
 #else
@@ -149,7 +153,8 @@ inline V onlyIf(M mask, V value) { return mask ? value : 0.0; }
 inline int lanesOf(M mask) { return mask ? 1 : 0; }
 inline V size(V a) { return number(bits(a) & ~0ull >> 1); }
 inline V withSign(V of, V sign) { return number((bits(of) & ~0ull >> 1) | (bits(sign) & 1ull << 63)); }
-inline V root(V a) { return std::sqrt(a); }
+inline V oppositeIf(V of, V sign) { return number(bits(of) ^ (bits(sign) & 1ull << 63)); }
+inline V next(M mask, V of) { return number(bits(of) + (mask ? 1 : 0)); }
 inline V cut(V a) { return size(a) < 0x1p62 ? static_cast<double>(static_cast<std::int64_t>(a)) : a; }
 inline V roundDown(V a) { V toZero = cut(a); return toZero > a ? toZero - 1 : toZero; }
 #endif
@@ -193,7 +198,7 @@ inline Wide minus(const Wide& a, const Wide& b) {
 }
 
 /* Divides by a small whole number. */
-inline Wide divided(Wide a, std::uint64_t by) {
+constexpr Wide divided(Wide a, std::uint64_t by) {
     std::uint64_t rest = 0;
     for (int k = 2; k >= 0; k--) {
         std::uint64_t upper = rest << 32 | a.w[k] >> 32;
@@ -230,11 +235,25 @@ inline std::uint64_t digitsOfTwoOverPi(int word, int shift) {
     return TWO_OVER_PI[word] << shift | TWO_OVER_PI[word + 1] >> 1 >> (63 - shift);
 }
 
+constexpr int LAST_POWER = 43;                         // (pi/4)^44 / 44! is below 2^-195
+
+/* 1/n!, cut off. */
+struct Reciprocals {
+    Wide of[LAST_POWER + 1];
+    constexpr Reciprocals() : of{} {
+        of[2] = {{0, 0, 1ull << 63}};
+        for (int n = 3; n <= LAST_POWER; n++) {
+            of[n] = divided(of[n - 1], static_cast<std::uint64_t>(n));
+        }
+    }
+};
+inline constexpr Reciprocals RECIPROCALS{};
+
 /* The square of an angle times (1/first! - square/(first + 2)! + ...). */
-inline Wide alternating(const Wide* reciprocals, const Wide& square, int last, int first) {
+inline Wide alternating(const Wide& square, int last, int first) {
     Wide sum = {};
     for (int n = last; n >= first; n -= 2) {
-        sum = times(minus(reciprocals[n], sum), square);
+        sum = times(minus(RECIPROCALS.of[n], sum), square);
     }
     return sum;
 }
@@ -262,13 +281,8 @@ inline void turnSlowly(double angle, double& cosine, double& sine) {
     Wide eighths = {{w[1] << 3 | w[0] >> 61, w[2] << 3 | w[1] >> 61, w[3] << 3 | w[2] >> 61}};
     Wide reduced = times(eighths, {{0x29024e088a67cc74u, 0xc4c6628b80dc1cd1u, 0xc90fdaa22168c234u}});
     Wide square = times(reduced, reduced);
-    constexpr int LAST = 43;                           // (pi/4)^44 / 44! is below 2^-195
-    Wide reciprocals[LAST + 1] = {{}, {}, {{0, 0, 1ull << 63}}};
-    for (int n = 3; n <= LAST; n++) {
-        reciprocals[n] = divided(reciprocals[n - 1], static_cast<std::uint64_t>(n));
-    }
-    double c = nearest(minus({}, alternating(reciprocals, square, LAST - 1, 2)));
-    double s = nearest(minus(reduced, times(alternating(reciprocals, square, LAST, 3), reduced)));
+    double c = nearest(minus({}, alternating(square, LAST_POWER - 1, 2)));
+    double s = nearest(minus(reduced, times(alternating(square, LAST_POWER, 3), reduced)));
     s = sign != 0 ? -s : s;
     bool odd = (quarter & 1) != 0;
     double turnedCosine = odd ? s : c, turnedSine = odd ? c : s;
@@ -399,8 +413,8 @@ inline V atan2(V y, V x) {
     M range1 = atMost(all(0.4375), ratio), range2 = atMost(all(0.6875), ratio);
     M range3 = atMost(all(1.1875), ratio), range4 = atMost(all(2.4375), ratio);
     // rest = (p ratio - q) / (p + q ratio), and atan(ratio) = atan(q / p) + atan(rest)
-    V p = ((one + onlyIf(range1, one)) - onlyIf(range2, one)) - onlyIf(range4, one);
-    V q = (onlyIf(range1, one) + onlyIf(range3, all(0.5))) - onlyIf(range4, all(0.5));
+    V p = select(range2, select(range4, all(0), one), select(range1, all(2), one));
+    V q = select(range3, select(range4, one, all(1.5)), onlyIf(range1, one));
     V up = select(range2, select(range3, select(range4, halfPi, all(0x1.f730bd281f69bp-1)), all(PI / 4)),
         onlyIf(range1, all(0x1.dac670561bb4fp-2)));
     V upLow = select(range2, select(range3, select(range4, all(0x1.1a62633145c07p-54), all(0x1.007887af0cbbdp-56)),
@@ -412,45 +426,41 @@ inline V atan2(V y, V x) {
     V odd = w * (all(-0x1.999999998ebc4p-3) + w * (all(-0x1.c71c6fe231671p-4) + w * (all(-0x1.3b0f2af749a6dp-4)
         + w * (all(-0x1.dde2d52defd9ap-5) + w * all(-0x1.2b4442c6a6c2fp-5)))));
     V angle = up - ((rest * (even + odd) - upLow) - rest);
-    angle = select(less(ratio, all(0x1p-28)), ratio, angle);
-    angle = select(less(all(0x1p58), ratio), halfPi, angle);
+    M small = less(ratio, all(0x1p-28)), great = less(all(0x1p58), ratio);
+    M special = either(small, great);
+    if (lanesOf(special) != 0) {
+        angle = select(great, halfPi, select(small, ratio, angle));
+    }
     V right = select(less(all(0), x), angle, pi - (angle - piLow));
     return withSign(select(equal(x, all(0)), halfPi, right), y);
 }
 
 /* ---- Headings. ---- */
 
-/* angle % FULL_TURN, as fmod. Up to 2^20 exact by two parts of a full turn, the first of 33 bits. */
-inline V remainderOfTurn(V angle, M wanted) {
-    constexpr double HIGH = 0x1.921fb544p2;
-    const V turn = all(FULL_TURN);
-    V positive = size(angle);
-    V turns = cut(positive * all(1 / FULL_TURN));
-    V rest = (positive - turns * all(HIGH)) - turns * all(FULL_TURN - HIGH);
-    rest = select(less(rest, all(0)), rest + turn, rest);
-    rest = select(atMost(turn, rest), rest - turn, rest);
-    M far = both(wanted, less(all(0x1p20), positive));
-    if (lanesOf(far) != 0) {
-        double sizes[LANES], rests[LANES];
-        store(sizes, positive);
-        store(rests, rest);
-        for (int lane = 0; lane < LANES; lane++) {
-            if (lanesOf(far) >> lane & 1) {
-                rests[lane] = std::fmod(sizes[lane], FULL_TURN);
-            }
-        }
-        rest = load(rests);
+/* size % FULL_TURN of sizes from twice FULL_TURN on. */
+inline V remainderOfFar(V size) {
+    double sizes[LANES];
+    store(sizes, size);
+    for (double& each : sizes) {
+        each = std::fmod(each, FULL_TURN);
     }
-    return withSign(rest, angle);
+    return load(sizes);
 }
 
-/* The heading after a turn towards another by at most 18 degrees; the other if there is none yet. */
+/* The heading after a turn towards another by at most 18 degrees; the other if there is none yet. The rules take
+   delta = (other - heading) % FULL_TURN and 2 delta % FULL_TURN - delta; differences within a factor of 2 are exact. */
 inline V turned(V heading, V other, M wanted) {
     const V turn = all(FULL_TURN), most = all(MAXIMUM_TURN);
-    V delta = remainderOfTurn(other - heading, wanted);
-    V twice = all(2) * delta;
-    V shortest = select(atMost(turn, size(twice)), withSign(size(twice) - turn, twice), twice) - delta;
-    return select(atMost(most, size(shortest)), heading + withSign(most, shortest), other);
+    V difference = other - heading;
+    V delta = size(difference);
+    delta = select(atMost(turn, delta), delta - turn, delta);
+    if (lanesOf(both(wanted, atMost(turn, delta))) != 0) {
+        delta = remainderOfFar(size(difference));
+    }
+    V twice = delta + delta;
+    V shortest = select(atMost(turn, twice), (twice - turn) - delta, delta);
+    V side = withSign(most, oppositeIf(shortest, difference));
+    return select(atMost(most, size(shortest)), heading + side, other);
 }
 
 /* ---- Impacts. ---- */
@@ -864,12 +874,14 @@ private:
             M pushed = both(steers, less(all(0), power));
             V cosine, sine;
             turn(heading, pushed, cosine, sine);
-            V length = root(cosine * cosine + sine * sine);
+            // The rules divide both by the root n of this sum, which is 1 - 2^-52, 1 - 2^-53, 1 or 1 + 2^-52, as both
+            // are correctly rounded. So n is 1 - 2^-53 or 1, and a quotient by 1 - 2^-53 is the next greater double.
+            M shortened = less(cosine * cosine + sine * sine, all(1));
             store(state.heading + pod, heading);
             store(flight.x + pod, px);
             store(flight.y + pod, py);
-            store(flight.vx + pod, select(pushed, vx + cosine / length * power, vx));
-            store(flight.vy + pod, select(pushed, vy + sine / length * power, vy));
+            store(flight.vx + pod, select(pushed, vx + next(shortened, cosine) * power, vx));
+            store(flight.vy + pod, select(pushed, vy + next(shortened, sine) * power, vy));
         }
     }
 
