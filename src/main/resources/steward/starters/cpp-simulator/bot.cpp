@@ -14,7 +14,7 @@
 const int DEPTH = 7;                        // turns of a plan
 const int FULL_THRUST = 200;
 const double FULL_TURN = 18;                // degrees
-const double ANSWER_MS = 45;                // of the 75 that a bot has
+const double ANSWER_MS = 20;                // of the 75 that a bot has
 const double CHECKPOINT_WORTH = 20000;      // more than any distance between two checkpoints
 const double BLOCK_WORTH = 0.35;            // of a unit nearer to the other player's best pod
 const double PI = std::acos(-1.0);
