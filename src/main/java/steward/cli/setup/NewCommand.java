@@ -23,7 +23,7 @@ import steward.text.NearestName;
 /** {@code steward new}: writes a bot to start from. */
 @Command(name = "new", description = "Writes a commented bot to start from, which races at once, into a new or empty "
     + "folder, and prints how to run it.",
-    footer = {"", "Examples:", "  steward new python mybot", "  steward new cpp mybot",
+    footer = {"", "Examples:", "  steward new python mybot", "  steward new cpp mybot --simulator",
         "", "Exit status: 0 written; 2 the folder is not empty, or cannot be written into."})
 public final class NewCommand implements Callable<Integer> {
 
@@ -39,6 +39,10 @@ public final class NewCommand implements Callable<Integer> {
     @Option(names = "--game", paramLabel = "GAME", defaultValue = Games.FIRST, completionCandidates = GameIds.class,
         description = "The game that it plays, one of ${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE}).")
     private String game;
+
+    @Option(names = "--simulator", description = "Writes, in cpp for the pod race, a bot that searches, with "
+        + "steward_podrace.hpp: the official turn to the last bit, in one header.")
+    private boolean simulator;
 
     public NewCommand(Streams streams) {
         this.streams = streams;
@@ -56,7 +60,8 @@ public final class NewCommand implements Callable<Integer> {
     /** The words for the languages. */
     static final class Languages implements Iterable<String> {
 
-        static final List<String> ALL = Arrays.stream(Starter.values()).map(Starter::word).toList();
+        static final List<String> ALL = Arrays.stream(Starter.values()).filter(each -> !each.searches())
+            .map(Starter::word).toList();
 
         @Override
         public Iterator<String> iterator() {
@@ -66,7 +71,11 @@ public final class NewCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        Starter starter = Arrays.stream(Starter.values()).filter(each -> each.word().equals(language)).findFirst()
+        if (simulator && Languages.ALL.contains(language) && !language.equals(Starter.CPP_SIMULATOR.word())) {
+            throw new InputException("--simulator: found LANGUAGE '" + language + "', expected cpp");
+        }
+        Starter starter = Arrays.stream(Starter.values())
+            .filter(each -> each.word().equals(language) && each.searches() == simulator).findFirst()
             .orElseThrow(() -> new InputException("LANGUAGE: found '" + language + "', expected one of "
                 + String.join(", ", Languages.ALL) + NearestName.of(language, Languages.ALL)
                 .map(near -> "; did you mean '" + near + "'?").orElse("")));

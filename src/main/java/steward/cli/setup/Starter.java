@@ -13,11 +13,14 @@ enum Starter {
     PYTHON("bot.py", List.of(), "python3 bot.py"),
     JAVA("Bot.java", List.of("javac Bot.java"), "codingame:java Bot"),
     CPP("bot.cpp", List.of("g++ -O2 -o bot bot.cpp"), "codingame:./bot"),
-    JS("bot.js", List.of(), "codingame:node bot.js");
+    JS("bot.js", List.of(), "codingame:node bot.js"),
+    /** C++ with the header that plays the official turn: cpp with {@code --simulator}. */
+    CPP_SIMULATOR("bot.cpp", List.of("g++ -std=c++17 -O3 -march=native -o bot bot.cpp"), "codingame:./bot");
 
     /** Says how to run the bot. */
     static final String README = "README.md";
 
+    private static final String HEADER = "steward_podrace.hpp";
     private static final String FOLDER = "/steward/starters/";
 
     private final String source;
@@ -35,14 +38,19 @@ enum Starter {
         this.bot = bot;
     }
 
-    /** As it is typed. */
+    /** The language as it is typed. */
     String word() {
-        return name().toLowerCase(Locale.ROOT);
+        return this == CPP_SIMULATOR ? CPP.word() : name().toLowerCase(Locale.ROOT);
+    }
+
+    /** True if it is asked for by {@code --simulator}. */
+    boolean searches() {
+        return this == CPP_SIMULATOR;
     }
 
     /** The files of the starter. */
     List<String> files() {
-        return List.of(source, README);
+        return searches() ? List.of(source, HEADER, README) : List.of(source, README);
     }
 
     List<String> compile() {
@@ -59,7 +67,8 @@ enum Starter {
     }
 
     private String folder(String game) {
-        return FOLDER + (game.equals(Games.FIRST) ? "" : game + "/") + word() + "/";
+        return FOLDER + (game.equals(Games.FIRST) ? "" : game + "/")
+            + name().toLowerCase(Locale.ROOT).replace('_', '-') + "/";
     }
 
     /** The content of one of its {@link #files()}. */

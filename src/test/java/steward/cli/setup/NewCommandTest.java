@@ -34,7 +34,7 @@ class NewCommandTest {
     @Tag("process")
     void everyStarterRacesAtOnceWithoutAFault(Starter starter) throws IOException, InterruptedException {
         Path place = folder.resolve("a bot");
-        Cli made = Cli.run("new", starter.word(), place.toString());
+        Cli made = make(starter, place);
         assertEquals(ExitStatus.DONE, made.status(), made.err());
         for (String command : starter.compile()) {
             List<String> words = CommandLine.split(command);
@@ -57,10 +57,15 @@ class NewCommandTest {
         assertTrue(made.out().contains("steward match --bot '") || made.out().contains("--bot me="), made.out());
     }
 
+    private static Cli make(Starter starter, Path place) {
+        return starter.searches() ? Cli.run("new", starter.word(), place.toString(), "--simulator")
+            : Cli.run("new", starter.word(), place.toString());
+    }
+
     @ParameterizedTest
     @EnumSource
     void itsReadmeSaysHowToRunIt(Starter starter) throws IOException {
-        Cli.run("new", starter.word(), folder.toString());
+        make(starter, folder);
         String readme = Files.readString(folder.resolve(Starter.README));
         assertTrue(readme.contains("me=" + starter.bot()), readme);
         starter.compile().forEach(command -> assertTrue(readme.contains(command), readme));

@@ -14,6 +14,7 @@ import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.game.Comparison;
 import steward.game.GroundTruth;
+import steward.game.podrace.simulator.CppHeader;
 
 /**
  * Whole matches of the published referee with correctly rounded sine and cosine: states, impacts, paths, ends, faults
@@ -60,7 +61,7 @@ class PodRaceVectorsTest {
         int turns = 0;
         for (Path file : files()) {
             VectorMatch match = VectorMatch.read(file);
-            SimulatedVectors simulated = new SimulatedVectors(match);
+            SimulatedVectors simulated = new SimulatedVectors(match, null);
             Comparison found = simulated.compare();
             values += found.values();
             turns += simulated.turns();
@@ -72,5 +73,17 @@ class PodRaceVectorsTest {
 
         assertTrue(turns > 0, "the folder holds turns without faults");
         assertEquals(List.of(), differences.stream().limit(20).toList());
+    }
+
+    @Test
+    @Tag("process")
+    void theHeaderForBotsPlaysTheSameTurns(TestReporter report) throws IOException, InterruptedException {
+        try (CppHeader header = new CppHeader(report)) {
+            for (Path file : files()) {
+                Comparison found = new SimulatedVectors(VectorMatch.read(file), header).compare();
+                assertEquals(List.of(), found.differences());
+            }
+            header.assertNothingDiffers();
+        }
     }
 }

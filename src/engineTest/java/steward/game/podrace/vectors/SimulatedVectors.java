@@ -5,6 +5,7 @@ import java.util.regex.Pattern;
 import steward.game.Comparison;
 import steward.game.podrace.PodState;
 import steward.game.podrace.RulesEdition;
+import steward.game.podrace.simulator.CppHeader;
 import steward.game.podrace.simulator.PodCommands;
 import steward.game.podrace.simulator.PodRaceSimulator;
 import tools.jackson.databind.JsonNode;
@@ -16,10 +17,13 @@ final class SimulatedVectors {
 
     private final VectorMatch match;
     private final Comparison comparison;
+    private final CppHeader header;
     private int turns;
 
-    SimulatedVectors(VectorMatch match) {
+    /** @param header plays the turns of four pods too; {@code null} for none */
+    SimulatedVectors(VectorMatch match, CppHeader header) {
         this.match = match;
+        this.header = match.players() == 2 && match.podsPerPlayer() == 2 ? header : null;
         comparison = new Comparison(match.name() + " (simulator)");
     }
 
@@ -32,10 +36,19 @@ final class SimulatedVectors {
             match.header().get("laps").asInt(), RulesEdition.CONTEST);
         PodCommands commands = new PodCommands(race.pods());
         JsonNode before = match.start();
+        if (header != null) {
+            header.map(match.checkpoints(), RulesEdition.CONTEST);
+        }
         for (JsonNode turn : match.turns()) {
             before = turn.has("before") ? turn.get("before") : before;
             if (set(race, before) && nobodyIsOut(turn.get("state")) && read(commands, turn.get("commands"))) {
+                if (header != null) {
+                    header.state(race);
+                }
                 race.play(commands);
+                if (header != null) {
+                    header.turn(commands, race, match.checkpoints().length);
+                }
                 turns++;
                 compare("turn " + turn.get("turn").asInt(), race, turn.get("state"));
             }

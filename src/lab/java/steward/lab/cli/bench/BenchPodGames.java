@@ -79,6 +79,15 @@ final class BenchPodGames {
         together[turn].set(game, pod, x, y, power);
     }
 
+    double[][] map() {
+        return map;
+    }
+
+    /** By game and turn. */
+    PodCommands[][] commands() {
+        return commands;
+    }
+
     PodRaceBatch batch() {
         return new PodRaceBatch(map, GAMES);
     }

@@ -1,0 +1,168 @@
+package steward.lab.cli.bench;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.function.DoubleSupplier;
+import steward.lab.bench.Contender;
+import steward.game.podrace.protocol.PodRaceType;
+import steward.game.podrace.simulator.PodCommands;
+import steward.match.TestScenes;
+import steward.numerics.SplitMix64;
+
+/**
+ * Time of a turn of {@code steward_podrace.hpp} beside the simulator and the textbook, in the games of {@code steward
+ * bench}, {@code gradle headerSpeed -Prounds=20}. All take turns within each round, so that other work on the machine
+ * meets them all; the least and the median time per turn are printed. The last rows are playouts by angles.
+ */
+public final class HeaderSpeed {
+
+    private static final int PODS = 4;
+    /** Times that a program plays the games in a round. */
+    private static final String REPETITIONS = "20";
+    private static final Path RESOURCES = Path.of("src/test/resources/steward/podrace");
+    private static final Path HEADER = Path.of("src/main/resources/steward/starters/cpp-simulator");
+
+    private final Map<String, List<Double>> times = new LinkedHashMap<>();
+    private final Path folder = Files.createTempDirectory("header-speed");
+
+    private HeaderSpeed() throws IOException {
+    }
+
+    /** @param words {@code --rounds N}: how often each plays */
+    public static void main(String[] words) throws Exception {
+        new HeaderSpeed().run(words.length > 1 ? Integer.parseInt(words[1]) : 10);
+    }
+
+    private void run(int rounds) throws Exception {
+        Map<String, Path> programs = new LinkedHashMap<>();
+        for (String compiler : List.of("g++", "clang++")) {
+            programs.put(compiler + " -O3 -march=native", compile(compiler, "-O3", "-march=native"));
+            programs.put(compiler + " -O2", compile(compiler, "-O2"));
+        }
+        PodRaceType.PodRaceSetup setup = (PodRaceType.PodRaceSetup) TestScenes.open("mad-pod-racing");
+        BenchPodGames race = new BenchPodGames(setup, false);
+        BenchPodGames brawl = new BenchPodGames(setup, true);
+        Map<String, byte[]> games = new LinkedHashMap<>();
+        games.put("race", bytes(race.map(), race.commands()));
+        games.put("brawl", bytes(brawl.map(), brawl.commands()));
+        games.put("by 18 degrees", bytes(race.map(), angles(true)));
+        games.put("by any degrees", bytes(race.map(), angles(false)));
+        for (int round = 0; round < rounds; round++) {
+            for (Map.Entry<String, byte[]> each : games.entrySet()) {
+                for (Map.Entry<String, Path> program : programs.entrySet()) {
+                    measure(each.getKey() + ", header, " + program.getKey(), () -> play(program.getValue(),
+                        each.getValue()));
+                }
+            }
+            measureJava("race, ", race);
+            measureJava("brawl, ", brawl);
+        }
+        System.out.printf("%-48s %8s %8s%n", "ns a turn", "least", "median");
+        times.forEach((name, found) -> {
+            double[] sorted = found.stream().mapToDouble(Double::doubleValue).sorted().toArray();
+            System.out.printf(Locale.ROOT, "%-48s %8.1f %8.1f%n", name, sorted[0], sorted[sorted.length / 2]);
+        });
+    }
+
+    private void measureJava(String crowd, BenchPodGames games) {
+        for (Contender contender : games.alone(crowd)) {
+            if (!contender.name().endsWith("engine of matches")) {
+                measure(contender.name(), () -> time(contender));
+            }
+        }
+    }
+
+    private void measure(String name, DoubleSupplier time) {
+        times.computeIfAbsent(name, key -> new ArrayList<>()).add(time.getAsDouble());
+    }
+
+    /** The least time of a turn of some repetitions, as the programs print it. */
+    private static double time(Contender contender) {
+        double least = Double.POSITIVE_INFINITY;
+        for (int k = Integer.parseInt(REPETITIONS); k > 0; k--) {
+            long begin = System.nanoTime();
+            try {
+                long turns = contender.work().run();
+                least = Math.min(least, (double) (System.nanoTime() - begin) / turns);
+            } catch (Exception problem) {
+                throw new IllegalStateException(problem);
+            }
+        }
+        return least;
+    }
+
+    private static double play(Path program, byte[] games) {
+        try {
+            Process process = new ProcessBuilder(program.toString(), REPETITIONS)
+                .redirectError(ProcessBuilder.Redirect.INHERIT).start();
+            try (OutputStream out = process.getOutputStream()) {
+                out.write(games);
+            }
+            return Double.parseDouble(new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8)
+                .split(" ")[0]);
+        } catch (IOException problem) {
+            throw new IllegalStateException(problem);
+        }
+    }
+
+    private Path compile(String compiler, String... flags) throws IOException, InterruptedException {
+        Path program = folder.resolve(compiler + String.join("", flags));
+        List<String> call = new ArrayList<>(List.of(compiler, "-std=c++17", "-I" + HEADER));
+        call.addAll(Arrays.asList(flags));
+        call.addAll(List.of(RESOURCES.resolve("speed.cpp").toString(), "-o", program.toString()));
+        if (new ProcessBuilder(call).inheritIO().start().waitFor() != 0) {
+            throw new IllegalStateException("cannot compile: " + call);
+        }
+        return program;
+    }
+
+    /** Random turns to both sides. */
+    private static PodCommands[][] angles(boolean full) {
+        SplitMix64 random = new SplitMix64(1);
+        PodCommands[][] commands = new PodCommands[BenchPodGames.GAMES][BenchPodGames.TURNS];
+        for (PodCommands[] game : commands) {
+            for (int turn = 0; turn < game.length; turn++) {
+                game[turn] = new PodCommands(PODS);
+                for (int pod = 0; pod < PODS; pod++) {
+                    if (turn == 0) {
+                        game[turn].set(pod, random.nextInt(16_000), random.nextInt(9_000), 200);
+                    } else {
+                        game[turn].turn(pod, full ? 36 * random.nextInt(2) - 18 : 36 * random.nextDouble() - 18,
+                            random.nextInt(3) == 0 ? random.nextInt(0, 200) : 200);
+                    }
+                }
+            }
+        }
+        return commands;
+    }
+
+    private static byte[] bytes(double[][] map, PodCommands[][] commands) {
+        int words = 3 + 2 * map.length + 3 * PODS * commands.length * commands[0].length;
+        ByteBuffer out = ByteBuffer.allocate(Long.BYTES * words).order(ByteOrder.LITTLE_ENDIAN);
+        out.putLong(map.length);
+        for (double[] place : map) {
+            out.putDouble(place[0]).putDouble(place[1]);
+        }
+        out.putLong(commands.length).putLong(commands[0].length);
+        for (PodCommands[] game : commands) {
+            for (PodCommands each : game) {
+                for (int pod = 0; pod < PODS; pod++) {
+                    out.putDouble(Double.isNaN(each.targetY(pod)) ? each.degrees(pod) : each.targetX(pod))
+                        .putDouble(each.targetY(pod)).putLong(each.thrust(pod));
+                }
+            }
+        }
+        return out.array();
+    }
+}
