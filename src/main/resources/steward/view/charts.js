@@ -39,7 +39,7 @@ class Chart {
       width, height: HEIGHT, legend: { show: false }, padding: [6, 4, 0, 0],
       cursor: { sync: { key: 'turns' }, y: false, points: { show: false }, drag: { x: false, y: false } },
       scales: { x: { time: false }, y: this.isLog ? { distr: 3 } : this.low === null ? {} : { range: (_, low, high) => [Math.min(0, low), high > 0 ? high * 1.05 : 1] } },
-      axes: [{ ...axis, size: 18, gap: 2, space: 60 },
+      axes: [{ ...axis, size: 18, gap: 2, space: 60, incrs: WHOLE },
         { ...axis, size: 40, gap: 3, space: 26, values: (_, splits) => splits.map(value => (value === null ? '' : this.isLog ? log(value) : short(value))) }],
       series: [{}, ...match.players.map((_, player) => ({ stroke: theme.team(player), width: 1.4, spanGaps: true, points: { show: false } })),
         ...this.limit ? [{ stroke: paint.bad, width: 1.25, dash: [5, 4], points: { show: false } }] : []],
@@ -70,6 +70,7 @@ class Chart {
   }
 }
 const MOST_VALUES = 4;
+const WHOLE = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000];       // steps between turns
 
 function short(value) {
   return Math.abs(value) >= 10_000 ? `${grouped(value / 1000)}k` : grouped(value);

@@ -117,9 +117,11 @@ class Sprites {
       this.#version = scene.theme.version;
     }
     const size = radius < 24 ? Math.max(1, Math.round(radius * 2) / 2) : Math.round(radius);
-    const key = `${name}|${size}`;
-    let sprite = this.#made.get(key);
+    let sizes = this.#made.get(name);
+    if (!sizes) this.#made.set(name, sizes = new Map());
+    let sprite = sizes.get(size);
     if (!sprite) {
+      if (sizes.size > MOST_SIZES) sizes.clear();
       const half = Math.ceil(size * reach + 2);
       const ratio = devicePixelRatio || 1;
       const canvas = document.createElement('canvas');
@@ -128,7 +130,7 @@ class Sprites {
       ctx.setTransform(ratio, 0, 0, ratio, half * ratio, half * ratio);
       draw(ctx, size);
       sprite = { canvas, half, size };
-      this.#made.set(key, sprite);
+      sizes.set(size, sprite);
     }
     return sprite;
   }
@@ -149,6 +151,7 @@ class Sprites {
     ctx.translate(-x, -y);
   }
 }
-const MOST_SPRITES = 600;
+const MOST_SPRITES = 300;        // names
+const MOST_SIZES = 60;
 
 export const sprites = new Sprites();

@@ -64,7 +64,7 @@ function drawFlash(scene, met, age) {
   ctx.globalAlpha = 1;
   if (turnsPerSecond <= NUMBERED_SPEED && age < 0.7 && met.impact.impulse !== undefined && full > 12) {
     ctx.globalAlpha = Math.min(1, 2 * fade);
-    write({ ctx, paint }, grouped(Math.abs(met.impact.impulse)), x, y - full * 0.55 - 6 - 16 * age, 12, paint.flash, '700');
+    write({ ctx, paint }, grouped(Math.round(Math.abs(met.impact.impulse))), x, y - full * 0.55 - 6 - 16 * age, 12, paint.flash, '700');
     ctx.globalAlpha = 1;
   }
 }
@@ -86,9 +86,8 @@ function drawSparks(ctx, x, y, full, sparks, age, met) {
 export function drawMarks(scene) {
   const { match, moment } = scene;
   const marks = within(match.events, moment.time - MARK_TURNS, moment.time);
-  const isCrowd = marks.length > MOST_FLASHES;
   marks.forEach((mark, k) => {
-    if (isCrowd && !mark.event.text) return;
+    if (!mark.event.text) return;
     const age = (moment.time - mark.time) / MARK_TURNS;
     const { x, y } = mark.event;
     drawMark(scene, mark, age, marks.slice(0, k).filter(({ event }) => event.x === x && event.y === y).length);
@@ -107,7 +106,7 @@ function drawMark({ ctx, view, paint, match, theme, show }, { event, turn }, age
   ctx.stroke();
   if (event.text && show.names) {
     write({ ctx, paint, view }, shorten(withNames(match, event.text), MOST_WORDS), x,
-      y - Math.max(18, size + 10) - 15 * row, captionSize(view), body?.owner === null ? paint.ink : colour, '600');
+      y - Math.max(18, size + 10) - 15 * row, captionSize(view), (body?.owner ?? null) === null ? paint.ink : colour, '600');
   }
   ctx.globalAlpha = 1;
 }
@@ -115,57 +114,95 @@ function drawMark({ ctx, view, paint, match, theme, show }, { event, turn }, age
 const TRAIL_TURNS = 22;
 const TRAIL_TURNS_OF_CROWD = 3;
 const CROWD = 24;
-const BIG_CROWD = 120;          // beyond, only bodies of players leave trails
+const BIG_CROWD = 120;          // beyond, trails are short lines, one stroke for each team
 
 /** Ways of the last turns: wide and bright where a body was fast. */
 export function drawTrails(scene) {
   const { bodies, selected } = scene;
   const isCrowd = bodies.length > CROWD;
+  if (bodies.length > BIG_CROWD) {
+    drawShortTrails(scene);
+    return;
+  }
   for (const body of bodies) {
-    if (bodies.length > BIG_CROWD && (body.owner === null || body.owner === undefined)) continue;
     const turns = isCrowd && body.id !== selected ? TRAIL_TURNS_OF_CROWD : TRAIL_TURNS;
-    drawTrail(scene, body, turns, isCrowd ? 5 : 22);
+    drawTrail(scene, body, turns, isCrowd ? 2 : 22);
   }
   scene.ctx.globalAlpha = 1;
 }
 
+/** One line for each body from where it was two turns ago, all of a team in one stroke. */
+function drawShortTrails({ ctx, view, theme, match, moment, bodies }) {
+  const before = match.turn(Math.max(0, moment.turn - 2)).bodies;
+  const teams = new Map();
+  for (const body of bodies) {
+    const from = before.get(body.id);
+    if (!from) continue;
+    let path = teams.get(body.owner);
+    if (!path) teams.set(body.owner, path = new Path2D());
+    path.moveTo(view.x(from.x), view.y(from.y));
+    path.lineTo(view.x(body.x), view.y(body.y));
+  }
+  ctx.globalAlpha = 0.4;
+  ctx.lineWidth = 1.5;
+  for (const [owner, path] of teams) {
+    ctx.strokeStyle = theme.team(owner);
+    ctx.stroke(path);
+  }
+  ctx.globalAlpha = 1;
+}
+
+/** Quads that share their edges, so that no seams are seen; a thin line along the middle. */
 function drawTrail({ ctx, view, theme, match, moment }, body, turns, pieces) {
-  const trail = trailOf(match, body, moment, turns);
+  const trail = trailOf(match, body, moment, turns, pieces);
   if (trail.length < 2) return;
   const most = match.topSpeed || 1;
-  ctx.strokeStyle = theme.team(body.owner);
-  ctx.lineCap = 'butt';
-  ctx.lineJoin = 'round';
-  const wide = body.radius * view.scale;
-  const perPiece = Math.max(1, Math.ceil((trail.length - 1) / pieces));
-  for (let k = 0; k + 1 < trail.length; k += perPiece) {
-    const end = Math.min(trail.length - 1, k + perPiece);
-    const young = 1 - (moment.time - trail[end][0]) / turns;
-    let far = 0;
-    ctx.beginPath();
-    moveTo(ctx, view, trail[k][1], trail[k][2]);
-    for (let j = k + 1; j <= end; j++) {
-      far += Math.hypot(trail[j][1] - trail[j - 1][1], trail[j][2] - trail[j - 1][2]);
-      lineTo(ctx, view, trail[j][1], trail[j][2]);
+  const isOwned = body.owner !== null && body.owner !== undefined;
+  const wide = body.radius * view.scale * (isOwned ? 1 : 0.4);
+  ctx.strokeStyle = ctx.fillStyle = theme.team(body.owner);
+  ctx.lineWidth = 1.25;
+  const points = trail.map(([time, x, y]) => [time, view.x(x), view.y(y)]);
+  let edge = null;
+  for (let k = 0; k < points.length; k++) {
+    const [time, x, y] = points[k];
+    const [, fromX, fromY] = points[Math.max(0, k - 1)];
+    const [, toX, toY] = points[Math.min(points.length - 1, k + 1)];
+    const far = Math.hypot(toX - fromX, toY - fromY) || 1;
+    const young = Math.max(0, 1 - (moment.time - time) / turns);
+    const half = Math.max(0.5, wide * (0.03 + 0.3 * young * young));
+    const [nx, ny] = [-(toY - fromY) / far * half, (toX - fromX) / far * half];
+    const next = [x + nx, y + ny, x - nx, y - ny];
+    if (edge) {
+      const before = points[k - 1];
+      const speed = Math.hypot(x - before[1], y - before[2]) / view.scale / Math.max(1e-3, time - before[0]) / most;
+      ctx.globalAlpha = young * young * (0.16 + 0.5 * Math.min(1, speed)) * (isOwned ? 1 : 0.5);
+      ctx.beginPath();
+      ctx.moveTo(edge[0], edge[1]);
+      ctx.lineTo(next[0], next[1]);
+      ctx.lineTo(next[2], next[3]);
+      ctx.lineTo(edge[2], edge[3]);
+      ctx.fill();
+      if (isOwned) {
+        ctx.globalAlpha = young * young * (0.3 + 0.5 * Math.min(1, speed));
+        ctx.beginPath();
+        ctx.moveTo(before[1], before[2]);
+        ctx.lineTo(x, y);
+        ctx.stroke();
+      }
     }
-    const speed = Math.min(1, far / Math.max(1e-9, trail[end][0] - trail[k][0]) / most);
-    ctx.globalAlpha = Math.max(0, young) ** 2 * (0.14 + 0.5 * speed);
-    ctx.lineWidth = Math.max(1, wide * (0.08 + 0.62 * young * young));
-    ctx.stroke();
-    ctx.globalAlpha = Math.max(0, young) ** 2 * (0.35 + 0.5 * speed);
-    ctx.lineWidth = 1.25;
-    ctx.stroke();
+    edge = next;
   }
 }
 
 /** Where a body was in the last turns, corners included: [time, x, y]. */
-function trailOf(match, body, moment, turns) {
+function trailOf(match, body, moment, turns, pieces) {
   const from = Math.max(0, moment.time - turns);
   const trail = [];
   for (let number = Math.floor(from) + 1; number <= moment.turn; number++) {
     for (const [t, x, y] of match.path(body.id, number)) {
       const time = number - 1 + t;
-      if (time >= from && time <= moment.time) trail.push([time, x, y]);
+      const isNew = !trail.length || time - trail[trail.length - 1][0] > turns / pieces / 8;
+      if (isNew && time >= from && time < moment.time) trail.push([time, x, y]);
     }
   }
   trail.push([moment.time, body.x, body.y]);
@@ -211,8 +248,10 @@ export function drawExhaust(scene, body, heading, thrust) {
 export function drawVelocities({ ctx, view, theme, bodies, selected }) {
   ctx.lineWidth = 1.75;
   for (const body of bodies) {
+    if (bodies.length > BIG_CROWD && body.id !== selected) continue;
     const { vx, vy } = body.after;
-    if (!vx && !vy || bodies.length > CROWD && body.owner === null && body.id !== selected) continue;
+    const isOwned = body.owner !== null && body.owner !== undefined;
+    if (!vx && !vy || !isOwned && body.id !== selected) continue;
     const [x, y] = [view.x(body.x + 2 * vx), view.y(body.y + 2 * vy)];
     ctx.strokeStyle = ctx.fillStyle = theme.team(body.owner);
     ctx.globalAlpha = 0.85;

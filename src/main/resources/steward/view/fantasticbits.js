@@ -3,7 +3,6 @@
 import { captionSize, circle, directionLine, lineTo, moveTo, polygon, regular, sprites, write } from './draw.js';
 import { paintGlow, putDisc } from './hulls.js';
 import { addLook, PLAIN_LOOK, ranksOf, scoresOf, writeOut } from './looks.js';
-import { paintFrame } from './ground.js';
 import { plainNumber } from './text.js';
 import { withAlpha } from './theme.js';
 
@@ -20,7 +19,6 @@ addLook('fantastic-bits', {
 
   /** A goal has the colour of the player who scores in it. */
   drawGround(scene) {
-    paintFrame(scene);
     paintPitch(scene);
     paintGoal(scene, PITCH.width, 0, 1);
     paintGoal(scene, 0, 1, -1);

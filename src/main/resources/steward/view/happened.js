@@ -53,7 +53,7 @@ export class Happened {
     if (impact) {
       const { owner } = this.match.describeIn(impact.a, turn);
       const words = impact.wall === undefined ? this.#pairOfNames(impact, turn) : pairOf(impact);
-      return { words, value: impact.impulse === undefined ? '' : grouped(Math.abs(impact.impulse)), player: owner };
+      return { words, value: impact.impulse === undefined ? '' : grouped(Math.round(Math.abs(impact.impulse))), player: owner };
     }
     if (event) return { words: withNames(this.match, event.text), value: '✓', player: this.timeline.ownerOf(event, turn) };
     return { words: `${nameOf(this.match, player)}: ${fault}`, value: '×', player };
@@ -62,8 +62,8 @@ export class Happened {
   /** Both bodies, with the kind where there are several kinds. */
   #pairOfNames(impact, turn) {
     return [impact.a, impact.b].map(id => {
-      const { kind, label } = this.match.describeIn(id, turn);
-      return this.#kinds() > 1 ? `${kind} ${label && label !== String(id) && label.length < 3 ? label : id}` : String(id);
+      const { kind } = this.match.describeIn(id, turn);
+      return this.#kinds() > 1 ? `${kind} ${id}` : String(id);
     }).join(' × ');
   }
 

@@ -11,6 +11,7 @@ import { paintZone } from './ground.js';
 import { grouped, plainNumber } from './text.js';
 
 const LOOKS = new Map();
+const MOST_CAPTIONS = 100;
 const LABEL_PIXELS = 8;         // bodies drawn smaller than this have no label
 
 export function addLook(game, look) {
@@ -61,7 +62,7 @@ export const PLAIN_LOOK = {
   },
 
   drawAbove(scene) {
-    if (scene.show.names) scene.bodies.forEach(body => writeOut(scene, body));
+    if (scene.show.names && scene.bodies.length < MOST_CAPTIONS) scene.bodies.forEach(body => writeOut(scene, body));
   },
 
   progress: scoresOf,

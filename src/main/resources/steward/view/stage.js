@@ -106,6 +106,7 @@ export class Stage {
   }
 
   #drawRings(scene) {
+    if (this.selected === null && this.hovered === null) return;
     for (const body of scene.bodies) {
       if (body.id === this.selected || body.id === this.hovered) drawRing(scene, body, body.id === this.selected);
     }

@@ -9,7 +9,8 @@ import { withAlpha } from './theme.js';
 
 const THUMB = 14;               // the width of the range input's thumb, as in the style sheet
 const IMPACT_PART = 0.24;       // of the height, at the bottom
-const MOST_EVENTS = 400;        // of more, those without words are not drawn
+const TOP = 8;                  // pixels above the highest lead, and
+const SIDE = 9;                 // for the events on each side of zero
 const NEAR_PIXELS = 5;
 
 export class Timeline {
@@ -71,19 +72,22 @@ export class Timeline {
 
   /** Above zero the first player leads, below it the second. */
   #drawArea(ctx, [first, second]) {
-    const { theme, middle } = this;
+    const { theme } = this;
     const leads = first.map((value, turn) => (value ?? 0) - (second[turn] ?? 0));
-    const most = Math.max(1e-9, ...leads.map(Math.abs));
-    const toY = lead => middle - lead / most * (middle - 8);
+    const [above, below] = [Math.max(0, ...leads), Math.max(0, ...leads.map(lead => -lead))];
+    const room = this.height * (1 - IMPACT_PART);
+    const unit = (room - TOP - 2 * SIDE) / Math.max(1e-9, above + below);
+    const middle = this.middle = above + below > 0 ? TOP + SIDE + above * unit : room / 2;
+    const toY = lead => middle - lead * unit;
     const step = Math.max(1, Math.floor(leads.length / this.width));
     for (const [sign, player] of [[1, 0], [-1, 1]]) {
       const colour = theme.team(player);
-      const fill = ctx.createLinearGradient(0, toY(sign * most), 0, middle);
+      const fill = ctx.createLinearGradient(0, toY(sign > 0 ? above : -below) - sign, 0, middle);
       fill.addColorStop(0, withAlpha(colour, 0.65));
       fill.addColorStop(1, withAlpha(colour, 0.12));
       ctx.save();
       ctx.beginPath();
-      ctx.rect(0, sign > 0 ? 0 : middle, this.width, middle);
+      ctx.rect(0, sign > 0 ? 0 : middle, this.width, sign > 0 ? middle : this.height);
       ctx.clip();
       ctx.beginPath();
       ctx.moveTo(this.#toX(0), middle);
@@ -146,7 +150,7 @@ export class Timeline {
   #drawEvents(ctx) {
     const { events } = this.match;
     for (const { time, turn, event } of events) {
-      if (!event.text && events.length > MOST_EVENTS) continue;
+      if (!event.text) continue;
       const owner = this.ownerOf(event, turn);
       const isBig = event.kind !== 'mark' || /lap/.test(event.text ?? '');
       ctx.fillStyle = this.theme.team(owner);
@@ -187,7 +191,7 @@ export class Timeline {
     const impacts = within(this.match.impacts, time - near, time + near);
     const strongest = impacts.reduce((one, other) =>
       (!one || Math.abs(other.impact.impulse ?? 0) > Math.abs(one.impact.impulse ?? 0) ? other : one), null);
-    if (strongest) lines.push(`impact ${pairOf(strongest.impact)}: ${grouped(Math.abs(strongest.impact.impulse ?? 0))}`);
+    if (strongest) lines.push(`impact ${pairOf(strongest.impact)}: ${grouped(Math.round(Math.abs(strongest.impact.impulse ?? 0)))}`);
     for (const { event: each } of within(this.match.events, time - near, time + near).slice(0, 2)) {
       if (each.text) lines.push(shorten(withNames(this.match, each.text), 60));
     }
