@@ -15,6 +15,9 @@ export class Camera {
   height = 1;
   follow = 'field';
   isHeld = false;               // moved by hand: it stays
+  covered = 0;                  // pixels at the top
+  whole = null;
+  box = null;
 
   x(units) {
     return this.offsetX + units * this.scale;

@@ -9,8 +9,10 @@ const LEAST_MS = 0.001;
 
 /** One chart: a heading with the values of the moment, and a plot. */
 class Chart {
-  constructor(charts, { title, unit, lists, isLog = false, limit = null, low = null }) {
-    Object.assign(this, { charts, lists, isLog, limit, low });
+  charts; lists; isLog; limit; plot; turns; shown;
+
+  constructor(charts, { title, unit, lists, isLog = false, limit = null }) {
+    Object.assign(this, { charts, lists, isLog, limit });
     this.values = element('span', 'chart-values');
     this.box = element('div', 'chart');
     this.root = element('figure', 'chart-card', null,
@@ -38,10 +40,12 @@ class Chart {
     this.plot = new uPlot({
       width, height: HEIGHT, legend: { show: false }, padding: [6, 4, 0, 0],
       cursor: { sync: { key: 'turns' }, y: false, points: { show: false }, drag: { x: false, y: false } },
-      scales: { x: { time: false }, y: this.isLog ? { distr: 3 } : this.low === null ? {} : { range: (_, low, high) => [Math.min(0, low), high > 0 ? high * 1.05 : 1] } },
+      scales: { x: { time: false }, y: this.isLog ? { distr: 3 } : { range: fromZero } },
       axes: [{ ...axis, size: 18, gap: 2, space: 60, incrs: WHOLE },
-        { ...axis, size: 40, gap: 3, space: 26, values: (_, splits) => splits.map(value => (value === null ? '' : this.isLog ? log(value) : short(value))) }],
-      series: [{}, ...match.players.map((_, player) => ({ stroke: theme.team(player), width: 1.4, spanGaps: true, points: { show: false } })),
+        { ...axis, size: 40, gap: 3, space: 26, values: (_, splits) => splits.map(value =>
+          (value === null ? '' : this.isLog ? log(value) : short(value))) }],
+      series: [{}, ...match.players.map((_, player) =>
+        ({ stroke: theme.team(player), width: 1.4, spanGaps: true, points: { show: false } })),
         ...this.limit ? [{ stroke: paint.bad, width: 1.25, dash: [5, 4], points: { show: false } }] : []],
     }, this.data(), this.box);
     this.plot.over.append(this.now);
@@ -72,11 +76,16 @@ class Chart {
 const MOST_VALUES = 4;
 const WHOLE = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000];       // steps between turns
 
+function fromZero(_, low, high) {
+  return [Math.min(0, low), high > 0 ? high * 1.05 : 1];
+}
+
 function short(value) {
   return Math.abs(value) >= 10_000 ? `${grouped(value / 1000)}k` : grouped(value);
 }
 
 export class Charts {
+  root; match; theme; series; look; onSeek;
   charts = [];
 
   constructor(root, match, theme, series, look, onSeek) {
@@ -88,10 +97,10 @@ export class Charts {
     const { series, match, look } = this;
     const name = match.header.drawing.lead ?? look.leadName;
     const chosen = [];
-    if (series.lead()) chosen.push({ title: capital(name), unit: '', lists: () => series.lead(), low: 0 });
-    if (match.topSpeed > 0) chosen.push({ title: 'Speed', unit: 'u a turn', lists: () => series.speed(), low: 0 });
+    if (series.lead()) chosen.push({ title: capital(name), unit: '', lists: () => series.lead() });
+    if (match.topSpeed > 0) chosen.push({ title: 'Speed', unit: 'u a turn', lists: () => series.speed() });
     for (const each of series.resourceNames()) {
-      chosen.push({ title: capital(each), unit: '', lists: () => series.resource(each), low: 0 });
+      chosen.push({ title: capital(each), unit: '', lists: () => series.resource(each) });
     }
     if (match.hasTimes) {
       const limit = turn => (Number.isFinite(limitMs(match, turn)) ? limitMs(match, turn) : null);

@@ -93,11 +93,11 @@ function onKey(event, actions, page) {
 function connectMenus() {
   document.addEventListener('pointerdown', event => {
     document.querySelectorAll('details.menu[open]').forEach(menu => {
-      if (!menu.contains(event.target)) menu.open = false;
+      if (!event.composedPath().includes(menu)) menu.removeAttribute('open');
     });
   });
   document.addEventListener('keydown', event => {
-    if (event.key === 'Escape') document.querySelectorAll('details.menu[open]').forEach(menu => (menu.open = false));
+    if (event.key === 'Escape') document.querySelectorAll('details.menu[open]').forEach(menu => menu.removeAttribute('open'));
   });
 }
 

@@ -3,8 +3,12 @@
 export const FONT = 'ui-sans-serif, system-ui, "Segoe UI", Roboto, "Helvetica Neue", Arial, sans-serif';
 export const TAU = 2 * Math.PI;
 
-/** Words around a point, readable on any ground; given a view, they are moved into it. */
-export function write({ ctx, paint, view }, words, x, y, size, colour, weight = '400') {
+/**
+ * Words around a point, readable on any ground; given a view, they are moved into it.
+ * @param {any} scene
+ */
+export function write(scene, words, x, y, size, colour, weight = '400') {
+  const { ctx, paint, view } = scene;
   ctx.font = `${weight} ${size}px ${FONT}`;
   if (view) {
     const half = ctx.measureText(words).width / 2 + 4;

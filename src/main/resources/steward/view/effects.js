@@ -1,12 +1,11 @@
 // Things that last for a moment: impacts, marks of the game, trails and exhaust. All follow from the time alone, so
 // that scrubbing back shows the same again.
 
-import { captionSize, circle, hash01, lineTo, moveTo, sprites, TAU, write } from './draw.js';
+import { captionSize, circle, hash01, moveTo, sprites, TAU, write } from './draw.js';
 import { paintGlow } from './hulls.js';
 import { within } from './match.js';
 import { MOST_WORDS } from './notes.js';
 import { grouped, shorten, withNames } from './text.js';
-import { withAlpha } from './theme.js';
 
 const FLASH_TURNS = 1.6;        // how long an impact stays in view
 const FLASH_SECONDS = 0.15;     // and at least this long when turns fly by

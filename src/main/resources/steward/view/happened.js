@@ -10,6 +10,8 @@ const BEFORE = 5;               // of them, so many have happened
 const MOST_TEXT = 70;
 
 export class Happened {
+  root; match; timeline; onSeek;
+
   constructor(root, match, timeline, onSeek) {
     Object.assign(this, { root, match, timeline, onSeek });
   }

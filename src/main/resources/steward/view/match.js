@@ -22,6 +22,8 @@ export class Match {
   topSpeed = 0;                   // of all bodies of players, in units a turn
   start = null;
   descriptions = new Map();
+  sent = null;                    // lines that each player was sent, by turn; null where they are not known
+  podsOfPlayers = null;
 
   get lastTurn() {
     return this.turns.length;

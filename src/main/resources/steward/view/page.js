@@ -41,6 +41,7 @@ export class Page {
   #isAsked = false;
   #wasPlaying = false;
   #grown = false;
+  look; series; stage; timeline; charts; scores; cards; bodies; happened; table; ending; isLinkKept;
 
   /** Takes one line of a replay: from the page itself or as it is played. */
   addLine(line) {

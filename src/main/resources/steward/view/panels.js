@@ -25,7 +25,7 @@ export class Cards {
   #makeCard(player) {
     const card = { time: element('span', 'answer-time'), fault: element('p', 'fault'),
       command: element('pre', 'command'), words: element('bdi'), stderr: element('pre', 'stderr'),
-      sent: element('pre', 'stderr sent') };
+      sent: element('pre', 'sent') };
     card.message = element('p', 'message', null, card.words);
     for (const [area, name] of [[card.stderr, 'stderr of'], [card.sent, 'sent to']]) {
       area.tabIndex = 0;
@@ -77,6 +77,8 @@ export class Cards {
 
 /** Bodies of players with their speed as a bar; a click selects one, and the field follows the choice. */
 export class BodyList {
+  root; match; look; onSelect;
+
   constructor(root, match, look, onSelect) {
     Object.assign(this, { root, match, look, onSelect });
     this.rows = new Map();
@@ -116,6 +118,8 @@ export class BodyList {
 
 /** The state at the end of the turn shown, or at the instant drawn while it is within a turn. */
 export class StateTable {
+  root; caption; match; look;
+
   constructor(root, caption, match, look) {
     Object.assign(this, { root, caption, match, look });
   }

@@ -9,6 +9,8 @@ const MOST_REASON = 280;
 
 /** The strip at the top of the field: a cell per player with the turn between them. */
 export class Scores {
+  root; match; look; series;
+
   constructor(root, match, look, series) {
     Object.assign(this, { root, match, look, series });
     this.turn = element('b', '', '0');

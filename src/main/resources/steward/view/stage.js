@@ -152,7 +152,8 @@ function pointAtHidden({ ctx, view, paint, theme }, body) {
 
 function drawShape({ ctx, view, paint, theme }, shape, player) {
   ctx.strokeStyle = shape.colour ?? theme.team(player);
-  ctx.lineWidth = 1.5;
+  ctx.lineWidth = 2;
+  ctx.lineCap = 'butt';
   if (shape.kind === 'text') {
     write({ ctx, paint, view }, shape.words, view.x(shape.x), view.y(shape.y), captionSize(view),
       theme.team(player), '500');

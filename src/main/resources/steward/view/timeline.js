@@ -14,6 +14,8 @@ const SIDE = 9;                 // for the events on each side of zero
 const NEAR_PIXELS = 5;
 
 export class Timeline {
+  canvas; range; tip; match; theme; series; look; width; height; middle;
+
   constructor({ canvas, range, tip }, match, theme, series, look) {
     Object.assign(this, { canvas, range, tip, match, theme, series, look });
   }

@@ -141,7 +141,7 @@ public final class ReplayPage {
 
     private static String gameOf(byte[] replay, String source) {
         try (ReplayReader reader = new ReplayReader(new ByteArrayInputStream(replay), source)) {
-            return reader.header().game();
+            return reader.header() == null ? null : reader.header().game();
         }
     }
 
