@@ -5,7 +5,7 @@ import { bound, bounded, drawIn, find, fixed, heads, make, nameCell, paint, plus
 export function drawTable(onChoose) {
   const table = find('table');
   heads(table, [['#', 'num'], ['Bot', 'name'], ['Rating', ''], ['±', '', '95% bar, for a number of games fixed before'],
-    ['', 'bars'], ['± anytime', 'table-wide', '95% bar that holds however often one looks and whenever one stops'],
+    ['Elo', 'bars'], ['± anytime', 'table-wide', '95% bar that holds however often one looks and whenever one stops'],
     ['Ranks', '', 'what the games leave open, with 95%'], ['Games', ''],
     ['Points', '', 'share of the points'], ['Faults', ''],
     ['All failed', 'table-wide', 'games in which all players failed in the same turn: they count in no rating'], ['Mean ms', 'table-wide', 'mean answer time'],

@@ -20,6 +20,9 @@ export class Scores {
     const middle = Math.ceil(this.cells.length / 2);
     root.classList.toggle('many', this.cells.length > 2);
     root.classList.toggle('crowd', this.cells.length > MOST_ABREAST);
+    root.setAttribute('role', 'group');
+    root.setAttribute('aria-label', 'Scores');
+    if (this.cells.length > 2) root.tabIndex = 0;      // on a phone it is moved sideways
     root.replaceChildren(...this.cells.slice(0, middle).map(cell => cell.root), this.clock,
       ...this.cells.slice(middle).map(cell => cell.root));
   }
