@@ -39,7 +39,7 @@ export function drawRatings() {
   const area = make(box, 'div');
   const size = () => ({ width: Math.max(280, box.clientWidth), height: Math.round(Math.max(260, Math.min(460, box.clientWidth * 0.36))) });
   plot = new uPlot({
-    ...size(), legend: { show: false }, padding: [8, 8, 0, 0],
+    ...size(), legend: { show: false }, padding: [8, 28, 0, 0],
     cursor: { y: false, drag: { x: false, y: false }, focus: { prox: 24 }, points: { size: 6 } },
     focus: { alpha: 0.25 },
     hooks: { setCursor: [self => tell(self, bots, points, values)] },

@@ -110,7 +110,7 @@ class PageTestDebugging {
         browser.press(Keys.ESCAPE);
         assertFalse(browser.is("document.querySelector('.menu').open"));
         browser.click(".menu summary");
-        browser.click("#scene");
+        browser.click("#time");
         assertFalse(browser.is("document.querySelector('.menu').open"));
     }
 
