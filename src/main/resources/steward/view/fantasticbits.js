@@ -1,28 +1,39 @@
 // The look of Fantastic Bits: the pitch with its goals, wizards, snaffles, bludgers, and spells as lines to targets.
 
+import { captionSize, circle, directionLine, lineTo, moveTo, polygon, regular, sprites, write } from './draw.js';
+import { paintGlow, putDisc } from './hulls.js';
+import { addLook, PLAIN_LOOK, ranksOf, scoresOf, writeOut } from './looks.js';
+import { plainNumber } from './text.js';
+import { withAlpha } from './theme.js';
+
 const WIZARDS_EACH = 2;
-const SPELL_STYLES = {
-  obliviate: ['muted', [2, 4]],
-  petrificus: ['ink', []],
-  accio: ['shield', [8, 4]],
-  flipendo: ['flame', [12, 4]],
-};
+const SPELL_DASHES = { obliviate: [2, 4], petrificus: [], accio: [8, 4], flipendo: [14, 4] };
 const GOAL_TOP = 1750;
 const GOAL_BOTTOM = 5750;
-const PITCH_WIDTH = 16000;
+const PITCH = { width: 16000, height: 7500 };
 const GOAL_DEPTH = 400;
-const NUMBER_PIXELS = 7;        // wizards drawn smaller than this have no numbers
+const GOAL_TURNS = 6;           // how long a goal is celebrated
 
-const FANTASTIC_BITS_LOOK = {
+addLook('fantastic-bits', {
+  leadName: 'goals',
+
   /** A goal has the colour of the player who scores in it. */
   drawGround(scene) {
-    drawGoal(scene, PITCH_WIDTH, 0);
-    drawGoal(scene, -GOAL_DEPTH, 1);
+    paintPitch(scene);
+    paintGoal(scene, PITCH.width, 0, 1);
+    paintGoal(scene, 0, 1, -1);
   },
 
   drawBelow(scene) {
-    wizardsOf(scene).forEach(wizard => drawSpells(scene, wizard));
-    if (scene.show.targets) wizardsOf(scene).forEach(wizard => drawWizardTarget(scene, wizard));
+    const { match, moment, show, selected } = scene;
+    wizardsOf(scene).forEach(wizard => {
+      drawSpells(scene, wizard);
+      const order = orderOfWizard(wizard, match, moment.turn);
+      if (order?.x !== undefined && (show.targets || wizard.id === selected)) {
+        directionLine(scene, wizard, order.x, order.y);
+      }
+    });
+    drawGoals(scene);
   },
 
   drawBody(scene, body) {
@@ -32,38 +43,37 @@ const FANTASTIC_BITS_LOOK = {
   },
 
   drawAbove(scene) {
-    const { match, moment, view, theme } = scene;
-    if (!scene.show.names) return;
-    wizardsOf(scene).filter(wizard => !match.isIn(wizard.owner, moment.turn)).forEach(wizard => {
-      write(scene, 'OUT', view.x(wizard.x), view.y(wizard.y) + wizard.radius * view.scale + 9, captionSize(view),
-        theme.team(wizard.owner), '700');
-    });
+    if (scene.show.names) scene.bodies.forEach(body => writeOut(scene, body));
   },
 
-  /** Per player: rank by goals, the goals, the magic, and its first wizard. */
+  progress: scoresOf,
+
   standing(match, number) {
     const { scores, magic } = match.turn(number).state;
-    return scores.map((score, player) => ({
-      rank: scores.filter(other => other > score).length,
-      body: player * WIZARDS_EACH,
-      big: `${score} ${score === 1 ? 'goal' : 'goals'} · ${magic[player]} magic`,
-      small: '',
-      warning: '',
-    }));
+    const ranks = ranksOf(scores);
+    return scores.map((score, player) => ({ rank: ranks[player], body: player * WIZARDS_EACH,
+      big: `${score} ${score === 1 ? 'goal' : 'goals'}`, small: `${magic[player]} magic`, warning: '' }));
   },
 
-  commandLines: command => command.map(wizardOrder),
+  commandLines: command => command.map(wizardWords),
+  commandOf: (body, match, turn) => {
+    const order = orderOfWizard(body, match, turn);
+    return order ? wizardWords(order) : '';
+  },
 
   field(name, value) {
     if (name === 'spells') return value.map(({ spell, target, turns }) => `${spell} ${target} (${turns})`).join(', ');
     if (name === 'cast') return `${value.spell} ${value.target}`;
     return PLAIN_LOOK.field(name, value);
   },
-};
+});
 
-LOOKS['fantastic-bits'] = FANTASTIC_BITS_LOOK;
+function orderOfWizard(body, match, turn) {
+  if (body.kind !== 'wizard' || turn === 0) return null;
+  return match.turn(turn)?.commands?.[body.owner]?.[body.id % WIZARDS_EACH] ?? null;
+}
 
-function wizardOrder(order) {
+function wizardWords(order) {
   if (!order) return 'nothing';
   if (order.spell) return `${order.spell.toUpperCase()} ${order.target}`;
   const place = `(${plainNumber(order.x)}, ${plainNumber(order.y)})`;
@@ -75,91 +85,155 @@ function wizardsOf(scene) {
   return scene.bodies.filter(body => body.kind === 'wizard');
 }
 
-function drawGoal({ ctx, view, theme }, left, player) {
-  const size = view.scale;
-  ctx.fillStyle = withAlpha(theme.team(player), 0.25);
-  ctx.fillRect(view.x(left), view.y(GOAL_TOP), GOAL_DEPTH * size, (GOAL_BOTTOM - GOAL_TOP) * size);
+/** Mown stripes, the middle line and its circle. */
+function paintPitch({ ctx, view, paint }) {
+  const stripes = 10;
+  for (let k = 0; k < stripes; k += 2) {
+    ctx.fillStyle = withAlpha(paint.lane, 0.07);
+    ctx.fillRect(view.x(k * PITCH.width / stripes), view.y(0), PITCH.width / stripes * view.scale, PITCH.height * view.scale);
+  }
+  ctx.strokeStyle = withAlpha(paint.rim, 0.55);
+  ctx.lineWidth = 1.5;
+  ctx.beginPath();
+  moveTo(ctx, view, PITCH.width / 2, 0);
+  lineTo(ctx, view, PITCH.width / 2, PITCH.height);
+  ctx.stroke();
+  circle(ctx, view.x(PITCH.width / 2), view.y(PITCH.height / 2), 1300 * view.scale);
+  ctx.stroke();
 }
 
-/** A disc of its true size with its number; a ring tells that it holds a snaffle. */
-function drawWizard(scene, body) {
-  const { ctx, view, paint, theme, match, moment } = scene;
-  const [x, y, radius] = [view.x(body.x), view.y(body.y), body.radius * view.scale];
-  const colour = match.isIn(body.owner, moment.turn) ? theme.team(body.owner) : paint.muted;
-  circle(ctx, x, y, radius);
-  ctx.fillStyle = withAlpha(colour, 0.45);
-  ctx.fill();
-  ctx.strokeStyle = colour;
-  ctx.lineWidth = Math.max(1.5, radius * 0.12);
+/** A net behind the line between two posts. */
+function paintGoal({ ctx, view, paint, theme }, x, player, outward) {
+  const colour = theme.team(player);
+  const [line, back] = [view.x(x), view.x(x + outward * GOAL_DEPTH)];
+  const [top, bottom] = [view.y(GOAL_TOP), view.y(GOAL_BOTTOM)];
+  const light = ctx.createLinearGradient(line, 0, view.x(x - outward * 1800), 0);
+  light.addColorStop(0, withAlpha(colour, 0.3));
+  light.addColorStop(1, withAlpha(colour, 0));
+  ctx.fillStyle = light;
+  ctx.fillRect(Math.min(line, view.x(x - outward * 1800)), top, 1800 * view.scale, bottom - top);
+  ctx.fillStyle = withAlpha(colour, 0.18);
+  ctx.fillRect(Math.min(line, back), top, Math.abs(back - line), bottom - top);
+  ctx.strokeStyle = withAlpha(colour, 0.55);
+  ctx.lineWidth = 1;
+  ctx.beginPath();
+  for (let y = top; y <= bottom + 0.1; y += (bottom - top) / 16) {
+    ctx.moveTo(line, y);
+    ctx.lineTo(back, y);
+  }
   ctx.stroke();
-  if (body.after.snaffle >= 0) {
-    circle(ctx, x, y, radius + Math.max(3, radius * 0.2));
-    ctx.lineWidth = 1.5;
+  ctx.strokeStyle = colour;
+  ctx.lineWidth = 2.5;
+  ctx.beginPath();
+  ctx.moveTo(line, top);
+  ctx.lineTo(line, bottom);
+  ctx.stroke();
+  for (const y of [top, bottom]) {
+    circle(ctx, line, y, Math.max(4, 300 * view.scale));
+    ctx.fillStyle = paint.abyss;
+    ctx.fill();
+    ctx.lineWidth = 2.5;
     ctx.stroke();
   }
-  if (radius >= NUMBER_PIXELS) {
-    const size = Math.max(9, radius * 0.7);
-    write({ ctx, paint }, body.label, x, y - radius * 0.5, size, paint.ink, '800');
+}
+
+/** The last goals: a ring of the scorer's colour where the snaffle crossed the line. */
+function drawGoals({ ctx, view, theme, match, moment }) {
+  for (const { time, event } of match.events) {
+    const age = (moment.time - time) / GOAL_TURNS;
+    const scorer = /^goal for player (\d+)/.exec(event.text ?? '')?.[1];
+    if (scorer === undefined || age < 0 || age > 1) continue;
+    ctx.strokeStyle = theme.team(Number(scorer));
+    ctx.lineWidth = 4 * (1 - age) + 0.5;
+    ctx.globalAlpha = 1 - age;
+    for (const reach of [500, 1100]) {
+      circle(ctx, view.x(event.x), view.y(event.y), reach * view.scale * (theme.isCalm ? 0.8 : 0.3 + age));
+      ctx.stroke();
+    }
   }
+  ctx.globalAlpha = 1;
 }
 
-function drawSnaffle({ ctx, view, paint }, body) {
-  circle(ctx, view.x(body.x), view.y(body.y), Math.max(2.5, body.radius * view.scale));
-  ctx.fillStyle = paint.core;
-  ctx.fill();
-  ctx.strokeStyle = paint.ink;
-  ctx.lineWidth = 1;
-  ctx.stroke();
+/** A disc of its true size with its team's badge and its number; a second ring tells that it holds a snaffle. */
+function drawWizard(scene, body) {
+  const { ctx, view, paint, theme, match, moment } = scene;
+  putDisc(scene, body, match.isIn(body.owner, moment.turn), 'wizard');
+  const [x, y, radius] = [view.x(body.x), view.y(body.y), body.radius * view.scale];
+  if (body.after.snaffle >= 0) {
+    circle(ctx, x, y, radius + Math.max(3, radius * 0.22));
+    ctx.strokeStyle = theme.team(body.owner);
+    ctx.lineWidth = 2;
+    ctx.stroke();
+  }
+  write({ ctx, paint }, body.label, x, y, Math.max(10, radius * 0.7), paint.ink, '800');
 }
 
-function drawBludger({ ctx, view, paint }, body) {
-  const [x, y, radius] = [view.x(body.x), view.y(body.y), Math.max(3, body.radius * view.scale)];
-  circle(ctx, x, y, radius);
-  ctx.fillStyle = paint.ink;
-  ctx.fill();
-  circle(ctx, x, y, radius * 0.45);
-  ctx.fillStyle = paint.bad;
-  ctx.fill();
+/** A golden ball with a seam. */
+function drawSnaffle(scene, body) {
+  const { view, paint } = scene;
+  sprites.put(scene, 'snaffle', view.x(body.x), view.y(body.y), Math.max(3.5, body.radius * view.scale), 0, 2.2, (ctx, r) => {
+    paintGlow(ctx, r * 2.1, paint.core, 0.45);
+    circle(ctx, 0, 0, r);
+    const ball = ctx.createRadialGradient(-r * 0.35, -r * 0.4, 0, 0, 0, r);
+    ball.addColorStop(0, 'white');
+    ball.addColorStop(0.5, paint.core);
+    ball.addColorStop(1, withAlpha(paint.core, 0.75));
+    ctx.fillStyle = ball;
+    ctx.fill();
+    ctx.strokeStyle = paint.ink;
+    ctx.lineWidth = 1;
+    ctx.stroke();
+  });
 }
 
-/** Spells at work are lines from the wizard to the target, with the spell's name at the middle. */
+/** An iron ball with spikes. */
+function drawBludger(scene, body) {
+  const { view, paint } = scene;
+  sprites.put(scene, 'bludger', view.x(body.x), view.y(body.y), Math.max(4, body.radius * view.scale), 0, 1.5, (ctx, r) => {
+    ctx.fillStyle = paint.muted;
+    for (let k = 0; k < 8; k++) {
+      ctx.rotate(Math.PI / 4);
+      polygon(ctx, [[0.8, -0.2], [1.35, 0], [0.8, 0.2]], r);
+      ctx.fill();
+    }
+    const iron = ctx.createRadialGradient(-r * 0.35, -r * 0.4, 0, 0, 0, r);
+    iron.addColorStop(0, paint.ink);
+    iron.addColorStop(0.35, paint.muted);
+    iron.addColorStop(1, paint.hull);
+    circle(ctx, 0, 0, r);
+    ctx.fillStyle = iron;
+    ctx.fill();
+    ctx.strokeStyle = paint.bad;
+    ctx.lineWidth = Math.max(1.5, r * 0.16);
+    ctx.stroke();
+    regular(ctx, 0, 0, r * 0.4, 3);
+    ctx.fillStyle = paint.bad;
+    ctx.fill();
+  });
+}
+
+/** Spells at work are lines from the wizard to the target; the dashes and the name tell which. */
 function drawSpells(scene, wizard) {
   const { ctx, view, paint } = scene;
   for (const { spell, target } of wizard.after.spells ?? []) {
     const at = scene.bodies.find(body => body.id === target);
     if (!at) continue;
-    const [name, dash] = SPELL_STYLES[spell];
-    ctx.strokeStyle = paint[name] ?? paint.ink;
-    ctx.lineWidth = 2;
-    ctx.setLineDash(dash);
-    ctx.beginPath();
-    moveTo(ctx, view, wizard.x, wizard.y);
-    lineTo(ctx, view, at.x, at.y);
-    ctx.stroke();
+    ctx.strokeStyle = paint.shield;
+    for (const [width, alpha] of [[7, 0.18], [2, 1]]) {
+      ctx.globalAlpha = alpha;
+      ctx.lineWidth = width;
+      ctx.setLineDash(width === 2 ? SPELL_DASHES[spell] ?? [] : []);
+      ctx.beginPath();
+      moveTo(ctx, view, wizard.x, wizard.y);
+      lineTo(ctx, view, at.x, at.y);
+      ctx.stroke();
+    }
     ctx.setLineDash([]);
-    circle(ctx, view.x(at.x), view.y(at.y), at.radius * view.scale + 4);
+    circle(ctx, view.x(at.x), view.y(at.y), at.radius * view.scale + 5);
     ctx.stroke();
     if (scene.show.names) {
-      write({ ctx, paint }, spell, view.x((wizard.x + at.x) / 2), view.y((wizard.y + at.y) / 2) - 8, captionSize(view),
-        paint[name] ?? paint.ink, '700');
+      write({ ctx, paint }, spell, view.x((wizard.x + at.x) / 2), view.y((wizard.y + at.y) / 2) - 9, captionSize(view),
+        paint.shield, '700');
     }
   }
-}
-
-function drawWizardTarget(scene, wizard) {
-  const { ctx, view, theme, match, moment } = scene;
-  const order = match.turn(moment.turn)?.commands?.[wizard.owner]?.[wizard.id % WIZARDS_EACH];
-  if (order?.x === undefined) return;
-  const far = Math.hypot(order.x - wizard.x, order.y - wizard.y);
-  const share = Math.min(1, 4 * wizard.radius / Math.max(1, far));      // only the direction counts
-  ctx.strokeStyle = theme.team(wizard.owner);
-  ctx.globalAlpha = 0.6;
-  ctx.lineWidth = order.throw === undefined ? 1 : 2.5;
-  ctx.setLineDash([5, 5]);
-  ctx.beginPath();
-  moveTo(ctx, view, wizard.x, wizard.y);
-  lineTo(ctx, view, wizard.x + (order.x - wizard.x) * share, wizard.y + (order.y - wizard.y) * share);
-  ctx.stroke();
-  ctx.setLineDash([]);
-  ctx.globalAlpha = 1;
 }

@@ -4,22 +4,26 @@
 // n" belongs to line n of the replay: its commands, what the players said, and the state it ended with.
 
 /** A moment of the match: its time, the turn it belongs to, how far into it, and the last turn that is complete. */
-function momentAt(time) {
+export function momentAt(time) {
   const turn = Math.ceil(time);
   return { time, turn, fraction: turn === 0 ? 1 : time - (turn - 1), settled: Math.floor(time) };
 }
 
-class Match {
+export class Match {
   header = null;
   result = null;
   isAnotherPlayed = false;        // where this match came from
   turns = [];
+  hasTimes = false;               // whether answer times were measured: an import has none
   impacts = [];
   events = [];
   faults = [];
   largestImpulse = 0;
+  topSpeed = 0;                   // of all bodies of players, in units a turn
   start = null;
   descriptions = new Map();
+  sent = null;                    // lines that each player was sent, by turn; null where they are not known
+  podsOfPlayers = null;
 
   get lastTurn() {
     return this.turns.length;
@@ -45,11 +49,12 @@ class Match {
       return false;
     }
     this.header = header;
+    header.drawing ??= {};
     for (const description of header.drawing.bodies ?? []) {
       this.descriptions.set(description.id, description);
     }
     this.start = { number: 0, state: header.start.state, hash: header.start.hash,
-      bodies: byId(header.start.state.bodies) };
+      bodies: byId(header.start.state.bodies ?? []) };
     return true;
   }
 
@@ -70,17 +75,25 @@ class Match {
       impactLimit: outcome.impactLimit ?? null,
       events: outcome.events ?? [],
       knots: outcome.paths ? new Map(outcome.paths.map(path => [path.id, path.knots])) : cornersOf(outcome.impacts),
-      bodies: byId(state.bodies),
+      bodies: byId(state.bodies ?? []),
       paths: new Map(),
+      scores: outcome.scores ?? null,
+      resources: outcome.resources ?? null,
+      zones: outcome.zones ?? null,
       state,
       hash: outcome.hash,
     };
+    this.hasTimes ||= turn.answerNanos.some(nanos => nanos > 0);
     this.turns.push(turn);
     this.#collect(turn);
     return true;
   }
 
   #collect(turn) {
+    for (const body of turn.bodies.values()) {
+      if (body.vx === undefined) continue;
+      this.topSpeed = Math.max(this.topSpeed, Math.hypot(body.vx, body.vy));
+    }
     for (const impact of turn.impacts) {
       this.impacts.push({ time: turn.number - 1 + impact.time, turn: turn.number, impact });
       this.largestImpulse = Math.max(this.largestImpulse, Math.abs(impact.impulse ?? 0));
@@ -142,24 +155,30 @@ class Match {
   /** All moving bodies that exist at a moment, with place, radius, and their states before and after the turn. */
   bodiesAt(moment) {
     const now = this.turn(moment.turn);
-    const earlier = moment.turn === 0 ? now : this.turn(moment.turn - 1);
-    if (!now || !earlier) return [];
-    const born = (now.events ?? []).filter(event => event.kind === 'birth').map(event => event.body);
-    const ids = new Set([...earlier.bodies.keys(), ...now.bodies.keys(), ...born]);
+    if (!now) return [];
+    now.cast ??= this.#castOf(now);
     const bodies = [];
-    for (const id of ids) {
-      const place = this.placeAt(id, moment);
-      if (place) bodies.push(this.#bodyAt(id, place, moment, earlier.bodies.get(id), now.bodies.get(id)));
+    for (const { description, before, after, path } of now.cast) {
+      const place = placeOn(path, moment.fraction);
+      if (!place) continue;
+      const from = before?.radius ?? description.radius;
+      const to = after?.radius ?? from;
+      bodies.push({ ...description, x: place.x, y: place.y, before: before ?? after ?? NO_STATE,
+        after: after ?? before ?? NO_STATE, radius: from + (to - from) * moment.fraction });
     }
     return bodies;
   }
 
-  #bodyAt(id, place, moment, before, after) {
-    const description = this.describe(id, after ?? before);
-    const radiusBefore = before?.radius ?? description.radius;
-    const radiusAfter = after?.radius ?? radiusBefore;
-    return { ...description, x: place.x, y: place.y, before: before ?? after ?? {}, after: after ?? before ?? {},
-      radius: radiusBefore + (radiusAfter - radiusBefore) * moment.fraction };
+  /** Everybody who is there in a turn: descriptions, states and ways, looked up once. */
+  #castOf(now) {
+    const earlier = now.number === 0 ? now : this.turn(now.number - 1);
+    const born = (now.events ?? []).filter(event => event.kind === 'birth').map(event => event.body);
+    const ids = new Set([...earlier.bodies.keys(), ...now.bodies.keys(), ...born]);
+    return [...ids].map(id => {
+      const [before, after] = [earlier.bodies.get(id), now.bodies.get(id)];
+      const path = now.number === 0 ? [[1, after.x, after.y]] : this.path(id, now.number);
+      return { description: this.describe(id, after ?? before), before, after, path };
+    });
   }
 
   /** Where a body is, or null where it is not. */
@@ -198,10 +217,10 @@ class Match {
 
   /** The box around everything that moves, over all turns: left, top, right, bottom. */
   extent() {
-    const box = { left: Infinity, top: Infinity, right: -Infinity, bottom: -Infinity };
-    for (const turn of [this.start, ...this.turns]) {
-      for (const body of turn.bodies.values()) {
-        const radius = this.describe(body.id, body).radius;
+    const box = this.#extent;
+    for (; box.turns <= this.lastTurn; box.turns++) {
+      for (const body of this.turn(box.turns).bodies.values()) {
+        const radius = body.radius ?? this.descriptions.get(body.id)?.radius ?? 0;
         box.left = Math.min(box.left, body.x - radius);
         box.right = Math.max(box.right, body.x + radius);
         box.top = Math.min(box.top, body.y - radius);
@@ -210,7 +229,27 @@ class Match {
     }
     return box;
   }
+  #extent = { turns: 0, left: Infinity, top: Infinity, right: -Infinity, bottom: -Infinity };
 }
+
+/** The elements of a list sorted by time with from < time <= to. */
+export function within(list, from, to) {
+  return list.slice(firstAfter(list, from), firstAfter(list, to));
+}
+
+/** Index of the first element after a time. */
+export function firstAfter(list, time) {
+  let low = 0;
+  let high = list.length;
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (list[middle].time > time) high = middle;
+    else low = middle + 1;
+  }
+  return low;
+}
+
+const NO_STATE = {};
 
 function byId(bodies) {
   return new Map(bodies.map(body => [body.id, body]));
@@ -228,7 +267,7 @@ function cornersOf(impacts) {
 }
 
 /** The point of a path at a time 0..1; of several corners at that time the last counts. Null before and after it. */
-function placeOn(path, t) {
+export function placeOn(path, t) {
   if (!path.length || t < path[0][0]) return null;
   let k = path.length - 1;
   while (k > 0 && path[k][0] > t) k--;

@@ -1,25 +1,38 @@
-// The look of Mean Max: the arena with its water, wrecks and skill effects, looters by kind, tankers with their water.
+// The look of Mean Max: the arena with its water, wrecks and skill effects; looters whose outline tells the team and
+// whose sign tells the kind; tankers with their water.
 
-const LOOTER_SIDES = { destroyer: 6, doof: 3 };       // a reaper is round
+import { captionSize, circle, directionLine, hash01, polygon, sprites, TAU, write } from './draw.js';
+import { paintGlow, traceBadge } from './hulls.js';
+import { addLook, ranksOf, scoresOf, writeOut } from './looks.js';
+import { plainNumber } from './text.js';
+import { withAlpha } from './theme.js';
+
 const SKILL_RADIUS = 1000;
 const LOOTER_RADIUS = 400;
 const RADIUS_BY_SIZE = 50;
 const SKILL_OF = ['tar', 'grenade', 'oil'];
 const LOOTER_NAMES = ['reaper', 'destroyer', 'doof'];
-const NAME_PIXELS = 7;          // looters drawn smaller than this have no letters
+const TEXT_PIXELS = 9;          // things drawn smaller than this have no words
 
-const MEAN_MAX_LOOK = {
+addLook('mean-max', {
+  leadName: 'water',
+
   drawGround(scene) {
-    const { match, moment } = scene;
-    scene.match.header.drawing.zones.forEach(zone => drawPlace(scene, zone));
-    const { wrecks, effects } = match.turn(moment.settled).state;
-    wrecks.forEach(wreck => drawWreck(scene, wreck));
-    effects.forEach(effect => drawEffect(scene, effect.skill, effect.x, effect.y, 1));
-    castsOf(match, moment).forEach(cast => drawEffect(scene, cast.skill, cast.x, cast.y, 1 - moment.fraction));
+    (scene.match.header.drawing.zones ?? []).forEach(zone => paintPlace(scene, zone));
   },
 
   drawBelow(scene) {
-    if (scene.show.targets) scene.bodies.forEach(body => drawLooterTarget(scene, body));
+    const { match, moment } = scene;
+    const { wrecks, effects } = match.turn(moment.settled).state;
+    (wrecks ?? []).forEach(wreck => drawWreck(scene, wreck));
+    (effects ?? []).forEach(effect => drawEffect(scene, effect.skill, effect.x, effect.y, 1));
+    castsOf(match, moment).forEach(cast => drawEffect(scene, cast.skill, cast.x, cast.y, 1 - moment.fraction));
+    for (const body of scene.bodies) {
+      const order = orderOfLooter(body, match, moment.turn);
+      if (order?.x !== undefined && (scene.show.targets || body.id === scene.selected)) {
+        directionLine(scene, body, order.x, order.y);
+      }
+    }
   },
 
   drawBody(scene, body) {
@@ -28,36 +41,31 @@ const MEAN_MAX_LOOK = {
   },
 
   drawAbove(scene) {
-    const { match, moment, view, theme } = scene;
-    if (!scene.show.names) return;
-    for (const body of scene.bodies) {
-      if (body.kind !== 'tanker' && !match.isIn(body.owner, moment.turn)) {
-        write(scene, 'OUT', view.x(body.x), view.y(body.y) + body.radius * view.scale + 9, captionSize(view),
-          theme.team(body.owner), '700');
-      }
-    }
+    if (scene.show.names) scene.bodies.forEach(body => writeOut(scene, body));
   },
 
-  /** Per player: rank by water, the water harvested, the rage, and the reaper. */
+  progress: scoresOf,
+
   standing(match, number) {
     const { scores, rages } = match.turn(number).state;
-    return scores.map((score, player) => ({
-      rank: scores.filter(other => other > score).length,
-      body: player * LOOTER_NAMES.length,
-      big: `${score} water · ${rages[player]} rage`,
-      small: '',
-      warning: '',
-    }));
+    const ranks = ranksOf(scores);
+    return scores.map((score, player) => ({ rank: ranks[player], body: player * LOOTER_NAMES.length,
+      big: `${score} water`, small: `${rages[player]} rage`, warning: '' }));
   },
 
-  commandLines: command => command.map((order, k) => `${LOOTER_NAMES[k]}: ${looterOrder(order, k)}`),
+  commandLines: command => command.map((order, k) => `${LOOTER_NAMES[k]}: ${looterWords(order, k)}`),
+  commandOf: (body, match, turn) => {
+    const order = orderOfLooter(body, match, turn);
+    return order ? looterWords(order, LOOTER_NAMES.indexOf(body.kind)) : '';
+  },
+});
 
-  field: (name, value) => PLAIN_LOOK.field(name, value),
-};
+function orderOfLooter(body, match, turn) {
+  const k = LOOTER_NAMES.indexOf(body.kind);
+  return k < 0 || turn === 0 ? null : match.turn(turn)?.commands?.[body.owner]?.[k] ?? null;
+}
 
-LOOKS['mean-max'] = MEAN_MAX_LOOK;
-
-function looterOrder(order, k) {
+function looterWords(order, k) {
   if (!order) return 'nothing';
   if (order.wait) return 'WAIT';
   const place = `(${plainNumber(order.x)}, ${plainNumber(order.y)})`;
@@ -70,131 +78,174 @@ function castsOf(match, moment) {
   const casts = [];
   (turn.commands ?? []).forEach((command, player) => (command ?? []).forEach((order, k) => {
     if (!order?.skill) return;
-    const caster = match.turn(moment.turn - 1).bodies.get(player * LOOTER_NAMES.length + k);
-    const inRange = Math.hypot(order.x - caster.x, order.y - caster.y) <= 2 * SKILL_RADIUS;
-    const cost = k === 1 ? 60 : 30;
-    if (inRange && match.turn(moment.turn - 1).state.rages[player] >= cost) {
+    const before = match.turn(moment.turn - 1);
+    const caster = before.bodies.get(player * LOOTER_NAMES.length + k);
+    const inRange = caster && Math.hypot(order.x - caster.x, order.y - caster.y) <= 2 * SKILL_RADIUS;
+    if (inRange && before.state.rages[player] >= (k === 1 ? 60 : 30)) {
       casts.push({ skill: SKILL_OF[k], x: order.x, y: order.y });
     }
   }));
   return casts;
 }
 
-/** The arena and its water: a disc and a name at its upper rim, of a size that the view sets. */
-function drawPlace(scene, zone) {
-  const { ctx, view, paint } = scene;
+/** The arena and its middle, where tankers fill. */
+function paintPlace({ ctx, view, paint, theme }, zone) {
+  const [x, y, radius] = [view.x(zone.x), view.y(zone.y), zone.radius * view.scale];
   const isWater = zone.label === 'water';
-  circle(ctx, view.x(zone.x), view.y(zone.y), zone.radius * view.scale);
-  ctx.fillStyle = isWater ? withAlpha(paint.shield, 0.08) : withAlpha(paint.zone, 0.35);
+  const sand = ctx.createRadialGradient(x, y, 0, x, y, Math.max(1, radius));
+  const tint = isWater ? paint.water : paint.lane;
+  sand.addColorStop(0, withAlpha(tint, isWater ? 0.26 : 0.16));
+  sand.addColorStop(1, withAlpha(tint, isWater ? 0.08 : theme.isDark ? 0.03 : 0.06));
+  circle(ctx, x, y, radius);
+  ctx.fillStyle = sand;
   ctx.fill();
-  ctx.strokeStyle = isWater ? withAlpha(paint.shield, 0.5) : paint.wall;
-  ctx.lineWidth = isWater ? 1 : 3;
-  ctx.setLineDash(isWater ? [4, 6] : []);
+  ctx.strokeStyle = isWater ? withAlpha(paint.water, 0.6) : paint.wall;
+  ctx.lineWidth = isWater ? 1.25 : 3;
+  ctx.setLineDash(isWater ? [4, 7] : []);
   ctx.stroke();
   ctx.setLineDash([]);
 }
 
+/** A pool of water with ripples, and how much is left. */
 function drawWreck(scene, wreck) {
   const { ctx, view, paint } = scene;
   const [x, y, radius] = [view.x(wreck.x), view.y(wreck.y), wreck.radius * view.scale];
-  circle(ctx, x, y, radius);
-  ctx.fillStyle = withAlpha(paint.shield, 0.28);
-  ctx.fill();
-  ctx.strokeStyle = paint.shield;
-  ctx.lineWidth = 1.5;
-  ctx.stroke();
-  write({ ctx, paint }, String(wreck.water ?? '?'), x, y, Math.max(11, Math.min(22, radius * 0.6)), paint.ink, '800');
+  sprites.put(scene, 'wreck', x, y, radius, 0, 1.1, (to, r) => {
+    const pool = to.createRadialGradient(0, 0, 0, 0, 0, r);
+    pool.addColorStop(0, withAlpha(paint.water, 0.75));
+    pool.addColorStop(0.7, withAlpha(paint.water, 0.38));
+    pool.addColorStop(1, withAlpha(paint.water, 0.12));
+    circle(to, 0, 0, r);
+    to.fillStyle = pool;
+    to.fill();
+    to.strokeStyle = withAlpha(paint.water, 0.9);
+    for (const [share, width] of [[1, 1.75], [0.76, 0.9], [0.52, 0.7]]) {
+      circle(to, 0, 0, r * share);
+      to.lineWidth = width;
+      to.stroke();
+    }
+  });
+  write({ ctx, paint }, `${wreck.water ?? '?'}`, x, y, Math.max(11, Math.min(22, radius * 0.6)), paint.ink, '800');
 }
 
-function effectColour(paint, skill) {
-  return skill === 'tar' ? paint.ink : skill === 'oil' ? paint.bad : paint.flame;
-}
-
+/** Tar is a dark pool, oil has slanting bands, a grenade is a burst; each has its name. */
 function drawEffect(scene, skill, x, y, strength) {
   const { ctx, view, paint } = scene;
-  const colour = effectColour(paint, skill);
+  const [atX, atY, radius] = [view.x(x), view.y(y), SKILL_RADIUS * view.scale];
   ctx.globalAlpha = strength;
-  circle(ctx, view.x(x), view.y(y), SKILL_RADIUS * view.scale);
-  ctx.fillStyle = withAlpha(colour, 0.22);
-  ctx.fill();
-  ctx.strokeStyle = colour;
-  ctx.lineWidth = 1.5;
-  ctx.setLineDash(skill === 'oil' ? [2, 4] : skill === 'tar' ? [8, 4] : []);
-  ctx.stroke();
-  ctx.setLineDash([]);
-  write({ ctx, paint }, skill, view.x(x), view.y(y) - SKILL_RADIUS * view.scale + 9, captionSize(view), colour, '700');
+  sprites.put(scene, `skill ${skill}`, atX, atY, radius, 0, 1.1, (to, r) => paintSkill(to, r, skill, paint));
+  write({ ctx, paint }, skill.toUpperCase(), atX, atY - radius + 10, captionSize(view), paint.ink, '800');
   ctx.globalAlpha = 1;
 }
 
-/** The circle is the looter's true size; the form inside tells its kind, the letters too. */
-function drawLooter(scene, body) {
-  const { ctx, view, paint, theme, match, moment } = scene;
-  const [x, y, radius] = [view.x(body.x), view.y(body.y), body.radius * view.scale];
-  const colour = match.isIn(body.owner, moment.turn) ? theme.team(body.owner) : paint.muted;
-  circle(ctx, x, y, radius);
-  ctx.fillStyle = withAlpha(colour, 0.3);
-  ctx.fill();
-  ctx.strokeStyle = colour;
-  ctx.lineWidth = body.after.mass >= 10 ? Math.max(3, radius * 0.25) : Math.max(1, radius * 0.08);
+function paintSkill(ctx, r, skill, paint) {
+  circle(ctx, 0, 0, r);
+  ctx.save();
+  ctx.clip();
+  if (skill === 'tar') {
+    ctx.fillStyle = withAlpha(paint.hull, 0.55);
+    ctx.fill();
+    ctx.fillStyle = withAlpha(paint.muted, 0.5);
+    for (let k = 0; k < 40; k++) {
+      const [angle, far] = [TAU * hash01(k, 11), r * Math.sqrt(hash01(k, 12))];
+      circle(ctx, far * Math.cos(angle), far * Math.sin(angle), r * (0.02 + 0.05 * hash01(k, 13)));
+      ctx.fill();
+    }
+  } else if (skill === 'oil') {
+    ctx.strokeStyle = withAlpha(paint.shield, 0.4);
+    ctx.lineWidth = r * 0.07;
+    for (let k = -2; k <= 2; k += 0.25) {
+      ctx.beginPath();
+      ctx.moveTo((k - 1) * r, -r);
+      ctx.lineTo((k + 1) * r, r);
+      ctx.stroke();
+    }
+  } else {
+    paintGlow(ctx, r, paint.flash, 0.75);
+    ctx.strokeStyle = withAlpha(paint.flash, 0.7);
+    ctx.lineWidth = 2;
+    for (let k = 0; k < 16; k++) {
+      const angle = k * TAU / 16;
+      ctx.beginPath();
+      ctx.moveTo(0.35 * r * Math.cos(angle), 0.35 * r * Math.sin(angle));
+      ctx.lineTo(0.92 * r * Math.cos(angle), 0.92 * r * Math.sin(angle));
+      ctx.stroke();
+    }
+  }
+  ctx.restore();
+  circle(ctx, 0, 0, r);
+  ctx.strokeStyle = skill === 'oil' ? paint.shield : skill === 'tar' ? paint.muted : paint.flash;
+  ctx.lineWidth = 2;
+  ctx.setLineDash(skill === 'oil' ? [2, 4] : skill === 'tar' ? [9, 5] : []);
   ctx.stroke();
-  traceForm(ctx, x, y, 0.72 * radius, LOOTER_SIDES[body.kind]);
-  ctx.fillStyle = colour;
-  ctx.fill();
-  if (radius >= NAME_PIXELS) write({ ctx, paint }, body.label, x, y, Math.max(9, radius * 0.7), paint.ink, '800');
+  ctx.setLineDash([]);
 }
 
-/** A regular form with a corner at the top; a circle if it has no sides. */
-function traceForm(ctx, x, y, radius, sides) {
-  if (!sides) {
-    circle(ctx, x, y, radius);
-    return;
-  }
-  ctx.beginPath();
-  for (let k = 0; k < sides; k++) {
-    const angle = -Math.PI / 2 + k * 2 * Math.PI / sides;
-    ctx.lineTo(x + radius * Math.cos(angle), y + radius * Math.sin(angle));
-  }
-  ctx.closePath();
+// Unit outlines of the signs of the kinds.
+const SIGNS = {
+  reaper: [[0, -0.62], [0.22, -0.28], [0.4, 0.05], [0.36, 0.34], [0.16, 0.52], [-0.16, 0.52], [-0.36, 0.34], [-0.4, 0.05],
+    [-0.22, -0.28]],
+  destroyer: [[-0.14, -0.58], [0.14, -0.58], [0.14, -0.14], [0.58, -0.14], [0.58, 0.14], [0.14, 0.14], [0.14, 0.58],
+    [-0.14, 0.58], [-0.14, 0.14], [-0.58, 0.14], [-0.58, -0.14], [-0.14, -0.14]],
+  doof: [[0.12, -0.62], [-0.38, 0.1], [-0.06, 0.1], [-0.16, 0.62], [0.38, -0.12], [0.06, -0.12]],
+};
+
+/** The thin ring is the looter's true size; inside the team's badge stands the sign of its kind. */
+function drawLooter(scene, body) {
+  const { view, paint, theme, match, moment } = scene;
+  const isIn = match.isIn(body.owner, moment.turn);
+  const colour = isIn ? theme.team(body.owner) : paint.muted;
+  const isHeavy = body.after.mass >= 10;
+  const radius = Math.max(4, body.radius * view.scale);
+  sprites.put(scene, `${body.kind} ${body.owner} ${isIn} ${isHeavy}`, view.x(body.x), view.y(body.y), radius, 0, 1.7,
+    (ctx, r) => {
+      paintGlow(ctx, r * 1.65, colour, theme.isDark ? 0.4 : 0.2);
+      circle(ctx, 0, 0, r);
+      ctx.fillStyle = theme.isDark ? paint.abyss : paint.field;
+      ctx.fill();
+      ctx.strokeStyle = colour;
+      ctx.lineWidth = isHeavy ? Math.max(3, r * 0.24) : Math.max(1, r * 0.07);
+      ctx.stroke();
+      traceBadge(ctx, 0, r * ((body.owner ?? 0) % 8 === 2 ? 0.1 : 0), r * 0.8, body.owner);
+      const metal = ctx.createLinearGradient(0, -r, 0, r);
+      metal.addColorStop(0, colour);
+      metal.addColorStop(1, withAlpha(colour, 0.6));
+      ctx.fillStyle = metal;
+      ctx.fill();
+      polygon(ctx, SIGNS[body.kind] ?? SIGNS.reaper, r * 0.72);
+      ctx.lineJoin = 'round';
+      ctx.lineWidth = Math.max(1, r * 0.14);
+      ctx.strokeStyle = paint.hull;
+      ctx.stroke();
+      ctx.fillStyle = 'white';
+      ctx.fill();
+    });
 }
 
-/** A grey disc with the share of its water as an arc, and how much of how much. */
+/** A steel tank with the water it has as a level, and how much of how much. */
 function drawTanker(scene, body) {
   const { ctx, view, paint } = scene;
   const [x, y, radius] = [view.x(body.x), view.y(body.y), body.radius * view.scale];
   const { water, mass } = body.after;
   const size = body.after.size ?? (body.radius - LOOTER_RADIUS) / RADIUS_BY_SIZE;      // a server shows no sizes
-  circle(ctx, x, y, radius);
-  ctx.fillStyle = withAlpha(paint.muted, 0.3);
-  ctx.fill();
-  ctx.strokeStyle = paint.muted;
-  ctx.lineWidth = mass >= 10 ? 4 : 1.5;
-  ctx.stroke();
-  ctx.beginPath();
-  ctx.arc(x, y, radius * 0.84, -Math.PI / 2, -Math.PI / 2 + Math.min(1, water / size) * 2 * Math.PI);
-  ctx.strokeStyle = paint.shield;
-  ctx.lineWidth = Math.max(2, radius * 0.16);
-  ctx.lineCap = 'butt';
-  ctx.stroke();
-  if (radius >= NAME_PIXELS) {
-    write({ ctx, paint }, `${water}/${size}`, x, y, Math.max(9, Math.min(14, radius * 0.5)), paint.ink, '600');
+  const level = Math.min(1, water / size);
+  sprites.put(scene, `tanker ${Math.round(level * 20)} ${mass >= 10}`, x, y, radius, 0, 1.1, (to, r) => {
+    circle(to, 0, 0, r);
+    to.fillStyle = paint.abyss;
+    to.fill();
+    to.save();
+    to.clip();
+    to.fillStyle = withAlpha(paint.wall, 0.24);
+    to.fillRect(-r, -r, 2 * r, 2 * r);
+    to.fillStyle = withAlpha(paint.water, 0.65);
+    to.fillRect(-r, r * (1 - 2 * level), 2 * r, 2 * r);
+    to.restore();
+    circle(to, 0, 0, r * 0.94);
+    to.strokeStyle = paint.wall;
+    to.lineWidth = mass >= 10 ? 5 : Math.max(1.5, r * 0.1);
+    to.stroke();
+  });
+  if (radius >= TEXT_PIXELS) {
+    write({ ctx, paint }, `${water}/${size}`, x, y, Math.max(9, Math.min(14, radius * 0.5)), paint.ink, '700');
   }
-}
-
-function drawLooterTarget(scene, body) {
-  const { ctx, view, theme, match, moment } = scene;
-  if (body.kind === 'tanker') return;
-  const order = match.turn(moment.turn)?.commands?.[body.owner]?.[LOOTER_NAMES.indexOf(body.kind)];
-  if (order?.x === undefined) return;
-  const far = Math.hypot(order.x - body.x, order.y - body.y);
-  const share = Math.min(1, 4 * body.radius / Math.max(1, far));      // only the direction counts
-  ctx.strokeStyle = theme.team(body.owner);
-  ctx.globalAlpha = 0.5;
-  ctx.lineWidth = 1;
-  ctx.setLineDash([5, 5]);
-  ctx.beginPath();
-  moveTo(ctx, view, body.x, body.y);
-  lineTo(ctx, view, body.x + (order.x - body.x) * share, body.y + (order.y - body.y) * share);
-  ctx.stroke();
-  ctx.setLineDash([]);
-  ctx.globalAlpha = 1;
 }

@@ -1,8 +1,11 @@
 // What bots draw: lines on stderr such as "@line 0 0 100 100 red", "@circle 5 5 3 #fa0", "@text 7 7 some words".
 
+import { shorten } from './text.js';
+
 const MOST_SHAPES = 200;
-const MOST_WORDS = 80;
+export const MOST_WORDS = 80;
 const FARTHEST = 1e7;
+const NO_NOTES = { shapes: [], text: '' };
 const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
 const NO_COLOUR = /^(inherit|initial|unset|revert)$/i;     // taken by styles, but no colours
 const SHAPES = { '@line': readLine, '@circle': readCircle, '@text': readText };
@@ -11,11 +14,12 @@ const SHAPES = { '@line': readLine, '@circle': readCircle, '@text': readText };
  * Splits one player's stderr of one turn.
  * Returns the shapes to draw, at most MOST_SHAPES, and the remaining text, bad drawing lines included.
  */
-function readNotes(stderr) {
+export function readNotes(stderr) {
+  if (!stderr) return NO_NOTES;
   const shapes = [];
   const rest = [];
   let left = 0;
-  for (const line of (stderr ?? '').trimEnd().split('\n')) {
+  for (const line of stderr.trimEnd().split('\n')) {
     const shape = readShape(line);
     if (!shape) rest.push(line);
     else if (shapes.length < MOST_SHAPES) shapes.push(shape);
@@ -57,11 +61,4 @@ function readNumber(word) {
 function isColour(word) {
   return word === undefined || (/^(#[0-9a-f]{3,8}|[a-z]{3,24})$/i.test(word)
     && !NO_COLOUR.test(word) && CSS.supports('color', word));
-}
-
-/** At most so many characters (emoji are not cut in half), with the number of those left out. */
-function shorten(text, most) {
-  if (text.length <= most) return text;
-  const kept = Array.from(text.slice(0, 2 * most)).slice(0, most).join('');
-  return kept.length === text.length ? text : `${kept}… (${text.length - kept.length} more)`;
 }

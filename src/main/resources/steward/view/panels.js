@@ -1,69 +1,20 @@
-// What is written beside the field: scores, what each player said and did in the turn shown, the state, the result.
-// Texts of players only ever become text nodes, and only so much of them.
+// Beside the field: what each player was sent, said and did in the turn shown, the bodies, and the state drawn.
 
-const MOST_NAME = 60;
+import { readNotes } from './notes.js';
+import { answerMs, limitMs } from './series.js';
+import { element, grouped, nameOf, plainNumber, show, shorten } from './text.js';
+import { inTeamColour } from './theme.js';
+
 const MOST_COMMAND = 600;
 const MOST_MESSAGE = 280;
 const MOST_STDERR = 6000;
+const MOST_SENT = 8000;
 const MOST_ROWS = 60;
-const MOST_ACROSS = 6;          // with more bodies than this, each has a row instead of a column
-const MOST_ABREAST = 6;         // with more players than this, their scores take several rows
+const MOST_ACROSS = 4;          // with more bodies than this, each has a row instead of a column
+const MOST_BODIES = 12;         // in the list of bodies with their speeds
 
-/** An element with a class, text and children. */
-function element(tag, className, text, ...children) {
-  const made = document.createElement(tag);
-  if (className) made.className = className;
-  if (text !== undefined && text !== null) made.textContent = text;
-  made.append(...children);
-  return made;
-}
-
-function nameOf(match, player) {
-  return shorten(match.players[player].name, MOST_NAME);
-}
-
-/** The strip above the field: a cell per player with the turn between them. */
-class Scores {
-  constructor(root, match, look) {
-    this.root = root;
-    this.match = match;
-    this.look = look;
-    this.clock = element('div', 'clock', null, element('span', 'clock-label', 'Turn'), element('b', '', '0'),
-      element('span', 'clock-of', ''));
-    this.cells = match.players.map((_, player) => this.#makeCell(player));
-    const middle = Math.ceil(this.cells.length / 2);
-    root.classList.toggle('many', this.cells.length > 2);
-    root.classList.toggle('crowd', this.cells.length > MOST_ABREAST);
-    root.replaceChildren(...this.cells.slice(0, middle), this.clock, ...this.cells.slice(middle));
-  }
-
-  #makeCell(player) {
-    const cell = element('div', `score ${teamClass(player)}`, null, element('span', 'rank'),
-      element('b', 'name', nameOf(this.match, player)), element('span', 'big'), element('span', 'small'));
-    cell.title = this.match.players[player].bot ?? '';
-    return cell;
-  }
-
-  update(moment) {
-    this.clock.children[1].textContent = String(moment.turn);
-    this.clock.children[2].textContent = `of ${this.match.lastTurn}`;
-    const standing = this.look.standing(this.match, moment.settled);
-    this.cells.forEach((cell, player) => {
-      const [rank, , big, small] = cell.children;
-      const isIn = this.match.isIn(player, moment.turn);
-      const line = standing?.[player];
-      show(rank, line && (moment.settled > 0 ? String(line.rank + 1) : '–'));
-      big.textContent = isIn ? line?.big ?? '' : 'OUT';
-      small.textContent = line?.warning && isIn ? line.warning : line?.small ?? '';
-      cell.classList.toggle('leads', line?.rank === 0 && moment.settled > 0);
-      cell.classList.toggle('warned', Boolean(line?.warning) && isIn);
-      cell.classList.toggle('out', !isIn);
-    });
-  }
-}
-
-/** One card per player: command, message, stderr, answer time and fault of the turn shown. */
-class Cards {
+/** One card per player: what it was sent and answered, message, stderr, answer time and fault of the turn shown. */
+export class Cards {
   constructor(root, match, look) {
     this.match = match;
     this.look = look;
@@ -73,66 +24,121 @@ class Cards {
 
   #makeCard(player) {
     const card = { time: element('span', 'answer-time'), fault: element('p', 'fault'),
-      command: element('pre', 'command'), words: element('bdi'), stderr: element('pre', 'stderr') };
+      command: element('pre', 'command'), words: element('bdi'), stderr: element('pre', 'stderr'),
+      sent: element('pre', 'sent') };
     card.message = element('p', 'message', null, card.words);
-    card.stderr.tabIndex = 0;
-    card.stderr.setAttribute('aria-label', `stderr of ${nameOf(this.match, player)}`);
-    card.root = element('article', `card ${teamClass(player)}`, null,
+    for (const [area, name] of [[card.stderr, 'stderr of'], [card.sent, 'sent to']]) {
+      area.tabIndex = 0;
+      area.setAttribute('aria-label', `${name} ${nameOf(this.match, player)}`);
+    }
+    card.sentBox = element('details', 'sent-box', null, element('summary', '', 'was sent'), card.sent);
+    card.sentBox.hidden = true;
+    card.sentBox.addEventListener('toggle', () => this.#fillSent(card, player));
+    card.root = inTeamColour(element('article', 'card', null,
       element('h3', '', null, element('b', 'name', nameOf(this.match, player)), card.time),
-      card.fault, card.command, card.message, card.stderr);
+      card.sentBox, card.fault, card.command, card.message, card.stderr), player);
     return card;
   }
 
   update(number) {
+    this.number = number;
     const turn = this.match.turn(number);
     this.cards.forEach((card, player) => {
-      const command = turn.commands?.[player];
       const message = turn.messages?.[player];
       show(card.time, this.#timeText(turn, player));
       show(card.fault, turn.faults?.[player] && shorten(turn.faults[player], MOST_MESSAGE));
-      show(card.command, this.#commandText(turn, player, command));
+      show(card.command, this.#commandText(turn, player, turn.commands?.[player]));
       show(card.words, message && shorten(message, MOST_MESSAGE));
       card.message.hidden = card.words.hidden;
       show(card.stderr, shorten(readNotes(turn.stderr?.[player]).text, MOST_STDERR));
+      card.sentBox.hidden = !this.match.sent?.[number]?.[player];
+      this.#fillSent(card, player);
     });
+  }
+
+  #fillSent(card, player) {
+    const sent = this.match.sent?.[this.number]?.[player];
+    if (card.sentBox.open && sent) card.sent.textContent = shorten(sent, MOST_SENT);
   }
 
   #commandText(turn, player, command) {
     if (turn.number === 0) return 'before the first turn';
-    if (!command) return turn.faults[player] ? '' : 'out: not asked any more';
+    if (command === null || command === undefined) return turn.faults[player] ? '' : 'out: not asked any more';
     return shorten(this.look.commandLines(command, player, this.match).join('\n'), MOST_COMMAND);
   }
 
   #timeText(turn, player) {
-    const nanos = turn.answerNanos?.[player];
-    if (nanos === null || nanos === undefined) return '';
+    const ms = answerMs(this.match, turn, player);
+    if (ms === null) return '';
     const limit = limitMs(this.match, turn.number);
-    const ms = nanos / NANOS_PER_MS;
     return `${ms.toFixed(ms < 10 ? 2 : 1)} ms${Number.isFinite(limit) ? ` of ${plainNumber(limit)}` : ''}`;
   }
 }
 
-/** Puts text into an element, or hides it when there is none. */
-function show(target, text) {
-  target.textContent = text ?? '';
-  target.hidden = !text;
-}
+/** Bodies of players with their speed as a bar; a click selects one, and the field follows the choice. */
+export class BodyList {
+  root; match; look; onSelect;
 
-/** The state at the end of the turn shown, as the replay has it. */
-class StateTable {
-  constructor(root, match, look) {
-    this.root = root;
-    this.match = match;
-    this.look = look;
+  constructor(root, match, look, onSelect) {
+    Object.assign(this, { root, match, look, onSelect });
+    this.rows = new Map();
   }
 
-  update(number) {
-    const turn = this.match.turn(number);
-    const bodies = [...turn.bodies.values()];
+  update(moment, selected) {
+    const bodies = this.match.bodiesAt(moment).filter(body => body.owner !== null && body.owner !== undefined)
+      .slice(0, MOST_BODIES);
+    const key = bodies.map(body => body.id).join();
+    if (key !== this.#key) {
+      this.#key = key;
+      this.rows = new Map(bodies.map(body => [body.id, this.#makeRow(body)]));
+      this.root.replaceChildren(...[...this.rows.values()].map(row => row.root));
+    }
+    this.root.hidden = !bodies.length;
+    const most = this.match.topSpeed || 1;
+    for (const body of bodies) {
+      const row = this.rows.get(body.id);
+      const speed = Math.hypot(body.after.vx ?? 0, body.after.vy ?? 0);
+      row.speed.textContent = grouped(speed);
+      row.bar.style.setProperty('--share', `${Math.round(100 * speed / most)}%`);
+      row.order.textContent = shorten(this.look.commandOf(body, this.match, moment.turn) || body.kind, 60);
+      row.root.setAttribute('aria-pressed', String(body.id === selected));
+    }
+  }
+  #key = null;
+
+  #makeRow(body) {
+    const row = { order: element('span', 'order'), speed: element('b', 'speed-of'), bar: element('i', 'bar') };
+    row.root = inTeamColour(element('button', 'body-row', null, element('span', 'badge', body.label || String(body.id)),
+      row.order, row.speed, element('small', '', 'u'), row.bar), body.owner);
+    row.root.title = `${nameOf(this.match, body.owner)}: ${body.kind} ${body.id}; a click selects it`;
+    row.root.addEventListener('click', () => this.onSelect(body.id));
+    return row;
+  }
+}
+
+/** The state at the end of the turn shown, or at the instant drawn while it is within a turn. */
+export class StateTable {
+  root; caption; match; look;
+
+  constructor(root, caption, match, look) {
+    Object.assign(this, { root, caption, match, look });
+  }
+
+  /** At the end of a turn the state is the replay's; within it only places are known, and they are the ones drawn. */
+  update(moment) {
+    const turn = this.match.turn(moment.turn);
+    const isWithin = moment.turn > 0 && moment.fraction < 1;
+    const places = new Map(isWithin ? this.match.bodiesAt(moment).map(body => [body.id, body]) : []);
+    this.caption.textContent = moment.turn === 0 ? 'at the start' : isWithin
+      ? `places at ${moment.time.toFixed(2)}, the rest at the end of turn ${moment.turn}` : `at the end of turn ${moment.turn}`;
+    const bodies = [...turn.bodies.values()].map(body => {
+      const place = places.get(body.id);
+      return place ? { ...body, x: place.x, y: place.y } : body;
+    });
     const fields = [...new Set(bodies.slice(0, MOST_ROWS).flatMap(body => Object.keys(body)))]
       .filter(field => field !== 'id');
     const table = bodies.length <= MOST_ACROSS ? this.#across(bodies, fields) : this.#down(bodies, fields);
-    this.root.replaceChildren(table, this.#rest(turn));
+    this.root.replaceChildren(...bodies.length ? [table] : [], this.#rest(turn));
   }
 
   /** A column per body. */
@@ -154,7 +160,7 @@ class StateTable {
   }
 
   #heading(body) {
-    return element('th', teamClass(this.match.describe(body.id, body).owner), String(body.id));
+    return inTeamColour(element('th', '', String(body.id)), this.match.describe(body.id, body).owner);
   }
 
   #text(field, body) {
@@ -173,55 +179,5 @@ class StateTable {
     }
     if (turn.hash) rest.append(element('dt', '', 'hash'), element('dd', '', turn.hash));
     return rest;
-  }
-}
-
-/** The lower third at the end: who won, why, and everybody's rank. */
-class Ending {
-  isDismissed = false;
-
-  constructor(root, match) {
-    this.root = root;
-    this.match = match;
-  }
-
-  update(isAtEnd) {
-    const isShown = isAtEnd && Boolean(this.match.result);
-    if (!isShown) this.isDismissed = false;
-    const wasHidden = this.root.hidden;
-    this.root.hidden = !isShown || this.isDismissed;
-    if (wasHidden && !this.root.hidden) this.#fill(this.match.result);
-  }
-
-  #fill(result) {
-    const close = element('button', 'close', '×');
-    close.setAttribute('aria-label', 'Close');
-    close.addEventListener('click', () => {
-      this.isDismissed = true;
-      this.root.hidden = true;
-    });
-    const ranks = result.standing
-      .map((standing, player) => ({ ...standing, player }))
-      .sort((one, other) => one.rank - other.rank)
-      .map(line => this.#rankLine(line, result));
-    this.root.replaceChildren(
-      element('p', 'headline', this.#headline(result)),
-      element('p', 'reason', `${shorten(result.ending, MOST_MESSAGE)}, turn ${result.turns}`),
-      element('ol', '', null, ...ranks), close);
-  }
-
-  #headline(result) {
-    const best = result.standing.flatMap((standing, player) => (standing.rank === 0 ? [player] : []));
-    if (result.standing.length === 1) return nameOf(this.match, 0);
-    return best.length === 1 ? `${nameOf(this.match, best[0])} wins`
-      : `Draw: ${best.map(player => nameOf(this.match, player)).join(' and ')}`;
-  }
-
-  #rankLine({ player, rank, score, out }, result) {
-    const fault = result.players[player]?.fault;
-    const why = fault ?? out;
-    return element('li', teamClass(player), null, element('span', 'rank', String(rank + 1)),
-      element('b', 'name', nameOf(this.match, player)), element('span', 'points', plainNumber(score)),
-      element('span', 'why', why ? `out: ${shorten(why, MOST_MESSAGE)}` : ''));
   }
 }

@@ -1,38 +1,54 @@
 // The look of the Poker Chip Race: chips with a notched rim in the colour of their owner, grey where they are neutral.
 
-const RIM = 0.82;               // of the radius: where the rim begins
+import { circle, directionLine, sprites, TAU, write } from './draw.js';
+import { paintBadge, paintGlow } from './hulls.js';
+import { addLook, ranksOf } from './looks.js';
+import { paintFrame } from './ground.js';
+import { grouped, plainNumber } from './text.js';
+import { withAlpha } from './theme.js';
+
+const RIM = 0.78;               // of the radius: where the rim begins
 const NOTCHES = 8;
 const SMALL_CHIP = 5;           // up to this radius a chip cannot push itself
-const CHIP_NAME_PIXELS = 8;     // chips drawn smaller than this have no letters
+const CHIP_NAME_PIXELS = 11;    // chips drawn smaller than this have no number
 
-const POKER_CHIP_RACE_LOOK = {
-  drawGround() {},
+addLook('poker-chip-race', {
+  leadName: 'area',
+  drawGround: scene => paintFrame(scene, true),
 
   drawBelow(scene) {
-    if (scene.show.targets) scene.match.players.forEach((_, player) => drawPushes(scene, player));
+    const { match, moment, show, selected } = scene;
+    if (moment.turn === 0) return;
+    match.players.forEach((_, player) => chipsOf(match, moment.turn - 1, player).forEach(chip => {
+      const order = orderOfChip(chip, match, moment.turn);
+      const isAsked = show.targets || chip.id === selected;
+      if (isAsked && order?.x !== undefined && chip.radius > SMALL_CHIP) {
+        directionLine(scene, { ...chip, owner: player }, order.x, order.y);
+      }
+    }));
   },
 
   drawBody: drawChip,
+  drawAbove() {},
+
+  progress: (match, number) => match.players.map((_, player) => areaOf(chipsOf(match, number, player))),
 
   /** Per player: rank by the area of its chips, their number, and the biggest of them. */
   standing(match, number) {
     const chips = match.players.map((_, player) => chipsOf(match, number, player));
-    const areas = chips.map(own => own.reduce((sum, chip) => sum + Math.PI * chip.radius ** 2, 0));
-    return areas.map((area, player) => ({
-      rank: areas.filter(other => other > area).length,
-      body: biggest(chips[player])?.id ?? null,
-      big: `${Math.round(area)} u²`,
-      small: chips[player].length === 1 ? '1 chip' : `${chips[player].length} chips`,
-      warning: '',
-    }));
+    const areas = chips.map(areaOf);
+    const ranks = ranksOf(areas);
+    return areas.map((area, player) => ({ rank: ranks[player], body: biggest(chips[player])?.id ?? null,
+      big: `${grouped(Math.round(area))} u²`, small: chips[player].length === 1 ? '1 chip' : `${chips[player].length} chips`,
+      warning: '' }));
   },
 
   commandLines: command => command.map((order, k) => `chip ${k + 1}: ${pushWords(order)}`),
-
-  field: (name, value) => PLAIN_LOOK.field(name, value),
-};
-
-LOOKS['poker-chip-race'] = POKER_CHIP_RACE_LOOK;
+  commandOf: (body, match, turn) => {
+    const order = turn === 0 ? undefined : orderOfChip(body, match, turn);
+    return order === undefined ? '' : pushWords(order);
+  },
+});
 
 function pushWords(order) {
   if (!order) return 'nothing';
@@ -44,63 +60,66 @@ function chipsOf(match, number, player) {
   return [...match.turn(number).bodies.values()].filter(chip => chip.player === player);
 }
 
+/** The command of a chip; undefined where it has none. */
+function orderOfChip(chip, match, turn) {
+  const player = match.turn(turn - 1)?.bodies.get(chip.id)?.player;
+  if (player === undefined) return undefined;
+  const k = chipsOf(match, turn - 1, player).findIndex(each => each.id === chip.id);
+  return match.turn(turn)?.commands?.[player]?.[k];
+}
+
+function areaOf(chips) {
+  return chips.reduce((sum, chip) => sum + Math.PI * chip.radius ** 2, 0);
+}
+
 function biggest(chips) {
   return chips.reduce((best, chip) => (best && best.radius >= chip.radius ? best : chip), null);
 }
 
 function drawChip(scene, body) {
-  const { ctx, view, paint, theme, show } = scene;
+  const { ctx, view, paint, show } = scene;
   const [x, y, radius] = [view.x(body.x), view.y(body.y), Math.max(1.5, body.radius * view.scale)];
-  const isNeutral = body.after.player === undefined;      // the drawing knows who owned it at the start
-  const colour = isNeutral ? paint.muted : theme.team(body.after.player);
-  circle(ctx, x, y, radius);
-  ctx.fillStyle = paint.field;                            // hides the trail below
+  const owner = body.after.player ?? null;                // the drawing knows who owned it at the start
+  sprites.put(scene, `chip ${owner}`, x, y, radius, 0, 1.6, (to, r) => paintChip(to, r, owner, scene));
+  if (show.names && owner !== null && radius >= CHIP_NAME_PIXELS) {
+    write({ ctx, paint }, String(body.id), x, y, Math.max(9, Math.min(16, radius * 0.5)), paint.ink, '800');
+  }
+}
+
+/** Glow, disc, the notches by which one knows a poker chip, and the owner's badge. */
+function paintChip(ctx, r, owner, { theme, paint }) {
+  const colour = owner === null ? paint.wall : theme.team(owner);
+  if (owner !== null) paintGlow(ctx, r * 1.5, colour, theme.isDark ? 0.4 : 0.2);
+  const face = ctx.createRadialGradient(-r * 0.3, -r * 0.4, 0, 0, 0, r);
+  face.addColorStop(0, withAlpha(colour, owner === null ? 0.5 : 0.95));
+  face.addColorStop(1, withAlpha(colour, owner === null ? 0.22 : 0.65));
+  circle(ctx, 0, 0, r);
+  ctx.fillStyle = theme.isDark ? paint.abyss : paint.field;
   ctx.fill();
-  ctx.fillStyle = withAlpha(colour, isNeutral ? 0.3 : 0.75);
+  ctx.fillStyle = face;
   ctx.fill();
+  if (r >= 5) {
+    ctx.lineWidth = r * (1 - RIM);
+    ctx.strokeStyle = theme.isDark ? withAlpha('white', owner === null ? 0.35 : 0.85) : withAlpha('white', 0.8);
+    for (let k = 0; k < NOTCHES; k++) {
+      const angle = (k + 0.25) * TAU / NOTCHES;
+      ctx.beginPath();
+      ctx.arc(0, 0, r * (1 + RIM) / 2, angle, angle + TAU / NOTCHES / 2.4);
+      ctx.stroke();
+    }
+    circle(ctx, 0, 0, r * RIM);
+    ctx.strokeStyle = withAlpha(paint.hull, 0.5);
+    ctx.lineWidth = Math.max(0.75, r * 0.03);
+    ctx.stroke();
+  }
+  if (owner !== null && r >= 4) {
+    circle(ctx, 0, 0, r * 0.66);
+    ctx.fillStyle = withAlpha(paint.hull, 0.55);
+    ctx.fill();
+    paintBadge(ctx, r * 0.5, owner, colour, paint, theme.isDark);
+  }
+  circle(ctx, 0, 0, r);
   ctx.strokeStyle = colour;
-  ctx.lineWidth = isNeutral ? 1 : 2;
+  ctx.lineWidth = Math.max(0.75, r * 0.04);
   ctx.stroke();
-  if (radius < CHIP_NAME_PIXELS) return;
-  drawNotches(ctx, x, y, radius, isNeutral ? colour : paint.halo);
-  if (show.names && !isNeutral) {
-    write({ ctx, paint }, String(body.id), x, y, Math.max(9, Math.min(16, radius * 0.6)), paint.ink, '800');
-  }
-}
-
-/** The marks around the rim by which one knows a poker chip. */
-function drawNotches(ctx, x, y, radius, colour) {
-  const middle = radius * (1 + RIM) / 2;
-  ctx.lineCap = 'butt';
-  ctx.lineWidth = radius * (1 - RIM);
-  ctx.strokeStyle = withAlpha(colour, 0.7);
-  for (let k = 0; k < NOTCHES; k++) {
-    const angle = (k + 0.25) * 2 * Math.PI / NOTCHES;
-    ctx.beginPath();
-    ctx.arc(x, y, middle, angle, angle + Math.PI / NOTCHES);
-    ctx.stroke();
-  }
-}
-
-/** A line from each chip that pushes itself in the turn shown, in its direction. */
-function drawPushes({ ctx, view, theme, match, moment }, player) {
-  const turn = match.turn(moment.turn);
-  if (!turn?.commands || moment.turn === 0) return;
-  const before = chipsOf(match, moment.turn - 1, player);
-  ctx.strokeStyle = theme.team(player);
-  ctx.globalAlpha = 0.6;
-  ctx.lineWidth = 1.5;
-  ctx.setLineDash([5, 5]);
-  (turn.commands[player] ?? []).forEach((order, k) => {
-    const chip = before[k];
-    if (order?.x === undefined || !chip || chip.radius <= SMALL_CHIP) return;
-    const far = Math.hypot(order.x - chip.x, order.y - chip.y);
-    const share = Math.min(1, 4 * chip.radius / Math.max(1e-9, far));     // only the direction counts
-    ctx.beginPath();
-    moveTo(ctx, view, chip.x, chip.y);
-    lineTo(ctx, view, chip.x + (order.x - chip.x) * share, chip.y + (order.y - chip.y) * share);
-    ctx.stroke();
-  });
-  ctx.setLineDash([]);
-  ctx.globalAlpha = 1;
 }

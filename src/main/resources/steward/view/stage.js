@@ -1,43 +1,21 @@
 // The field on its canvas. Everything here follows from what the game described; a look adds what is special to one.
 
-const TRAIL_TURNS = 12;
-const TRAIL_TURNS_OF_CROWD = 2;
-const CROWD = 40;
-const FLASH_TURNS = 1.2;        // how long an impact stays in view
-const FLASH_SECONDS = 0.15;     // and at least this long when turns fly by
-const MARK_TURNS = 4;
-const MARGIN_PIXELS = 10;
+import { Camera } from './camera.js';
+import { captionSize, circle, FONT, lineTo, moveTo, write } from './draw.js';
+import { drawImpacts, drawMarks, drawTrails, drawVelocities } from './effects.js';
+import { Ground } from './ground.js';
+import { drawRing } from './looks.js';
+import { readNotes } from './notes.js';
+
 const GROWTH = 0.05;            // how far beyond the field the view may reach, as a share of it
+const PICK_PIXELS = 14;         // a tap this near to a small body means it
 
-/** Where things of the field stand on the canvas, in CSS pixels. */
-class View {
-  scale = 1;
-  offsetX = 0;
-  offsetY = 0;
-
-  /** Shows a box of the field as large as the canvas allows. */
-  fit(box, width, height) {
-    const wide = box.right - box.left;
-    const high = box.bottom - box.top;
-    this.scale = Math.max(1e-9, Math.min((width - 2 * MARGIN_PIXELS) / wide, (height - 2 * MARGIN_PIXELS) / high));
-    this.offsetX = (width - this.scale * (box.left + box.right)) / 2;
-    this.offsetY = (height - this.scale * (box.top + box.bottom)) / 2;
-    this.width = width;
-    this.height = height;
-  }
-
-  x(units) {
-    return this.offsetX + units * this.scale;
-  }
-
-  y(units) {
-    return this.offsetY + units * this.scale;
-  }
-}
-
-class Stage {
-  view = new View();
-  show = { trails: true, targets: false, notes: true, names: true };
+export class Stage {
+  view = new Camera();
+  show = { trails: true, vectors: true, targets: false, notes: true, names: true };
+  selected = null;
+  hovered = null;
+  #ground = new Ground();
 
   constructor(canvas, match, theme, look) {
     this.canvas = canvas;
@@ -47,17 +25,22 @@ class Stage {
     this.look = look;
   }
 
-  /** Makes the canvas as sharp as the screen, and the field as large as fits. */
-  resize() {
+  /** Makes the canvas as sharp as the screen; covered is the height of the strip at its top that hides it. */
+  resize(covered = 0) {
     const { width, height } = this.canvas.getBoundingClientRect();
     this.pixelRatio = devicePixelRatio || 1;
-    this.canvas.width = Math.round(width * this.pixelRatio);
-    this.canvas.height = Math.round(height * this.pixelRatio);
-    if (this.match.header) this.view.fit(this.#box(), width, height);
+    const [wide, high] = [Math.round(width * this.pixelRatio), Math.round(height * this.pixelRatio)];
+    if (this.canvas.width !== wide || this.canvas.height !== high) Object.assign(this.canvas, { width: wide, height: high });
+    if (this.match.header && width && height) this.view.resize(width, height, this.#box(), covered);
   }
 
+  /** The field as the game declared it, or the box of all that moves where it did not. */
   get field() {
-    const { x, y, width, height } = this.match.header.drawing.field;
+    const declared = this.match.header.drawing.field;
+    const seen = this.match.extent();
+    const { x, y, width, height } = declared ?? (seen.left < seen.right
+      ? { x: seen.left, y: seen.top, width: seen.right - seen.left, height: seen.bottom - seen.top }
+      : { x: 0, y: 0, width: 16, height: 9 });
     return { left: x, top: y, right: x + width, bottom: y + height, width, height };
   }
 
@@ -74,103 +57,59 @@ class Stage {
     };
   }
 
+  /** Lets the camera move. Returns true while it is on its way. */
+  advance(moment, seconds) {
+    const { follow } = this.view;
+    if (!this.view.isMoved) return this.view.advance(seconds, [], this.theme.isCalm);
+    const bodies = this.match.bodiesAt(moment);
+    const leader = this.standing(moment)?.find(each => each.rank === 0)?.body;
+    const wanted = follow === 'all' ? bodies.filter(body => body.owner !== null && body.owner !== undefined)
+      : bodies.filter(body => body.id === (follow === 'selected' ? this.selected : leader));
+    return this.view.advance(seconds, wanted, this.theme.isCalm);
+  }
+
+  /** Who is where at the end of the last whole turn. */
+  standing(moment) {
+    if (this.#standingTurn !== moment.settled) {
+      this.#standing = this.look.standing(this.match, moment.settled);
+      this.#standingTurn = moment.settled;
+    }
+    return this.#standing;
+  }
+  #standing = null;
+  #standingTurn = -1;
+
   /** Draws the match at a moment; turnsPerSecond is 0 while it stands still. */
   draw(moment, turnsPerSecond) {
-    const ctx = this.ctx;
+    const { ctx, look } = this;
     ctx.setTransform(this.pixelRatio, 0, 0, this.pixelRatio, 0, 0);
-    ctx.clearRect(0, 0, this.canvas.width, this.canvas.height);
-    if (!this.match.header) return;
+    if (!this.match.header || !this.view.whole) return;
     const scene = this.#scene(moment, turnsPerSecond);
-    this.#drawField(scene);
-    this.look.drawGround(scene);
-    this.#drawWalls(scene);
-    if (this.show.trails) this.#drawTrails(scene);
-    scene.fixed.forEach(body => drawFixed(scene, body));
-    this.look.drawBelow?.(scene);
-    scene.bodies.forEach(body => this.look.drawBody(scene, body));
-    this.#drawImpacts(scene);
-    this.look.drawAbove?.(scene);
-    this.#drawMarks(scene);
+    this.#ground.draw(scene, look, this.pixelRatio);
+    if (this.show.trails) drawTrails(scene);
+    look.drawBelow?.(scene);
+    if (this.show.vectors) drawVelocities(scene);
+    scene.bodies.forEach(body => look.drawBody(scene, body));
+    this.#drawRings(scene);
+    drawImpacts(scene);
+    look.drawAbove?.(scene);
+    drawMarks(scene);
     if (this.show.notes) this.#drawNotes(scene);
     scene.bodies.forEach(body => pointAtHidden(scene, body));
   }
 
-  /** What a drawing function needs to know. */
+  /** Everything that a drawing function needs to know. */
   #scene(moment, turnsPerSecond) {
     return { ctx: this.ctx, view: this.view, match: this.match, theme: this.theme, paint: this.theme.paint,
-      show: this.show, moment, turnsPerSecond, bodies: this.match.bodiesAt(moment),
-      fixed: this.match.fixedBodies(), standing: this.look.standing(this.match, moment.settled) };
+      show: this.show, moment, turnsPerSecond, bodies: this.match.bodiesAt(moment), field: this.field,
+      fixed: this.match.fixedBodies(), standing: this.standing(moment), selected: this.selected };
   }
 
-  #drawField({ ctx, view, paint }) {
-    const field = this.field;
-    const size = view.scale;
-    ctx.fillStyle = paint.field;
-    ctx.fillRect(view.x(field.left), view.y(field.top), field.width * size, field.height * size);
-    ctx.beginPath();
-    const step = niceStep(field.width / 12);
-    for (let x = Math.ceil(field.left / step) * step; x < field.right; x += step) {
-      moveTo(ctx, view, x, field.top);
-      lineTo(ctx, view, x, field.bottom);
+  #drawRings(scene) {
+    if (this.selected === null && this.hovered === null) return;
+    for (const body of scene.bodies) {
+      if (body.id === this.selected || body.id === this.hovered) drawRing(scene, body, body.id === this.selected);
     }
-    for (let y = Math.ceil(field.top / step) * step; y < field.bottom; y += step) {
-      moveTo(ctx, view, field.left, y);
-      lineTo(ctx, view, field.right, y);
-    }
-    ctx.strokeStyle = paint.faint;
-    ctx.lineWidth = 1;
-    ctx.stroke();
-    ctx.strokeStyle = paint.line;
-    ctx.strokeRect(view.x(field.left), view.y(field.top), field.width * size, field.height * size);
-  }
-
-  #drawWalls({ ctx, view, paint, match }) {
-    const walls = match.header.drawing.walls ?? match.header.scene.field?.walls ?? [];
-    ctx.strokeStyle = paint.wall;
-    ctx.lineWidth = 4;
-    ctx.lineCap = 'round';
-    for (const wall of Array.isArray(walls) ? walls : [walls]) {
-      ctx.beginPath();
-      traceWall(ctx, view, wall, this.field);
-      ctx.stroke();
-    }
-  }
-
-  #drawTrails({ ctx, view, theme, match, moment, bodies }) {
-    const turns = bodies.length > CROWD ? TRAIL_TURNS_OF_CROWD : TRAIL_TURNS;
-    ctx.lineCap = 'butt';
-    for (const body of bodies) {
-      const trail = trailOf(match, body.id, moment, turns);
-      ctx.strokeStyle = theme.team(body.owner);
-      for (let k = 1; k < trail.length; k++) {
-        const age = (moment.time - trail[k][0]) / turns;
-        ctx.globalAlpha = 0.6 * (1 - age) ** 2;
-        ctx.lineWidth = Math.max(1, body.radius * view.scale * 0.3 * (1 - age));
-        ctx.beginPath();
-        moveTo(ctx, view, trail[k - 1][1], trail[k - 1][2]);
-        lineTo(ctx, view, trail[k][1], trail[k][2]);
-        ctx.stroke();
-      }
-    }
-    ctx.globalAlpha = 1;
-  }
-
-  #drawImpacts(scene) {
-    const { match, moment, turnsPerSecond } = scene;
-    const life = Math.max(FLASH_TURNS, FLASH_SECONDS * turnsPerSecond);
-    for (const met of within(match.impacts, moment.time - life, moment.time)) {
-      drawFlash(scene, met, (moment.time - met.time) / life);
-    }
-  }
-
-  #drawMarks(scene) {
-    const { match, moment } = scene;
-    const marks = within(match.events, moment.time - MARK_TURNS, moment.time);
-    marks.forEach((mark, k) => {
-      const age = (moment.time - mark.time) / MARK_TURNS;
-      const { x, y } = mark.event;
-      drawMark(scene, mark, age, marks.slice(0, k).filter(({ event }) => event.x === x && event.y === y).length);
-    });
   }
 
   #drawNotes(scene) {
@@ -179,54 +118,75 @@ class Stage {
       readNotes(stderr).shapes.forEach(shape => drawShape(scene, shape, player));
     });
   }
-}
 
-/** The elements of a list sorted by time with from < time <= to. */
-function within(list, from, to) {
-  return list.slice(firstAfter(list, from), firstAfter(list, to));
-}
-
-/** Index of the first element after a time. */
-function firstAfter(list, time) {
-  let low = 0;
-  let high = list.length;
-  while (low < high) {
-    const middle = (low + high) >> 1;
-    if (list[middle].time > time) high = middle;
-    else low = middle + 1;
-  }
-  return low;
-}
-
-/** Where a body was in the last turns, corners included: [time, x, y]. */
-function trailOf(match, id, moment, turns) {
-  const from = Math.max(0, moment.time - turns);
-  const trail = [];
-  for (let number = Math.floor(from) + 1; number <= moment.turn; number++) {
-    for (const [t, x, y] of match.path(id, number)) {
-      const time = number - 1 + t;
-      if (time >= from && time <= moment.time) trail.push([time, x, y]);
+  /** The body at a place of the canvas, or null. */
+  bodyAt(moment, x, y) {
+    let best = null;
+    let nearest = Infinity;
+    for (const body of this.match.bodiesAt(moment)) {
+      const far = Math.hypot(this.view.x(body.x) - x, this.view.y(body.y) - y);
+      if (far <= Math.max(PICK_PIXELS, body.radius * this.view.scale) && far < nearest) [best, nearest] = [body, far];
     }
+    return best;
   }
-  const here = match.placeAt(id, moment);
-  if (here) trail.push([moment.time, here.x, here.y]);
-  return trail;
 }
 
-/** How games look, by the id of a game; the drawing module of each adds its own. */
-const LOOKS = {};
+/** A small arrow at the edge for a body that is out of view. */
+function pointAtHidden({ ctx, view, paint, theme }, body) {
+  const [x, y] = [view.x(body.x), view.y(body.y)];
+  if (x >= 0 && x <= view.width && y >= 0 && y <= view.height || body.owner === null) return;
+  const atX = Math.min(view.width - 14, Math.max(14, x));
+  const atY = Math.min(view.height - 14, Math.max(14, y));
+  ctx.save();
+  ctx.translate(atX, atY);
+  ctx.rotate(Math.atan2(y - atY, x - atX));
+  ctx.beginPath();
+  ctx.moveTo(12, 0);
+  ctx.lineTo(-6, 8);
+  ctx.lineTo(-6, -8);
+  ctx.fillStyle = theme.team(body.owner);
+  ctx.fill();
+  ctx.restore();
+  write({ ctx, paint }, body.label, atX, atY, 10, paint.ink, '700');
+}
 
-/** How a game without a drawing module of its own looks. */
-const PLAIN_LOOK = {
-  drawGround(scene) {
-    (scene.match.header.drawing.zones ?? []).forEach(zone => drawZone(scene, zone));
-  },
-  drawBody: drawDisc,
-  standing: () => null,
-  commandLines: command => [JSON.stringify(command)],
-  field: (name, value) => (typeof value === 'number' ? plainNumber(value) : String(value)),
-};
+function drawShape({ ctx, view, paint, theme }, shape, player) {
+  ctx.strokeStyle = shape.colour ?? theme.team(player);
+  ctx.lineWidth = 2;
+  ctx.lineCap = 'butt';
+  if (shape.kind === 'text') {
+    write({ ctx, paint, view }, shape.words, view.x(shape.x), view.y(shape.y), captionSize(view),
+      theme.team(player), '500');
+    return;
+  }
+  if (shape.kind === 'line') {
+    ctx.beginPath();
+    moveTo(ctx, view, shape.x1, shape.y1);
+    lineTo(ctx, view, shape.x2, shape.y2);
+  } else {
+    circle(ctx, view.x(shape.x), view.y(shape.y), shape.radius * view.scale);
+  }
+  ctx.stroke();
+}
 
-function plainNumber(value) {
-  return Number.isInteger(value) ? String(value) : value.toFixed(3);
+/** The field as a picture of its own: what is drawn, and below it who plays and which moment it is. */
+export function pictureOf(stage, title, words) {
+  const { canvas, pixelRatio, theme } = stage;
+  const strip = Math.round(34 * pixelRatio);
+  const picture = document.createElement('canvas');
+  picture.width = canvas.width;
+  picture.height = canvas.height + strip;
+  const ctx = picture.getContext('2d');
+  ctx.drawImage(canvas, 0, 0);
+  ctx.fillStyle = theme.paint.panel;
+  ctx.fillRect(0, canvas.height, picture.width, strip);
+  ctx.textBaseline = 'middle';
+  ctx.font = `700 ${14 * pixelRatio}px ${FONT}`;
+  ctx.fillStyle = theme.paint.ink;
+  ctx.fillText(title, 14 * pixelRatio, canvas.height + strip / 2);
+  ctx.textAlign = 'right';
+  ctx.font = `400 ${13 * pixelRatio}px ${FONT}`;
+  ctx.fillStyle = theme.paint.muted;
+  ctx.fillText(words, picture.width - 14 * pixelRatio, canvas.height + strip / 2);
+  return picture;
 }

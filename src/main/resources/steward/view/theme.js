@@ -1,35 +1,46 @@
-// Colours: those of the page come from its style sheet, so that light and dark have one home.
+// Colours: those of the page come from its style sheet, so that light and dark have one home. Those of teams are
+// reserved for what belongs to a team; effects, impacts and warnings have colours of their own.
 
-// Okabe and Ito's colours, told apart with every kind of colour vision; the darker set is for light ground.
-const TEAM_ON_DARK = ['#56b4e9', '#f0a030', '#2fc79b', '#e08fbf', '#f0e442', '#ef7a45'];
-const TEAM_ON_LIGHT = ['#0072b2', '#d55e00', '#00795a', '#a8417c', '#7a6a00', '#3d4a57'];
-const PAINTS = ['field', 'ground', 'line', 'faint', 'zone', 'rim', 'ink', 'muted', 'flash', 'flame', 'core',
-  'shield', 'wall', 'bad', 'halo'];
+// Sixteen colours: the first six are told apart with every kind of colour vision, all by their lightness and hull.
+const TEAM_ON_DARK = ['#4cc2ff', '#ffa53a', '#2fd6a3', '#f08cc8', '#f2e55c', '#9c8cff', '#b7ea84', '#d3875a',
+  '#5b86ff', '#d650b4', '#57ab58', '#dccaa0', '#a8f0f4', '#a6a03c', '#ffc4cc', '#90a3bd'];
+const TEAM_ON_LIGHT = ['#0072b2', '#c24e00', '#007a5a', '#b03a80', '#7d6a00', '#5a45c8', '#4a7c10', '#87481d',
+  '#1d4fd7', '#8e0f77', '#1f5f2a', '#6b5a33', '#0a7185', '#5c5a12', '#a1455a', '#4d6079'];
+const PAINTS = ['field', 'ground', 'sky', 'abyss', 'line', 'faint', 'zone', 'lane', 'rim', 'ink', 'muted', 'flash',
+  'flame', 'core', 'shield', 'water', 'wall', 'bad', 'halo', 'panel', 'hull'];
+const STORED = 'steward-theme';
 
-class Theme {
+export class Theme {
   #probe = document.createElement('i');
+  #motion = matchMedia('(prefers-reduced-motion: reduce)');
   paint = {};
   isDark = true;
+  /** Counts changes of colours: what is drawn from them once is drawn anew. */
+  version = 0;
 
   constructor(onChange) {
     this.onChange = onChange;
     this.#probe.hidden = true;
     document.body.append(this.#probe);
+    const kept = remembered(STORED);
+    if (kept === 'light' || kept === 'dark') document.documentElement.dataset.theme = kept;
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.read());
     this.read();
   }
 
-  /** Whether decoration should keep still. */
+  /** True if decoration should keep still. */
   get isCalm() {
-    return matchMedia('(prefers-reduced-motion: reduce)').matches;
+    return this.#motion.matches;
   }
 
   toggle() {
-    document.documentElement.dataset.theme = this.isDark ? 'light' : 'dark';
+    const next = this.isDark ? 'light' : 'dark';
+    document.documentElement.dataset.theme = next;
+    remember(STORED, next);
     this.read();
   }
 
-  /** Asks the style sheet what its colours are now. */
+  /** Asks the style sheet for its present colours. */
   read() {
     const chosen = document.documentElement.dataset.theme;
     this.isDark = chosen ? chosen === 'dark' : matchMedia('(prefers-color-scheme: dark)').matches;
@@ -37,19 +48,60 @@ class Theme {
       this.#probe.style.color = `var(--${name})`;
       this.paint[name] = getComputedStyle(this.#probe).color;
     }
-    const colours = this.isDark ? TEAM_ON_DARK : TEAM_ON_LIGHT;
-    colours.forEach((colour, k) => document.documentElement.style.setProperty(`--team-${k}`, colour));
+    this.version++;
+    teamColours(this.isDark).forEach((colour, k) =>
+      document.documentElement.style.setProperty(`--team-${k}`, colour));
     this.onChange?.();
   }
 
   /** The colour of a player's things; of nobody's things if null. */
   team(player) {
-    const colours = this.isDark ? TEAM_ON_DARK : TEAM_ON_LIGHT;
-    return player === null || player === undefined ? this.paint.muted : colours[player % colours.length];
+    if (player === null || player === undefined) return this.paint.muted;
+    const colours = teamColours(this.isDark);
+    return colours[player % colours.length];
   }
 }
 
-/** The CSS class that gives an element the colour of a player. */
-function teamClass(player) {
-  return player === null || player === undefined ? 'team nobody' : `team team-${player % TEAM_ON_DARK.length}`;
+/** Colours of teams on dark or light ground. */
+export function teamColours(isDark) {
+  return isDark ? TEAM_ON_DARK : TEAM_ON_LIGHT;
+}
+
+/** Gives an element the colour of a player. */
+export function inTeamColour(element, player) {
+  element.classList.add('team');
+  if (player !== null && player !== undefined) {
+    element.style.setProperty('--team', `var(--team-${player % TEAM_ON_DARK.length})`);
+  }
+  return element;
+}
+
+/** A computed colour, "rgb(...)" or "#rrggbb", made see-through. */
+export function withAlpha(colour, alpha) {
+  const key = `${colour}|${alpha}`;
+  let mixed = MIXED.get(key);
+  if (!mixed) {
+    mixed = `color-mix(in srgb, ${colour} ${Math.round(100 * alpha)}%, transparent)`;
+    if (MIXED.size > 2000) MIXED.clear();
+    MIXED.set(key, mixed);
+  }
+  return mixed;
+}
+const MIXED = new Map();
+
+/** A choice of an earlier visit; null where the browser keeps none, as inside another page. */
+export function remembered(name) {
+  try {
+    return localStorage.getItem(name);
+  } catch {
+    return null;
+  }
+}
+
+export function remember(name, value) {
+  try {
+    localStorage.setItem(name, value);
+  } catch {
+    // a page inside another may be forbidden to keep anything
+  }
 }

@@ -64,6 +64,8 @@ public final class ReplayCommand implements Callable<Integer> {
 
     private static final List<String> LEVELS = Stream.of(SandboxLevel.values()).map(SandboxLevel::word).toList();
 
+    private static final double MOST_TURNS = 1e9;
+
     private final Streams streams;
     private final CallCheck check = CallCheck.withHelp();
 
@@ -115,6 +117,17 @@ public final class ReplayCommand implements Callable<Integer> {
     @Option(names = "--open", description = "Opens the page of --view, or one without a name, in the browser.")
     private boolean open;
 
+    @Option(names = "--site", paramLabel = "URL", description = "With --view: the address the page will have; title, "
+        + "description and picture of previews of links are written for it.")
+    private String site;
+
+    @Option(names = "--picture", paramLabel = "PNG", description = "Writes a picture of the match at --turn (its end if "
+        + "there is none), by a browser on the PATH. A fraction is a moment within a turn: --at 28.66.")
+    private String picture;
+
+    @Option(names = "--at", paramLabel = "T", description = "With --picture: the moment, in turns.")
+    private Double at;
+
     @Option(names = "--overwrite", description = "Replaces a page that exists.")
     private boolean overwrite;
 
@@ -133,7 +146,7 @@ public final class ReplayCommand implements Callable<Integer> {
     public Integer call() throws InterruptedException {
         checkCall();
         boolean piped = StandardFiles.is(file);
-        if (view != null || open) {
+        if (view != null || open || picture != null) {
             return view(piped ? null : OutputFiles.path(file), piped ? StandardFiles.readAll(streams) : null);
         }
         Path keyFile = signedBy == null ? null : OutputFiles.path(signedBy);
@@ -194,13 +207,20 @@ public final class ReplayCommand implements Callable<Integer> {
             "--frames prints the whole match, expected no --turn, --from, --to or --impacts with it");
         check.that(!frames || player != null, "--frames: expected --player P with it");
         check.that(frames || player == null, "--player is for --frames, expected both");
-        check.that(view == null && !open || !verify && !frames && !impacts && !range && turn == null,
+        check.that(at == null || picture != null, "--at is for --picture, expected both");
+        check.that(at == null || at >= 0 && at <= MOST_TURNS, "--at: found " + at + ", expected a number of turns");
+        check.that(site == null || view != null && site.matches("https?://\\S{1,1000}"),
+            "--site: expected --view with it, and an address that begins with http:// or https://");
+        check.that(picture == null || !StandardFiles.is(picture) && !json && !map && (at == null || turn == null),
+            "--picture: expected a file, no --json or --map, and only one of --turn and --at with it");
+        check.that(view == null && !open && picture == null
+            || !verify && !frames && !impacts && !range && (turn == null || picture != null && view == null && !open),
             "--view and --open take the whole match, expected no --verify, --frames, --impacts, --turn, --from or --to "
             + "with them");
         check.that(!open || !StandardFiles.is(view), "--open: found --view - with it, expected a file for the page");
         check.that(!map || !verify && !frames && !impacts && !range && turn == null && !json && view == null && !open,
             "--map draws the end of the match, expected nothing else with it");
-        check.that(!overwrite || view != null, "--overwrite: expected --view with it");
+        check.that(!overwrite || view != null || picture != null, "--overwrite: expected --view or --picture with it");
         check.that(!quiet || !frames && !impacts && turn == null, "--quiet is for the summary and --verify");
         check.that(!json || !frames && !quiet && !open && view == null && (impacts || from == null && to == null),
             "--json is for the summary, --turn, --impacts and --verify");
@@ -221,40 +241,29 @@ public final class ReplayCommand implements Callable<Integer> {
      * @param bytes  of it, or {@code null} if there is a file
      */
     private int view(Path replay, byte[] bytes) throws InterruptedException {
-        String title = replay == null || replay.getFileName() == null ? file : replay.getFileName().toString();
-        String warning;
-        try (ReplayReader reader = replay == null ? StandardFiles.openReplay(bytes) : open(replay)) {
-            title = reader.header() == null ? title : Pages.title(reader.header().names());
-            while (reader.next() != null) {
-                continue;
-            }
-            warning = reader.warning();
-        }
-        byte[] html = replay == null ? Pages.of(bytes, title) : Pages.of(replay, title);
-        if (warning != null) {
-            streams.warn(warning);
-        }
+        PageFile page = PageFile.of(streams, replay, bytes, file, site);
         if (StandardFiles.is(view)) {
-            streams.out().writeBytes(html);
+            streams.out().writeBytes(page.html());
             return ExitStatus.DONE;
         }
-        Path page = view == null ? Pages.unnamed() : OutputFiles.path(view);
-        if (OutputFiles.isSame(page, replay)) {
-            throw new InputException("--view: found the replay itself, expected another file");
+        if (view != null || open) {
+            Path path = page.write(view, overwrite);
+            say("Page: " + path);
+            if (open) {
+                Pages.open(streams, path.toAbsolutePath().toUri());
+            }
         }
-        try (OutputStream out = OutputFiles.open(page, overwrite || view == null)) {
-            Pages.write(out, html, page);
-        } catch (IOException problem) {
-            throw new FailedException(page + ": cannot be closed: " + problem.getMessage());
-        }
-        if (!quiet) {
-            streams.out().println("Page: " + page);
-            streams.out().flush();
-        }
-        if (open) {
-            Pages.open(streams, page.toAbsolutePath().toUri());
+        if (picture != null) {
+            say("Picture: " + page.picture(picture, at != null ? at : turn != null ? turn : page.turns(), overwrite));
         }
         return ExitStatus.DONE;
+    }
+
+    private void say(String words) {
+        if (!quiet) {
+            streams.out().println(words);
+            streams.out().flush();
+        }
     }
 
     private void printJson(ReplayReader replay) {

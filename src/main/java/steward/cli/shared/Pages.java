@@ -1,6 +1,5 @@
 package steward.cli.shared;
 
-import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
@@ -11,6 +10,7 @@ import java.nio.file.Path;
 import java.util.List;
 import steward.files.InputException;
 import steward.live.Browser;
+import steward.replay.page.PageExtras;
 import steward.replay.page.ReplayPage;
 import steward.text.TextFormat;
 
@@ -51,11 +51,24 @@ public final class Pages {
         return html.toByteArray();
     }
 
-    /** The page of a match whose replay came on the standard input. */
-    public static byte[] of(byte[] replay, String title) {
+    /** Returns the bytes of a replay. */
+    public static byte[] read(Path replay) {
+        try {
+            return Files.readAllBytes(replay);
+        } catch (IOException problem) {
+            throw new UncheckedIOException(replay + ": cannot be read: " + problem.getMessage(), problem);
+        }
+    }
+
+    /**
+     * The page of a match that has been read, with more than the replay.
+     *
+     * @param source name of the replay, for errors
+     */
+    public static byte[] of(byte[] replay, String source, String title, PageExtras extras) {
         ByteArrayOutputStream html = new ByteArrayOutputStream();
         try {
-            ReplayPage.write(new ByteArrayInputStream(replay), StandardFiles.INPUT, html, title);
+            ReplayPage.write(replay, source, html, title, extras);
         } catch (IOException inMemory) {
             throw new UncheckedIOException(inMemory);
         }

@@ -8,7 +8,6 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
-import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
 import java.util.function.Function;
@@ -27,7 +26,6 @@ import tools.jackson.core.ObjectWriteContext;
 public final class LeaguePage {
 
     private static final String FOLDER = "/steward/league/";
-    private static final List<String> SCRIPTS = List.of("page.js");
     /** Replays that a page holds at most, together, in bytes of the page: it is still opened in a moment. */
     private static final long MOST_BYTES = 24 << 20;
     private static final String LIVE = "live";
@@ -61,7 +59,7 @@ public final class LeaguePage {
      */
     public static int write(LeagueView view, Path replays, OutputStream html, String title) throws IOException {
         ReplayPage.Shell shell = ReplayPage.shell();
-        PageTemplate page = new PageTemplate(FOLDER, SCRIPTS, title);
+        PageTemplate page = new PageTemplate(FOLDER, title);
         page.put("policy", page.policy("'none'", " " + shell.scriptHash(), " " + shell.styleHash()));
         page.put("source", "");
         Map<Long, String> embedded = embedded(view, replays);
@@ -117,7 +115,7 @@ public final class LeaguePage {
      * @param feed  address of the events, relative to the page; each is an object of {@link #live}
      */
     public static byte[] live(String title, String feed) {
-        PageTemplate page = new PageTemplate(FOLDER, SCRIPTS, title);
+        PageTemplate page = new PageTemplate(FOLDER, title);
         page.put("policy", page.policy("'self'"));
         page.put("source", "data-feed=\"" + PageTemplate.escape(feed) + "\"");
         ByteArrayOutputStream html = new ByteArrayOutputStream();

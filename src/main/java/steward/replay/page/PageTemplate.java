@@ -1,58 +1,74 @@
 package steward.replay.page;
 
 import java.io.IOException;
-import java.io.InputStream;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.Base64;
 import java.util.HashMap;
-import java.util.List;
 import java.util.Map;
+import java.util.regex.Pattern;
 
 /**
  * The page around a replay or other data: {@code page.html} with its places, written <code>{{name}}</code>, filled in.
- * All scripts become one; the content security policy names it and the style sheet by their hashes, so that nothing
+ * All modules become one script; the content security policy names it and the style sheet by their hashes, so that nothing
  * else can run.
  */
 public final class PageTemplate {
 
     private static final String OF_REPLAYS = "/steward/view/";
-    /** In the order in which they need each other. */
-    private static final List<String> SCRIPTS = List.of("match.js", "notes.js", "theme.js", "shapes.js", "stage.js",
-        "podrace.js", "searchrace.js", "meanmax.js", "fantasticbits.js", "pokerchiprace.js", "playback.js",
-        "timeline.js", "chart.js",
-        "panels.js", "page.js");
+    private static final String LIBRARY = OF_REPLAYS + "uPlot.js";
+    private static final String LIBRARY_STYLE = OF_REPLAYS + "uPlot.css";
+    /** A module for a game whose jar is installed: it calls {@code addLook} of {@code ../view/looks.js}. */
+    private static final String LOOK_OF_GAME = "/steward/looks/%s.js";
+    private static final Pattern GAME = Pattern.compile("[a-z0-9-]{1,60}");
     /** The place of the replay; everything before it is written first. */
     private static final String REPLAY = "{{replay}}";
 
-    private final String folder;
     private final String template;
     private final String style;
     private final String script;
     private final Map<String, String> values = new HashMap<>();
 
-    /** The page of a replay. */
-    PageTemplate(String title) {
-        this(OF_REPLAYS, SCRIPTS, title);
+    /**
+     * Returns the page of a replay.
+     *
+     * @param title plain text
+     * @param game  the id of its game, or {@code null} if any may come; an installed game may bring a module
+     */
+    static PageTemplate ofReplay(String title, String game) {
+        PageTemplate page = new PageTemplate(OF_REPLAYS, title, lookOf(game));
+        page.put("meta", "");
+        page.put("sent", "");
+        return page;
     }
 
     /**
-     * Another page.
+     * Makes another page.
      *
-     * @param folder  of the resources {@code page.html}, {@code page.css} and the scripts, with a slash at its end
-     * @param scripts in the order in which they need each other
-     * @param title   plain text
+     * @param folder of the resources {@code page.html}, {@code page.css} and {@code page.js}, with a slash at its end
+     * @param title  plain text
      */
-    public PageTemplate(String folder, List<String> scripts, String title) {
-        this.folder = folder;
-        template = load("page.html");
-        style = load("page.css");
-        script = script(scripts);
+    public PageTemplate(String folder, String title) {
+        this(folder, title, null);
+    }
+
+    private PageTemplate(String folder, String title, String look) {
+        template = PageScript.load(folder + "page.html");
+        style = PageScript.load(LIBRARY_STYLE) + PageScript.load(folder + "page.css");
+        script = PageScript.of(LIBRARY, folder + "page.js", look);
         values.put("title", escape(title));
         values.put("style", style);
         values.put("script", script);
+    }
+
+    private static String lookOf(String game) {
+        if (game == null || !GAME.matcher(game).matches()) {
+            return null;
+        }
+        String module = String.format(LOOK_OF_GAME, game);
+        return PageTemplate.class.getResource(module) == null ? null : module;
     }
 
     /** Writes bytes into the page. */
@@ -123,27 +139,6 @@ public final class PageTemplate {
     /** Text as HTML, in an element or in a quoted attribute. */
     public static String escape(String text) {
         return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;").replace("\"", "&quot;");
-    }
-
-    /** All scripts in one scope of their own. */
-    private String script(List<String> scripts) {
-        StringBuilder all = new StringBuilder("(() => {\n'use strict';\n");
-        for (String name : scripts) {
-            all.append(load(name)).append('\n');
-        }
-        return all.append("})();\n").toString();
-    }
-
-    private String load(String name) {
-        try (InputStream in = PageTemplate.class.getResourceAsStream(folder + name)) {
-            if (in == null) {
-                throw new IllegalStateException("the program is not whole: " + folder + name + " is missing");
-            }
-            // A browser reads every line end as \n, and takes hashes of what it reads.
-            return new String(in.readAllBytes(), StandardCharsets.UTF_8).replace("\r\n", "\n");
-        } catch (IOException problem) {
-            throw new IllegalStateException("the program is not whole: " + folder + name, problem);
-        }
     }
 
     private static String hash(String text) {

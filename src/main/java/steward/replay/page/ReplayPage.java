@@ -54,9 +54,31 @@ public final class ReplayPage {
     }
 
     private static void write(byte[] replay, String source, OutputStream html, String title) throws IOException {
+        write(replay, source, html, title, PageExtras.NONE);
+    }
+
+    /**
+     * Writes the page with more than the replay.
+     *
+     * @param replay its bytes
+     * @param source name of the replay, for errors
+     * @param html   is not closed
+     * @param title  heading of the page, plain text
+     * @param extras frames that bots were sent, and words for previews of links
+     * @throws IOException     if the page cannot be written
+     * @throws ReplayException if it is no replay, of a newer format, or damaged before its end
+     */
+    public static void write(byte[] replay, String source, OutputStream html, String title, PageExtras extras)
+            throws IOException {
         String warning = check(replay, source);
         byte[] whole = warning == null ? replay : upToCut(replay);
-        PageTemplate page = new PageTemplate(title);
+        PageTemplate page = PageTemplate.ofReplay(title, gameOf(replay, source));
+        page.put("meta", extras.meta(title));
+        if (extras.sent() != null) {
+            ByteArrayOutputStream sent = new ByteArrayOutputStream();
+            embed(extras.sent(), sent);
+            page.put("sent", sent.toString(StandardCharsets.US_ASCII));
+        }
         page.put("policy", page.policy("'none'"));
         page.put("save", "");
         page.put("source", warning == null ? "" : "data-warning=\"" + PageTemplate.escape(warning) + "\"");
@@ -75,7 +97,7 @@ public final class ReplayPage {
      * @throws IOException if the page cannot be written
      */
     public static void writeLive(OutputStream html, String title, String feed, String save) throws IOException {
-        PageTemplate page = new PageTemplate(title);
+        PageTemplate page = PageTemplate.ofReplay(title, null);
         page.put("policy", page.policy("'self'"));
         page.put("save", save == null ? "" : "<a href=\"" + PageTemplate.escape(save) + "\" download>Save</a>");
         page.put("source", "data-feed=\"" + PageTemplate.escape(feed) + "\"");
@@ -95,7 +117,7 @@ public final class ReplayPage {
 
     /** The page without a replay. */
     public static Shell shell() {
-        PageTemplate page = new PageTemplate("");
+        PageTemplate page = PageTemplate.ofReplay("", null);
         page.put("title", "{{title}}");
         page.put("policy", page.policy("'none'"));
         page.put("save", "");
@@ -115,6 +137,12 @@ public final class ReplayPage {
         ByteArrayOutputStream text = new ByteArrayOutputStream();
         embed(whole, text);
         return text.toString(StandardCharsets.US_ASCII);
+    }
+
+    private static String gameOf(byte[] replay, String source) {
+        try (ReplayReader reader = new ReplayReader(new ByteArrayInputStream(replay), source)) {
+            return reader.header() == null ? null : reader.header().game();
+        }
     }
 
     /** Reads the replay to its end; returns where it was cut off, without the name of the file, or null. */

@@ -61,7 +61,7 @@ class LeaguePageTest {
             assertEquals(3, rows(browser, "#table"));
             assertEquals(3, rows(browser, "#cross"));
             assertEquals(GAMES, rows(browser, "#games"));
-            assertTrue(browser.is("document.querySelectorAll('#path svg path').length === 3"));
+            assertTrue(browser.is("document.querySelectorAll('#path .chip').length === 3"));
             assertEquals(4, browser.number("document.querySelectorAll('#table .bars rect').length"),
                 "a mark for each, and a bar for the one that neither won nor lost nearly everything");
             assertEquals(List.of(), browser.requests(), "nothing is asked of a network");
@@ -108,7 +108,7 @@ class LeaguePageTest {
              PageTestBrowser browser = PageTestBrowser.start(folder.resolve("profile"))) {
             server.show(state.formatted(1, 1));
             browser.go(server.address().toString());
-            assertEquals("<i>a</i>", browser.text("#table td.name"), "names are text");
+            assertEquals("<i>a</i>", browser.text("#table th.name"), "names are text");
             server.show(state.formatted(7, 7));
             browser.await("the page does not follow", () -> browser.text("#scene").contains("7 games of duel"));
             assertTrue(browser.is("document.body.classList.contains('live')"));
@@ -139,7 +139,7 @@ class LeaguePageTest {
              PageTestBrowser browser = PageTestBrowser.start(folder.resolve("profile"))) {
             server.show(state);
             browser.go(server.address().toString());
-            for (String shown : List.of("#table td.name", "#games td.left", "#workers td.name", "#doubts li", "h1")) {
+            for (String shown : List.of("#table th.name", "#games td.left", "#workers td.name", "#doubts li", "h1")) {
                 assertTrue(browser.text(shown).contains("<img src=x"), shown + ": " + browser.text(shown));
             }
             assertTrue(browser.is("!window.owned && document.images.length === 0"));

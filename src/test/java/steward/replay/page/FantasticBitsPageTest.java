@@ -34,7 +34,8 @@ class FantasticBitsPageTest {
                 browser.run("steward.seek(" + (turn + 0.5) + ")");
             }
             browser.run("steward.seek(0)");
-            assertEquals("0 goals \u00b7 0 magic", browser.text("#scores .big"));
+            assertEquals("0 goals", browser.text("#scores .big"));
+            assertEquals("0 magic", browser.text("#scores .small"));
             browser.run("steward.seek(steward.lastTurn())");
             int goals = (int) match.result().players().get(0).score();
             assertTrue(browser.text("#scores .big").startsWith(goals + " goal"), browser.text("#scores .big"));

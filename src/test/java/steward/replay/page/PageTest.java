@@ -235,13 +235,15 @@ class PageTest {
     }
 
     @Test
-    void readsAndWritesTheLinkToATurn() {
+    void readsAndWritesTheLinkToAMoment() {
         browser.open(page, "#turn=57");
         assertEquals(57, browser.number("steward.time()"));
         browser.press(Keys.ARROW_RIGHT);
-        browser.await("the link stays", () -> browser.is("location.hash === '#turn=58'"));
+        browser.await("the link stays", () -> browser.is("location.hash === '#t=58.00'"));
         browser.run("location.hash = '#turn=5'");
         browser.await("the link is not followed", () -> browser.number("steward.time()") == 5);
+        browser.run("location.hash = '#t=28.66'");
+        browser.await("a moment is not followed", () -> browser.number("steward.time()") == 28.66);
         browser.open(page, "#turn=999999");
         assertEquals(lastTurn(), browser.number("steward.time()"));
         browser.open(page, "#turn=abc");

@@ -1,0 +1,89 @@
+package steward.cli.replay;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import steward.cli.shared.FailedException;
+import steward.cli.shared.Pages;
+import steward.cli.shared.StandardFiles;
+import steward.cli.shared.Streams;
+import steward.files.InputException;
+import steward.files.OutputFiles;
+import steward.replay.ReplayReader;
+import steward.replay.page.PageExtras;
+
+/**
+ * The page of a recorded match, and the files it becomes.
+ *
+ * @param replay or {@code null} if it came on the standard input
+ * @param html   the page
+ * @param turns  how many turns the match has
+ */
+record PageFile(Path replay, byte[] html, int turns) {
+
+    /**
+     * Makes the page; a replay that was cut off is told to the user.
+     *
+     * @param replay or {@code null} if it has been read
+     * @param bytes  of it, or {@code null} if there is a file
+     * @param name   as the user wrote it
+     * @param site   address for previews of links, or {@code null}
+     */
+    static PageFile of(Streams streams, Path replay, byte[] bytes, String name, String site) {
+        String title = replay == null || replay.getFileName() == null ? name : replay.getFileName().toString();
+        String description = title;
+        String warning;
+        int turns = 0;
+        try (ReplayReader reader = replay == null ? StandardFiles.openReplay(bytes) : ReplayCommand.open(replay)) {
+            if (reader.header() != null) {
+                title = Pages.title(reader.header().names());
+                description = title + ": " + reader.header().game();
+            }
+            while (reader.next() != null) {
+                turns++;
+            }
+            warning = reader.warning();
+        }
+        byte[] whole = replay == null ? bytes : Pages.read(replay);
+        String source = replay == null ? StandardFiles.INPUT : replay.toString();
+        PageExtras extras = new PageExtras(SentFrames.of(whole, source), site, description + ", " + turns + " turns");
+        byte[] html = Pages.of(whole, source, title, extras);
+        if (warning != null) {
+            streams.warn(warning);
+        }
+        return new PageFile(replay, html, turns);
+    }
+
+    /** Writes the page to a file, or to one without a name if {@code null}, and returns where it is. */
+    Path write(String view, boolean overwrite) {
+        Path page = view == null ? Pages.unnamed() : OutputFiles.path(view);
+        if (OutputFiles.isSame(page, replay)) {
+            throw new InputException("--view: found the replay itself, expected another file");
+        }
+        try (OutputStream out = OutputFiles.open(page, overwrite || view == null)) {
+            Pages.write(out, html, page);
+        } catch (IOException problem) {
+            throw new FailedException(page + ": cannot be closed: " + problem.getMessage());
+        }
+        return page;
+    }
+
+    /** Takes a picture of a moment and returns where it is. */
+    Path picture(String picture, double time, boolean overwrite) throws InterruptedException {
+        Path png = OutputFiles.path(picture);
+        if (OutputFiles.isSame(png, replay)) {
+            throw new InputException("--picture: found the replay itself, expected another file");
+        }
+        if (Files.exists(png) && !overwrite) {
+            throw new InputException(png + ": exists already, and is kept; --overwrite would replace it");
+        }
+        Path page = write(null, true);
+        try {
+            PagePicture.take(page, time, png);
+        } finally {
+            page.toFile().delete();
+        }
+        return png;
+    }
+}

@@ -1,0 +1,83 @@
+package steward.cli.replay;
+
+import java.io.File;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
+import steward.cli.shared.FailedException;
+
+/** Picture of a page at a moment, taken by a browser of the Chromium family that is on the PATH. */
+final class PagePicture {
+
+    private static final List<String> BROWSERS = List.of("chromium", "chromium-browser", "google-chrome", "chrome",
+        "microsoft-edge", "msedge");
+    /** The size that previews of links have, in CSS pixels. */
+    private static final String SIZE = "1200,630";
+    private static final int MOST_SECONDS = 60;
+
+    private PagePicture() {
+    }
+
+    /**
+     * Takes the picture.
+     *
+     * @param page a page that is a file
+     * @param time in turns
+     * @param png  is written; a file that is there is replaced
+     * @throws FailedException if there is no browser, or it takes no picture
+     */
+    static void take(Path page, double time, Path png) throws InterruptedException {
+        Path browser = browser();
+        Path profile = null;
+        try {
+            profile = Files.createTempDirectory("steward-picture");
+            Path taken = profile.resolve("picture.png");
+            Process process = new ProcessBuilder(browser.toString(), "--headless", "--no-sandbox", "--disable-gpu",
+                "--hide-scrollbars", "--force-prefers-reduced-motion",
+                "--blink-settings=preferredColorScheme=0", "--user-data-dir=" + profile.resolve("profile"),
+                "--window-size=" + SIZE, "--virtual-time-budget=4000", "--screenshot=" + taken,
+                page.toUri() + "#t=" + time)
+                .redirectErrorStream(true).redirectOutput(ProcessBuilder.Redirect.DISCARD).start();
+            if (!process.waitFor(MOST_SECONDS, TimeUnit.SECONDS)) {
+                process.destroyForcibly().waitFor();
+            }
+            if (!Files.isRegularFile(taken)) {
+                throw new FailedException("--picture: " + browser + " took no picture");
+            }
+            Files.write(png, Files.readAllBytes(taken));
+        } catch (IOException problem) {
+            throw new FailedException("--picture: " + png + ": cannot be written: " + problem.getMessage());
+        } finally {
+            delete(profile);
+        }
+    }
+
+    private static Path browser() {
+        String suffix = System.getProperty("os.name").toLowerCase(Locale.ROOT).startsWith("windows") ? ".exe" : "";
+        for (String folder : System.getenv().getOrDefault("PATH", "").split(File.pathSeparator)) {
+            for (String name : BROWSERS) {
+                Path program = Path.of(folder.isEmpty() ? "." : folder, name + suffix);
+                if (Files.isExecutable(program) && Files.isRegularFile(program)) {
+                    return program;
+                }
+            }
+        }
+        throw new FailedException("--picture: found no browser on the PATH, expected one of " + String.join(", ", BROWSERS)
+            + "; or open the page of --view and press P");
+    }
+
+    private static void delete(Path folder) {
+        if (folder == null) {
+            return;
+        }
+        try (Stream<Path> files = Files.walk(folder)) {
+            files.sorted((one, other) -> other.compareTo(one)).forEach(file -> file.toFile().delete());
+        } catch (IOException left) {
+            folder.toFile().deleteOnExit();
+        }
+    }
+}

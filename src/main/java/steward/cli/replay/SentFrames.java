@@ -1,0 +1,67 @@
+package steward.cli.replay;
+
+import java.io.ByteArrayInputStream;
+import java.nio.charset.StandardCharsets;
+import steward.bot.LineBuffer;
+import steward.cli.shared.Games;
+import steward.match.Dialogue;
+import steward.replay.RecordedTurn;
+import steward.replay.ReplayReader;
+import steward.replay.verify.Resimulation;
+import tools.jackson.core.io.JsonStringEncoder;
+
+/**
+ * The frames that all bots of a match were sent, for its page. They are not recorded: they follow from the game, which
+ * is played again, as far as it gives what was recorded.
+ */
+final class SentFrames {
+
+    /** Characters of frames that a page holds at most: it is still opened in a moment. */
+    private static final int MOST = 24 << 20;
+
+    private SentFrames() {
+    }
+
+    /** Returns one line per turn, as a page takes them, or {@code null} if the match cannot be played again. */
+    static byte[] of(byte[] replay, String source) {
+        try (ReplayReader reader = new ReplayReader(new ByteArrayInputStream(replay), source)) {
+            return lines(reader).getBytes(StandardCharsets.UTF_8);
+        } catch (RuntimeException cannotBePlayedAgain) {
+            return null;                 // an import without its commands, a game that is not installed, an older law
+        }
+    }
+
+    private static String lines(ReplayReader replay) {
+        Resimulation again = new Resimulation(replay.header(), Games.types(), replay.source());
+        int players = replay.header().names().size();
+        Dialogue[] frames = new Dialogue[players];
+        StringBuilder lines = new StringBuilder();
+        for (int player = 0; player < players; player++) {
+            frames[player] = Dialogue.of(replay.header().protocols().get(player), again.setup(), again.game(),
+                again.codec());
+            append(lines, player, frames[player].setup(player));
+        }
+        lines.append("]\n");
+        for (RecordedTurn turn = replay.next(); turn != null && lines.length() < MOST; turn = replay.next()) {
+            for (int player = 0; player < players; player++) {
+                boolean isAsked = again.game().isIn(player) && turn.asked(player);
+                append(lines, player, isAsked ? frames[player].turn(player) : null);
+            }
+            lines.append("]\n");
+            if (again.play(turn) != null) {
+                break;
+            }
+        }
+        return lines.toString();
+    }
+
+    private static void append(StringBuilder lines, int player, LineBuffer frame) {
+        lines.append(player == 0 ? "[" : ",");
+        if (frame == null) {
+            lines.append("null");
+        } else {
+            String text = new String(frame.bytes(), 0, frame.size(), StandardCharsets.UTF_8).stripTrailing();
+            lines.append('"').append(JsonStringEncoder.getInstance().quoteAsCharArray(text)).append('"');
+        }
+    }
+}

@@ -1,0 +1,76 @@
+// The last games, by bot, opponent and result; those that failed say why.
+
+import { kindOf } from './bot.js';
+import { find, heads, make, paint, state, thousands } from './words.js';
+
+export function options(select, first) {
+  const before = select.value;
+  select.replaceChildren();
+  make(select, 'option', first).value = '';
+  for (const bot of state.league.bots) make(select, 'option', bot.name).value = bot.version;
+  select.value = before;
+  if (select.selectedIndex < 0) select.value = '';
+}
+
+function isShown(game) {
+  const bot = Number(find('bot').value), against = Number(find('against').value);
+  const result = find('result').value;
+  if (find('kept').checked && !game.replay) return false;
+  const seats = game.seats.filter(seat => !bot || seat.version === bot);
+  if (!seats.length || against && !game.seats.some(seat => seat.version === against && (!bot || seat !== seats[0]))) {
+    return false;
+  }
+  const first = game.seats.filter(seat => seat.rank === 0).length;
+  return !result || result === 'failed' && (bot ? seats : game.seats).some(seat => seat.fault)
+    || game.counts && seats.some(seat => result === 'won' && seat.rank === 0 && first === 1
+      || result === 'drawn' && seat.rank === 0 && first > 1 || result === 'lost' && seat.rank > 0);
+}
+
+export function drawGames() {
+  const table = find('games');
+  heads(table, [['Game', 'num'], ['Bots, best first', 'left'], ['Turns', ''], ['Seed', 'table-wide'], ['Replay', '']]);
+  const body = table.tBodies[0];
+  body.replaceChildren();
+  const found = state.league.list.filter(isShown);
+  const names = new Map(state.league.bots.map(bot => [bot.version, bot]));
+  for (const game of found.slice(0, state.shown)) {
+    const row = make(body, 'tr');
+    make(row, 'td', game.id, 'num');
+    const cell = make(row, 'td', null, 'left');
+    const first = game.seats.filter(seat => seat.rank === 0).length;
+    [...game.seats].sort((a, b) => a.rank - b.rank).forEach((seat, k) => {
+      if (k) cell.append(game.counts && first > 1 ? ' = ' : ' · ');
+      const bot = names.get(seat.version);
+      if (bot) paint(make(cell, 'i', null, 'dot'), bot);
+      make(cell, 'span', bot ? bot.name : '?', game.counts && seat.rank === 0 && first === 1 ? 'win' : '');
+      if (seat.fault) make(cell, 'span', `failed: ${kindOf(seat.fault)}`, 'tag faulty').title = seat.fault;
+    });
+    if (game.problem) make(cell, 'span', 'no result', 'tag faulty').title = game.problem;
+    else if (!game.counts) make(cell, 'span', 'played again', 'tag').title = 'others used the processors';
+    make(row, 'td', game.turns);
+    make(row, 'td', game.seed, 'table-wide');
+    const last = make(row, 'td');
+    if (game.replay === 'live') {
+      const link = make(last, 'a', 'Watch', 'link');
+      link.href = `replay/${game.id}`;
+      link.target = '_blank';
+      link.rel = 'noopener';
+    } else if (game.replay === 'page') {
+      make(last, 'button', 'Watch', 'link').addEventListener('click', () => watch(game, names));
+    } else if (game.replay) {
+      make(last, 'span', 'on disk').title = game.replay;
+    }
+  }
+  find('count').textContent = `${thousands(found.length)} of the last ${thousands(state.league.list.length)} games`;
+  find('more').hidden = found.length <= state.shown;
+}
+
+/** Opens a replay that is in this page: the page of a match, put together here. */
+function watch(game, names) {
+  const escape = text => text.replaceAll('&', '&amp;').replaceAll('<', '&lt;').replaceAll('>', '&gt;').replaceAll('"', '&quot;');
+  const title = game.seats.map(seat => names.get(seat.version)?.name ?? '?').join(' against ');
+  const page = state.league.shell.before.replaceAll('{{title}}', escape(title)) + state.league.replays[game.id] + state.league.shell.after;
+  const address = URL.createObjectURL(new Blob([page], { type: 'text/html' }));
+  window.steward.opened = address;
+  window.open(address, '_blank');
+}

@@ -1,0 +1,63 @@
+// Where turns come from: the replay that is embedded in the page, or a live match.
+
+const LOST_MS = 20_000;         // without a connection for so long, a live match is given up
+
+/** The lines of text that is embedded in the page, gzip in base64. */
+export async function embeddedLines(source) {
+  const bytes = Uint8Array.from(atob(source.textContent.trim()), letter => letter.charCodeAt(0));
+  const plain = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'));
+  return (await new Response(plain).text()).split('\n').filter(line => line);
+}
+
+/** Whoever serves the match goes when it is over: what Save gives is fetched before, and kept by the page. */
+async function keepCopy() {
+  const save = document.querySelector('a[download]');
+  const answer = save && await fetch(save.href);
+  if (!answer || !answer.ok) return;
+  save.download = save.getAttribute('href');
+  save.href = URL.createObjectURL(await answer.blob());
+}
+
+/** Follows a match as server-sent events: each message is one line of the replay; "end" closes. */
+export function followFeed(page, feed) {
+  page.playback.live = true;
+  document.body.classList.add('live');
+  const events = new EventSource(feed);
+  let lostSince = null;
+  const close = () => {
+    events.close();
+    page.playback.live = false;
+    document.body.classList.remove('live');
+  };
+  const stop = () => {
+    close();
+    keepCopy().catch(() => page.say('The connection is lost: this match can be watched, but no longer saved.'));
+  };
+  const giveUp = words => {                      // what Save gives would be nothing, or another match
+    close();
+    document.querySelector('a[download]')?.remove();
+    page.say(words);
+  };
+  events.addEventListener('message', event => {
+    lostSince = null;
+    page.say('');
+    page.addLine(event.data);
+    if (page.match.isAnotherPlayed) giveUp('Another match is played here now; reload to see it.');
+    else if (page.match.result) stop();
+  });
+  events.addEventListener('end', stop);
+  events.addEventListener('refused', event => {
+    close();
+    page.say(event.data, () => {
+      page.say('');
+      followFeed(page, feed);
+    });
+  });
+  events.addEventListener('error', () => {
+    lostSince ??= performance.now();
+    const isOver = events.readyState === EventSource.CLOSED || performance.now() - lostSince > LOST_MS;
+    if (isOver) giveUp('The match has ended early.');
+    else page.say('The connection is lost; trying again.');
+  });
+  page.playback.followLive();
+}

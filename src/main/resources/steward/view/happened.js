@@ -1,0 +1,77 @@
+// What happened around the moment shown: impacts, events and faults, each a button that goes there.
+
+import { firstAfter } from './match.js';
+import { element, grouped, nameOf, shorten, withNames } from './text.js';
+import { inTeamColour } from './theme.js';
+import { pairOf } from './timeline.js';
+
+const MOST_SHOWN = 9;
+const BEFORE = 5;               // of them, so many have happened
+const MOST_TEXT = 70;
+
+export class Happened {
+  root; match; timeline; onSeek;
+
+  constructor(root, match, timeline, onSeek) {
+    Object.assign(this, { root, match, timeline, onSeek });
+  }
+
+  update(moment) {
+    const all = this.#all();
+    const next = firstAfter(all, moment.time + 1e-9);
+    const from = Math.max(0, Math.min(next - BEFORE, all.length - MOST_SHOWN));
+    const key = `${from} ${next} ${all.length}`;
+    if (key === this.#key) return;
+    this.#key = key;
+    const rows = all.slice(from, from + MOST_SHOWN).map((each, k) => this.#row(each, from + k === next - 1));
+    this.root.replaceChildren(...rows.length ? rows : [element('li', 'none', 'nothing but flight')]);
+  }
+  #key = '';
+
+  /** All of it in the order of time; made anew when the match has grown. */
+  #all() {
+    const { impacts, events, faults } = this.match;
+    const size = impacts.length + events.length + faults.length;
+    if (this.#size !== size) {
+      this.#size = size;
+      const told = events.filter(({ event }) => event.text);
+      this.#list = [...impacts, ...told, ...faults].sort((one, other) => one.time - other.time);
+    }
+    return this.#list;
+  }
+  #size = -1;
+  #list = [];
+
+  #row(each, isNow) {
+    const { words, value, player } = this.#describe(each);
+    const button = element('button', isNow ? 'now' : '', null, element('span', 'when', each.time.toFixed(2)),
+      inTeamColour(element('span', 'who', shorten(words, MOST_TEXT)), player), element('span', 'value', value));
+    button.addEventListener('click', () => this.onSeek(each.time));
+    if (isNow) button.setAttribute('aria-current', 'true');
+    return element('li', '', null, button);
+  }
+
+  #describe({ impact, event, turn, player, fault }) {
+    if (impact) {
+      const { owner } = this.match.describeIn(impact.a, turn);
+      const words = impact.wall === undefined ? this.#pairOfNames(impact, turn) : pairOf(impact);
+      return { words, value: impact.impulse === undefined ? '' : grouped(Math.round(Math.abs(impact.impulse))), player: owner };
+    }
+    if (event) return { words: withNames(this.match, event.text), value: '✓', player: this.timeline.ownerOf(event, turn) };
+    return { words: `${nameOf(this.match, player)}: ${fault}`, value: '×', player };
+  }
+
+  /** Both bodies, with the kind where there are several kinds. */
+  #pairOfNames(impact, turn) {
+    return [impact.a, impact.b].map(id => {
+      const { kind } = this.match.describeIn(id, turn);
+      return this.#kinds() > 1 ? `${kind} ${id}` : String(id);
+    }).join(' × ');
+  }
+
+  #kinds() {
+    return this.#kindCount ??= new Set([...this.match.start.bodies.values()]
+      .map(body => this.match.describe(body.id, body).kind)).size;
+  }
+  #kindCount;
+}

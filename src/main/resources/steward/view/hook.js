@@ -1,0 +1,51 @@
+// For tests and for the curious, in the console: where the page stands, and where it draws what.
+
+import { contactOf, flashRadius } from './effects.js';
+
+/** Places are in CSS pixels of the window. */
+export function hookOf(page) {
+  const toWindow = (x, y) => {
+    const { left, top } = page.stage.canvas.getBoundingClientRect();
+    return { x: left + page.stage.view.x(x), y: top + page.stage.view.y(y) };
+  };
+  return {
+    turn: () => page.playback.moment.turn,
+    time: () => page.playback.time,
+    lastTurn: () => page.match.lastTurn,
+    seek(turn, fraction = 1) {
+      page.playback.seek(turn === 0 ? 0 : turn - 1 + fraction);
+      page.draw();
+    },
+    bodies: () => page.match.bodiesAt(page.playback.moment).map(body => ({ id: body.id, owner: body.owner,
+      ...toWindow(body.x, body.y), radius: body.radius * page.stage.view.scale })),
+    impacts: () => page.match.impacts.map(met => {
+      const { x, y } = contactOf(page.match, met);
+      return { time: met.time, ...toWindow(x, y), radius: flashRadius(page.match, met) * page.stage.view.scale };
+    }),
+    field: () => {
+      const { left, top, right, bottom } = page.stage.field;
+      const [from, to] = [toWindow(left, top), toWindow(right, bottom)];
+      return { left: from.x, top: from.y, right: to.x, bottom: to.y };
+    },
+    playing: () => page.playback.playing,
+    follows: () => page.playback.follows,
+    speed: () => page.playback.speed,
+    selected: () => page.stage.selected,
+    camera: () => ({ scale: page.stage.view.scale, follow: page.stage.view.follow, isHeld: page.stage.view.isHeld }),
+    colourOf: player => page.theme.team(player),
+    play: () => page.playback.play(),
+    pause: () => page.playback.pause(),
+    addTurn: line => page.addLine(line),
+    /** Milliseconds of script that one frame takes at a time of the match. */
+    frameMs(time) {
+      page.playback.time = time;
+      const start = performance.now();
+      page.draw();
+      return performance.now() - start;
+    },
+    setPlaying(playing) {
+      page.playback.playing = playing;
+    },
+    ready: false,
+  };
+}

@@ -1,0 +1,108 @@
+// How games look, by the id of a game. A look says what is special; everything else follows from what the replay
+// declares: field, walls, zones, bodies, and in each turn scores, resources and zones.
+//
+// A look may have: drawGround, drawBelow, drawBody, drawAbove (each gets a scene), standing(match, turn) with rank,
+// body, big, small, warning and pips of each player, leadName and progress(match, turn) with a number for each player,
+// commandLines(command, player, match), commandOf(body, match, turn), field(name, value), and series(match).
+
+import { circle, captionSize, targetLine, write } from './draw.js';
+import { putDisc } from './hulls.js';
+import { paintZone } from './ground.js';
+import { grouped, plainNumber } from './text.js';
+
+const LOOKS = new Map();
+const MOST_CAPTIONS = 100;
+const LABEL_PIXELS = 8;         // bodies drawn smaller than this have no label
+
+export function addLook(game, look) {
+  LOOKS.set(game, { ...PLAIN_LOOK, ...look });
+}
+
+export function lookOf(game) {
+  return LOOKS.get(game) ?? PLAIN_LOOK;
+}
+
+/** What a turn says of scores: one for each player, or null. */
+export function scoresOf(match, number) {
+  const turn = match.turn(number);
+  const scores = turn?.scores ?? turn?.state?.scores ?? null;
+  return Array.isArray(scores) && scores.length === match.players.length ? scores : null;
+}
+
+/** The rank of each value, 0 for the largest. */
+export function ranksOf(values) {
+  return values.map(value => values.filter(other => other > value).length);
+}
+
+/** How a game without a drawing module of its own looks. */
+export const PLAIN_LOOK = {
+  leadName: 'score',
+  drawGround: null,
+
+  drawBelow(scene) {
+    const zones = scene.match.turn(scene.moment.settled)?.zones ?? [];
+    zones.forEach(zone => paintZone(scene, zone));
+    if (!scene.show.targets && scene.selected === null) return;
+    for (const body of scene.bodies) {
+      const command = scene.match.turn(scene.moment.turn)?.commands?.[body.owner];
+      const isAsked = scene.show.targets || body.id === scene.selected;
+      if (isAsked && Number.isFinite(command?.x) && Number.isFinite(command?.y)) {
+        targetLine(scene, body, command.x, command.y);
+      }
+    }
+  },
+
+  drawBody(scene, body) {
+    putDisc(scene, body, body.owner === null || scene.match.isIn(body.owner, scene.moment.turn));
+    const radius = body.radius * scene.view.scale;
+    if (body.label && radius >= LABEL_PIXELS) {
+      write(scene, body.label, scene.view.x(body.x), scene.view.y(body.y), Math.max(9, Math.min(15, radius * 0.7)),
+        scene.paint.ink, '800');
+    }
+  },
+
+  drawAbove(scene) {
+    if (scene.show.names && scene.bodies.length < MOST_CAPTIONS) scene.bodies.forEach(body => writeOut(scene, body));
+  },
+
+  progress: scoresOf,
+
+  standing(match, number) {
+    const scores = scoresOf(match, number);
+    if (!scores) return null;
+    const ranks = ranksOf(scores);
+    return scores.map((score, player) => ({ rank: ranks[player], body: bodyOf(match, number, player),
+      big: `${grouped(score)} ${match.header.drawing.lead ?? 'points'}`, small: '', warning: '' }));
+  },
+
+  commandLines: command => [JSON.stringify(command)],
+  commandOf: () => '',
+  field: (name, value) => (typeof value === 'number' ? plainNumber(value)
+    : typeof value === 'object' && value !== null ? JSON.stringify(value) : String(value)),
+};
+
+function bodyOf(match, number, player) {
+  for (const body of match.turn(number).bodies.values()) {
+    if (match.describe(body.id, body).owner === player) return body.id;
+  }
+  return null;
+}
+
+/** The word OUT below a body whose player is asked no more. */
+export function writeOut(scene, body) {
+  const { match, moment, view, theme } = scene;
+  if (body.owner === null || body.owner === undefined || match.isIn(body.owner, moment.turn)) return;
+  write(scene, 'OUT', view.x(body.x), view.y(body.y) + body.radius * view.scale + 9, captionSize(view),
+    theme.team(body.owner), '700');
+}
+
+/** A ring around a body that is selected or pointed at. */
+export function drawRing({ ctx, view, paint, moment, theme }, body, isSelected) {
+  circle(ctx, view.x(body.x), view.y(body.y), Math.max(5, body.radius * view.scale) + 5);
+  ctx.strokeStyle = paint.ink;
+  ctx.lineWidth = isSelected ? 2 : 1.25;
+  ctx.setLineDash(isSelected ? [6, 4] : []);
+  ctx.lineDashOffset = theme.isCalm ? 0 : -8 * moment.time;
+  ctx.stroke();
+  ctx.setLineDash([]);
+}

@@ -1,0 +1,130 @@
+package steward.replay.page;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.openqa.selenium.Keys;
+
+/** The page as a tool to find out what happened: happenings, moments, bodies, camera, keys. */
+@Tag("browser")
+class PageTestDebugging {
+
+    @TempDir
+    static Path folder;
+
+    private static PageTestBrowser browser;
+    private static Path page;
+
+    @BeforeAll
+    static void start() {
+        browser = PageTestBrowser.start(folder.resolve("profile"));
+        page = new PageTestPages(folder).page(PageTestRaces.play(PageTestRaces.scene("mad-pod-racing"), 3), "Race");
+    }
+
+    @AfterAll
+    static void quit() {
+        if (browser != null) {
+            browser.close();
+        }
+    }
+
+    @BeforeEach
+    void atTurnThirty() {
+        browser.size(1280, 720);
+        browser.prefer(true, false);
+        browser.open(page, "#t=30.5");
+        browser.run("localStorage.clear()");
+    }
+
+    @Test
+    void aClickOnAHappeningGoesToItsMoment() {
+        String when = browser.text("#happened li:first-child .when");
+        browser.click("#happened li:first-child button");
+        assertEquals(Double.parseDouble(when), browser.number("steward.time()"), 0.005);
+        assertEquals(when, browser.text("#happened [aria-current] .when"));
+    }
+
+    @Test
+    void theStateSaysOfWhichInstantItIsAndFollowsIt() {
+        assertTrue(browser.text("#state-when").startsWith("places at 30.50"), browser.text("#state-when"));
+        String within = browser.text("#state");
+        browser.seek(31, 1);
+        assertEquals("at the end of turn 31", browser.text("#state-when"));
+        assertNotEquals(within, browser.text("#state"));
+    }
+
+    @Test
+    void whereNoAnswerTimesWereMeasuredThereAreNone() {
+        assertFalse(browser.text("#cards .answer-time").isEmpty());
+        assertTrue(browser.text("#charts").toLowerCase().contains("answer time"));
+        byte[] untimed = new String(PageTestRaces.play(PageTestRaces.scene("duel"), 3), java.nio.charset.StandardCharsets
+            .UTF_8).replaceAll("\"answerNanos\":\\[[^]]*]", "\"answerNanos\":[0,0]")
+            .getBytes(java.nio.charset.StandardCharsets.UTF_8);
+        browser.open(new PageTestPages(folder).page(untimed, "Untimed"), "#t=5");
+        assertTrue(browser.is("document.querySelector('#cards .answer-time').hidden"));
+        assertFalse(browser.text("#charts").toLowerCase().contains("answer time"));
+    }
+
+    @Test
+    void aTapOnABodySelectsItAndTheCameraFollowsIt() {
+        browser.click("#bodies .body-row:first-child");
+        assertEquals(0, browser.number("steward.selected()"));
+        double whole = browser.number("steward.camera().scale");
+        browser.press("f");
+        browser.press("f");
+        assertEquals("selected", browser.run("return steward.camera().follow"));
+        browser.await("the camera does not come nearer", () -> browser.number("steward.camera().scale") > 1.5 * whole);
+        browser.press("0");
+        browser.await("the camera does not go back",
+            () -> Math.abs(browser.number("steward.camera().scale") / whole - 1) < 0.01);
+    }
+
+    @Test
+    void scrubbingGoesOnPlayingIfItWas() {
+        browser.run("steward.play()");
+        browser.run("""
+            const scrub = document.getElementById('scrub');
+            scrub.dispatchEvent(new PointerEvent('pointerdown'));
+            scrub.value = '12';
+            scrub.dispatchEvent(new Event('input'));
+            scrub.dispatchEvent(new PointerEvent('pointerup'));
+            """);
+        assertTrue(browser.is("steward.playing()"));
+        assertTrue(browser.number("steward.time()") >= 12 && browser.number("steward.time()") < 20);
+    }
+
+    @Test
+    void menusCloseByEscapeAndByAClickOutside() {
+        browser.click(".menu summary");
+        assertTrue(browser.is("document.querySelector('.menu').open"));
+        browser.press(Keys.ESCAPE);
+        assertFalse(browser.is("document.querySelector('.menu').open"));
+        browser.click(".menu summary");
+        browser.click("#time");
+        assertFalse(browser.is("document.querySelector('.menu').open"));
+    }
+
+    @Test
+    void speedAndThemeAreRememberedAndArrowsNeverChangeASelect() {
+        browser.run("document.getElementById('speed').focus()");
+        browser.press(Keys.ARROW_RIGHT);
+        assertEquals(31, browser.number("steward.time()"));
+        assertEquals(1, browser.number("steward.speed()"));
+        browser.press(Keys.ARROW_UP);
+        browser.click("#theme");
+        browser.open(page, "#t=1");
+        assertEquals(2, browser.number("steward.speed()"));
+        assertEquals("light", browser.run("return document.documentElement.dataset.theme"));
+        assertEquals(List.of(), browser.complaints());
+    }
+}

@@ -1,0 +1,3 @@
+import { base } from './base.js';
+
+export const right = base + 2;

@@ -1,0 +1,2 @@
+import './base.js';
+const base = 2;
