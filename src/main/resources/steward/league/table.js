@@ -23,7 +23,8 @@ export function drawTable(onChoose) {
     make(row, 'td', bot.rank, 'num');
     nameCell(row, bot, onChoose);
     make(row, 'td', bot.games ? signed(bot.rating) : '–');
-    make(row, 'td', !bot.games ? '–' : bounded(bot) ? bound(bot.rating, bot.bound) : bot.bar !== null ? Math.round(bot.bar) : '–');
+    const bar = make(row, 'td', !bot.games ? '–' : bounded(bot) ? bound(bot.rating, bot.bound) : bot.bar !== null ? Math.round(bot.bar) : '–');
+    if (bot.games && bar.textContent === '–') bar.title = 'Too few games for a bar or a bound';
     const cell = make(row, 'td', null, 'bars');
     if (bot.games) {
       const svg = drawIn(paint(cell, bot), 'svg', { viewBox: '0 0 100 18', preserveAspectRatio: 'none', role: 'img',

@@ -52,6 +52,11 @@ record Attack(String what, String program, String word, String verdict, Effect o
         return new Attack(what, program, word, verdict, off, referee, 1, shortRun);
     }
 
+    /** With limits that hold on a machine with other work, too: taking memory is slow there. */
+    Attack slow() {
+        return new Attack(what, program, word, verdict, off, referee, LONG, shortRun);
+    }
+
     /** In the usual tests too. */
     Attack often() {
         return new Attack(what, program, word, verdict, off, referee, factor, true);

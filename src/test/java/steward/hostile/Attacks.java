@@ -59,7 +59,7 @@ final class Attacks {
         Attack.held("forks 50 times in a row, a session each", C, "chain-sessions", NONE).off(ESCAPES),
         Attack.held("clears the signal of its parent's death", C, "no-death-signal", NONE).off(ESCAPES),
         Attack.held("starts a process in namespaces of its own", C, "nested-namespace", NONE).off(ESCAPES),
-        Attack.held("takes 300 MB of memory", C, "memory", NONE),
+        Attack.held("takes 300 MB of memory", C, "memory", NONE).slow(),
         Attack.held("opens 3,000 files", C, "descriptors", NONE),
         Attack.held("computes on four threads all the time", C, "threads", NONE),
         Attack.held("has four children that compute all the time", SH, "hogs", NONE),

@@ -60,7 +60,8 @@ final class SprtText {
     }
 
     private String ratio(ScoreCounts scores) {
-        return String.format(Locale.ROOT, "LLR %.2f (%.2f to %.2f)", test.ratio(scores), test.lower(), test.upper());
+        return "LLR " + TextFormat.fixed(test.ratio(scores), 2) + " (" + TextFormat.fixed(test.lower(), 2) + " to "
+            + TextFormat.fixed(test.upper(), 2) + ")";
     }
 
     private String left(ScoreCounts scores) {

@@ -158,6 +158,7 @@ public final class TournamentCommand implements Callable<Integer> {
                 + "at least " + empty.players() + "; see " + into.resolve("index.html"));
         }
         league.write(settings.withBots(with(settings.bots(), bots)));
+        index(into, entries, false);                    // is there even if the games are interrupted
         long total = total(league, bots, empty.players());
         streams.err().println("Everybody meets everybody: " + TextFormat.count(total, "game") + " in all");
         int status = run(new RunCommand(streams, new NoServing()), league.path().toString(), "--games", "" + total,

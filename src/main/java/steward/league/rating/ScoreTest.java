@@ -20,8 +20,8 @@ public final class ScoreTest {
     private static final double FEW = 3;
     /** In natural units: a fifth of a point of Elo. */
     private static final double CLOSE = 1e-3;
-    /** In natural units: where a bound is looked for at most. */
-    private static final double FARTHEST = 20;
+    /** In natural units, as far on the other side of 0: 521 Elo. A bound beyond that says nothing, and is none. */
+    private static final double FARTHEST = 3;
     private static final double ROUNDING = 1e-9;
     /** Bots up to which all are fitted anew for each value that is tested. */
     private static final int MOST_FITTED = 30;
@@ -85,14 +85,15 @@ public final class ScoreTest {
 
     /**
      * Finds the value below the estimate, or above if that is negative, from which the games just ask
-     * {@link Difference#Z} standard deviations away. It may be of the other sign: then even the order is open.
+     * {@link Difference#Z} standard deviations away. It may be of the other sign: then even the order is open. Farther
+     * than {@link #FARTHEST} it is left out.
      */
     private static Difference bounded(Difference found, Asked asked) {
         double sign = Math.signum(found.value());
         double outer = found.value();
         double inner = 0;
         while (asked.deviations(inner) * sign < Difference.Z) {
-            if (sign == 0 || Math.abs(inner) > FARTHEST) {
+            if (sign == 0 || Math.abs(inner) >= FARTHEST) {
                 return found.unknown();
             }
             outer = inner;

@@ -14,9 +14,9 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.function.DoubleSupplier;
-import steward.lab.bench.Contender;
 import steward.game.podrace.protocol.PodRaceType;
 import steward.game.podrace.simulator.PodCommands;
+import steward.lab.bench.Contender;
 import steward.match.TestScenes;
 import steward.numerics.SplitMix64;
 

@@ -54,6 +54,10 @@ public final class TableText {
         if (table.rows().stream().anyMatch(row -> !Double.isNaN(row.bound()))) {
             lines.add("> and <: who has won or lost nearly everything is more than that ahead or behind.");
         }
+        if (table.rows().stream().anyMatch(row -> row.sums().games() > 0 && Double.isNaN(row.bound())
+                && !row.hasBar())) {
+            lines.add("-: too few games for a bar or a bound.");
+        }
         if (season.players() == 1) {
             lines.add("Each bot plays alone; its score on a map is compared with the others' on the same map.");
         }

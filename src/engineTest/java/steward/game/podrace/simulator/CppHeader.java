@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.BufferedOutputStream;
+import java.io.File;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
@@ -17,8 +18,8 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.TestReporter;
-import steward.bot.command.ProgramFinder;
 import steward.game.podrace.PodState;
 import steward.game.podrace.RulesEdition;
 
@@ -73,13 +74,13 @@ public final class CppHeader implements AutoCloseable {
             Path ofast = Files.writeString(folder.resolve("ofast.cpp"), OFAST + Files.readString(SOURCE));
             List<List<String>> calls = new ArrayList<>();
             for (String compiler : List.of("g++", "clang++")) {
-                if (ProgramFinder.find(compiler) != null) {
+                if (isInstalled(compiler)) {
                     for (List<String> flags : List.of(List.of("-O0"), List.of("-O2"), List.of("-O3", "-march=native"))) {
                         calls.add(call(compiler, flags, plain));
                     }
                 }
             }
-            if (ProgramFinder.find("g++") != null && hasAvx2()) {
+            if (isInstalled("g++") && hasAvx2()) {
                 calls.add(call("g++", List.of("-O0"), ofast));
                 calls.add(call("g++", List.of("-O2"), ofast));
             }
@@ -97,6 +98,11 @@ public final class CppHeader implements AutoCloseable {
         call.addAll(flags);
         call.add(source.toString());
         return call;
+    }
+
+    private static boolean isInstalled(String program) {
+        return Stream.of(System.getenv("PATH").split(File.pathSeparator))
+            .anyMatch(folder -> Files.isExecutable(Path.of(folder, program)));
     }
 
     private static boolean hasAvx2() throws IOException {
