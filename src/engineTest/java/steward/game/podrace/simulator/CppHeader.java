@@ -33,6 +33,8 @@ public final class CppHeader implements AutoCloseable {
     public static final int NOT_COMPARED = -1000;
 
     private static final int PODS = 4;
+    private static final List<List<String>> FLAGS =
+        List.of(List.of("-O0"), List.of("-O2"), List.of("-O3", "-march=native"));
     private static final int LARGEST_RECORD = 1 << 14;
     private static final Path HEADER = Path.of(
         "src/main/resources/steward/starters/cpp-simulator/steward_podrace.hpp");
@@ -75,7 +77,7 @@ public final class CppHeader implements AutoCloseable {
             List<List<String>> calls = new ArrayList<>();
             for (String compiler : List.of("g++", "clang++")) {
                 if (isInstalled(compiler)) {
-                    for (List<String> flags : List.of(List.of("-O0"), List.of("-O2"), List.of("-O3", "-march=native"))) {
+                    for (List<String> flags : FLAGS) {
                         calls.add(call(compiler, flags, plain));
                     }
                 }
