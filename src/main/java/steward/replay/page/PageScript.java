@@ -15,7 +15,8 @@ import java.util.regex.Pattern;
  * that opens a file from disk loads no modules, and one script has one hash.
  *
  * <p>Only two forms are read: a line that begins with {@code import ... from './name.js'} or
- * {@code import './name.js'}, and {@code export} before a declaration. Names at the top of modules are unique among all of them.
+ * {@code import './name.js'}, and {@code export} before a declaration. Names at the top of
+ * modules are unique among all of them.
  */
 final class PageScript {
 
