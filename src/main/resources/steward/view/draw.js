@@ -2,15 +2,17 @@
 
 export const FONT = 'ui-sans-serif, system-ui, "Segoe UI", Roboto, "Helvetica Neue", Arial, sans-serif';
 export const TAU = 2 * Math.PI;
+const OUTSIDE = 40;             // pixels: words this far out of view are not moved into it
 
 /**
- * Words around a point, readable on any ground; given a view, they are moved into it.
+ * Words around a point, readable on any ground; given a view, they are moved into it from its edge.
  * @param {any} scene
  */
 export function write(scene, words, x, y, size, colour, weight = '400') {
   const { ctx, paint, view } = scene;
   ctx.font = `${weight} ${size}px ${FONT}`;
   if (view) {
+    if (x < -OUTSIDE || y < -OUTSIDE || x > view.width + OUTSIDE || y > view.height + OUTSIDE) return;
     const half = ctx.measureText(words).width / 2 + 4;
     x = Math.max(half, Math.min(view.width - half, x));
     y = Math.max(size, Math.min(view.height - size, y));

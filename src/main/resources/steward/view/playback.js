@@ -6,7 +6,8 @@ import { remember, remembered } from './theme.js';
 const TURNS_PER_SECOND = 5;
 export const SPEEDS = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20];
 const LIVE_BACKLOG = 1;         // turns that a live match may run ahead before playback hurries
-const HURRY = 4;                // times a second that the backlog is made up
+const HURRY = 8;                // times a second that the backlog is made up
+const LIVE_MOST = 2;            // turns that a follower is behind at most
 const SLOW = 0.45;              // the speed shortly before and after the strongest impacts
 const SLOW_TURNS = 0.45;
 const STRONG = 0.6;             // of the strongest impulse
@@ -72,6 +73,7 @@ export class Playback {
   /** Lets time pass. */
   advance(seconds) {
     this.time = Math.min(this.end, this.time + seconds * this.turnsPerSecond);
+    if (this.follows) this.time = Math.max(this.time, this.end - LIVE_MOST);
     if (this.time >= this.end && !this.live) this.playing = false;
     this.onChange();
   }

@@ -2,11 +2,11 @@
 
 import { drawDue, paintCourse, progressOf } from './course.js';
 import { captionSize, circle, targetLine, write } from './draw.js';
-import { drawExhaust } from './effects.js';
 import { putShip } from './hulls.js';
 import { addLook, PLAIN_LOOK } from './looks.js';
 import { plainNumber } from './text.js';
 import { withAlpha } from './theme.js';
+import { drawExhaust } from './trails.js';
 
 const BOOST = 650;
 const TURNING_TIME = 0.25;      // a pod turns at once when its turn begins; the eye is given a quarter of the turn

@@ -2,11 +2,11 @@
 
 import { drawDue, paintCourse, progressOf } from './course.js';
 import { targetLine } from './draw.js';
-import { drawExhaust } from './effects.js';
 import { putShip } from './hulls.js';
 import { addLook, PLAIN_LOOK } from './looks.js';
 import { headingOf, positiveDegrees } from './podrace.js';
 import { plainNumber } from './text.js';
+import { drawExhaust } from './trails.js';
 
 const RUNNING_OUT = 30;
 const CAR_SIZE = 1.9;           // the car is a point and has no true size

@@ -2,10 +2,11 @@
 
 import { Camera } from './camera.js';
 import { captionSize, circle, FONT, lineTo, moveTo, write } from './draw.js';
-import { drawImpacts, drawMarks, drawTrails, drawVelocities } from './effects.js';
+import { drawImpacts, drawMarks } from './effects.js';
 import { Ground } from './ground.js';
 import { drawRing } from './looks.js';
 import { readNotes } from './notes.js';
+import { drawTrails, drawVelocities } from './trails.js';
 
 const GROWTH = 0.05;            // how far beyond the field the view may reach, as a share of it
 const PICK_PIXELS = 14;         // a tap this near to a small body means it

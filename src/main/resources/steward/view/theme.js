@@ -76,12 +76,12 @@ export function inTeamColour(element, player) {
   return element;
 }
 
-/** A computed colour, "rgb(...)" or "#rrggbb", made see-through. */
+/** A computed colour, "rgb(...)" or "#rrggbb", made see-through; never wholly, for a gradient would end in grey. */
 export function withAlpha(colour, alpha) {
   const key = `${colour}|${alpha}`;
   let mixed = MIXED.get(key);
   if (!mixed) {
-    mixed = `color-mix(in srgb, ${colour} ${Math.round(100 * alpha)}%, transparent)`;
+    mixed = `color-mix(in srgb, ${colour} ${Math.max(0.4, Math.round(100 * alpha))}%, transparent)`;
     if (MIXED.size > 2000) MIXED.clear();
     MIXED.set(key, mixed);
   }

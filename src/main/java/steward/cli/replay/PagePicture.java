@@ -66,8 +66,8 @@ final class PagePicture {
                 }
             }
         }
-        throw new FailedException("--picture: found no browser on the PATH, expected one of " + String.join(", ", BROWSERS)
-            + "; or open the page of --view and press P");
+        throw new FailedException("--picture: found no browser on the PATH, expected one of "
+            + String.join(", ", BROWSERS) + "; or open the page of --view and press P");
     }
 
     private static void delete(Path folder) {

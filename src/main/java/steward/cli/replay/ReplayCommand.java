@@ -1,7 +1,6 @@
 package steward.cli.replay;
 
 import java.io.IOException;
-import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -14,7 +13,6 @@ import picocli.CommandLine.Parameters;
 import steward.bot.isolation.SandboxLevel;
 import steward.cli.options.CallCheck;
 import steward.cli.shared.ExitStatus;
-import steward.cli.shared.FailedException;
 import steward.cli.shared.Games;
 import steward.cli.shared.Pages;
 import steward.cli.shared.PlayerChoice;
@@ -121,8 +119,8 @@ public final class ReplayCommand implements Callable<Integer> {
         + "description and picture of previews of links are written for it.")
     private String site;
 
-    @Option(names = "--picture", paramLabel = "PNG", description = "Writes a picture of the match at --turn (its end if "
-        + "there is none), by a browser on the PATH. A fraction is a moment within a turn: --at 28.66.")
+    @Option(names = "--picture", paramLabel = "PNG", description = "Writes a picture of the match at --turn (its end "
+        + "if there is none), by a browser on the PATH. A fraction is a moment within a turn: --at 28.66.")
     private String picture;
 
     @Option(names = "--at", paramLabel = "T", description = "With --picture: the moment, in turns.")

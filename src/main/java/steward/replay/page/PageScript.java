@@ -11,11 +11,12 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * The script of a page: modules, put one after the other in the order of their imports, in one scope. A browser that
- * opens a file from disk loads no modules, and one script has one hash.
+ * The script of a page: modules, put one after the other in the order of their imports, in one scope. A browser
+ * that opens a file from disk loads no modules, and one script has one hash.
  *
- * <p>Only two forms are read: a line that begins with {@code import ... from './name.js'} or {@code import './name.js'},
- * and {@code export} before a declaration. Names at the top of modules are unique among all of them.
+ * <p>Only two forms are read: a line that begins with {@code import ... from './name.js'} or
+ * {@code import './name.js'}, and {@code export} before a declaration. Names at the top of
+ * modules are unique among all of them.
  */
 final class PageScript {
 
@@ -78,7 +79,8 @@ final class PageScript {
         while (declared.find()) {
             String other = names.put(declared.group(1), module);
             if (other != null) {
-                throw new IllegalStateException(module + ": " + declared.group(1) + " is declared in " + other + ", too");
+                throw new IllegalStateException(module + ": " + declared.group(1) + " is declared in " + other
+                    + ", too");
             }
         }
         script.append(plain).append('\n');

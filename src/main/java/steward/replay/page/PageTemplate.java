@@ -12,8 +12,8 @@ import java.util.regex.Pattern;
 
 /**
  * The page around a replay or other data: {@code page.html} with its places, written <code>{{name}}</code>, filled in.
- * All modules become one script; the content security policy names it and the style sheet by their hashes, so that nothing
- * else can run.
+ * All modules become one script; the content security policy names it and the style sheet by their hashes, so that
+ * nothing else can run.
  */
 public final class PageTemplate {
 

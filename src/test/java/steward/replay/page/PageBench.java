@@ -78,7 +78,8 @@ public final class PageBench {
             drawn.append(k == 0 ? "" : ",").append("{\"id\":").append(k)
                 .append(",\"kind\":\"body\",\"radius\":90,\"owner\":").append(k % 4).append('}');
         }
-        String header = "{\"type\":\"steward-replay\",\"format\":3,\"game\":\"bodies\",\"seed\":\"1\",\"timeFactor\":null,"
+        String header = "{\"type\":\"steward-replay\",\"format\":3,\"game\":\"bodies\",\"seed\":\"1\","
+            + "\"timeFactor\":null,"
             + "\"players\":[{\"name\":\"a\"},{\"name\":\"b\"},{\"name\":\"c\"},{\"name\":\"d\"}],"
             + "\"scene\":{\"name\":\"bodies\",\"time\":{\"firstAnswerMs\":1000,\"answerMs\":50}},"
             + "\"drawing\":{\"field\":{\"x\":0,\"y\":0,\"width\":" + WIDTH + ",\"height\":" + HEIGHT + "},\"bodies\":["

@@ -14,7 +14,8 @@ class PageScriptTest {
 
     @Test
     void modulesStandInTheOrderOfTheirImportsEachOnce() {
-        assertEquals("(() => {\n'use strict';\nconst base = 1;\n\n\nconst left = base + 1;\n\n\nconst right = base + 2;\n\n\n"
+        assertEquals("(() => {\n'use strict';\nconst base = 1;\n\n\nconst left = base + 1;\n\n\n"
+            + "const right = base + 2;\n\n\n"
             + "window.sum = left + right;\n\n})();\n", PageScript.of(null, FOLDER + "top.js", null));
     }
 

@@ -27,7 +27,8 @@ class PageTestAccess {
         try (PageTestBrowser browser = PageTestBrowser.start(folder.resolve("profile"))) {
             browser.size(width, height);
             browser.prefer(isDark, true);
-            browser.open(new PageTestPages(folder).page(PageTestRaces.play(PageTestRaces.scene("duel"), 5), "Duel"), "#t=9.5");
+            browser.open(new PageTestPages(folder).page(PageTestRaces.play(PageTestRaces.scene("duel"), 5), "Duel"),
+                "#t=9.5");
             assertEquals(List.of(), violations(browser));
             browser.run("steward.seek(steward.lastTurn())");
             assertEquals(List.of(), violations(browser));

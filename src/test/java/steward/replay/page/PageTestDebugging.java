@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.AfterAll;
@@ -67,9 +68,9 @@ class PageTestDebugging {
     void whereNoAnswerTimesWereMeasuredThereAreNone() {
         assertFalse(browser.text("#cards .answer-time").isEmpty());
         assertTrue(browser.text("#charts").toLowerCase().contains("answer time"));
-        byte[] untimed = new String(PageTestRaces.play(PageTestRaces.scene("duel"), 3), java.nio.charset.StandardCharsets
-            .UTF_8).replaceAll("\"answerNanos\":\\[[^]]*]", "\"answerNanos\":[0,0]")
-            .getBytes(java.nio.charset.StandardCharsets.UTF_8);
+        String timed = new String(PageTestRaces.play(PageTestRaces.scene("duel"), 3), StandardCharsets.UTF_8);
+        byte[] untimed = timed.replaceAll("\"answerNanos\":\\[[^]]*]", "\"answerNanos\":[0,0]")
+            .getBytes(StandardCharsets.UTF_8);
         browser.open(new PageTestPages(folder).page(untimed, "Untimed"), "#t=5");
         assertTrue(browser.is("document.querySelector('#cards .answer-time').hidden"));
         assertFalse(browser.text("#charts").toLowerCase().contains("answer time"));
