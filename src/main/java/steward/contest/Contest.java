@@ -153,8 +153,10 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
         return withoutProblem(withFailing(setup, bots, usual, timeFactor));
     }
 
-    /** Makes a contest as {@link #of} does, for a series: in a scene for one player any number of bots can each play
-     * alone. */
+    /**
+     * Makes a contest as {@link #of} does, for a series: in a scene for one player any number of bots can each play
+     * alone.
+     */
     public static Contest ofSeries(GameSetup setup, List<String> bots, Protocol usual, double timeFactor) {
         return setup.scene().players() > 1 || bots.isEmpty() ? of(setup, bots, usual, timeFactor)
             : withoutProblem(create(setup, bots, usual, timeFactor));

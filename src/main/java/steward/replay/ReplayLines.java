@@ -111,8 +111,10 @@ public final class ReplayLines {
         writeHash(new SerializedString(LineFields.HEADER_HASH));
     }
 
-    /** Writes as {@link #writeOpening} does, of a match that a server played. @param state writes the fields that it
-     * shows */
+    /**
+     * Writes as {@link #writeOpening} does, of a match that a server played. @param state writes the fields that it
+     * shows
+     */
     public static void writeShownOpening(JsonGenerator out, FrameCodec codec, Consumer<JsonGenerator> state) {
         writeDrawing(out, codec);
         out.writeObjectPropertyStart("start");

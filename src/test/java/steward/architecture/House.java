@@ -138,7 +138,7 @@ final class House {
             ? type.getPackageName().substring(games.length()).split("\\.")[0] : "";
     }
 
-    /** What plays many games has no say in how it is shown. */
+    /** Rooms that play many games have no say in how they are shown. */
     ArchRule contestsKnowNoTerminal() {
         return noClasses().that().resideInAPackage(in("contest"))
             .should().dependOnClassesThat().resideInAnyPackage("picocli..", "me.tongfei..")
@@ -171,7 +171,7 @@ final class House {
             .should().dependOnClassesThat().resideInAnyPackage(in("physics"), in("league.rating"));
     }
 
-    /** What arrives from other machines is JSON: nothing is made of it by Java itself. */
+    /** Data from other machines is JSON: nothing is made of it by Java itself. */
     ArchRule machinesDoNotDeserialize() {
         return noClasses().that().resideInAPackage(in("machines"))
             .should().dependOnClassesThat().haveNameMatching("java\\.io\\.Object(Input|Output)Stream.*");
@@ -182,7 +182,7 @@ final class House {
             .should().dependOnClassesThat(resideInAnyPackage(in("game"), in("scene"), in("physics")));
     }
 
-    /** What measures the physics plays no matches. */
+    /** Rooms that measure the physics play no matches. */
     ArchRule labsKnowNoBots() {
         return noClasses().that().resideInAnyPackage(in("lab.oracle"), in("lab.trial"), in("lab.stability"),
                 in("lab.timing"), in("lab.calibration"), in("lab.tradeoff"))

@@ -32,8 +32,8 @@ import org.junit.platform.commons.annotation.Testable;
 import org.openqa.selenium.chrome.ChromeDriver;
 
 /**
- * What starts a process carries the tag {@code process}, what starts a browser the tag {@code browser}, at the test or
- * at its class, so that {@code gradle quickTest} can leave it out.
+ * Tests that start a process carry the tag {@code process}, those that start a browser the tag {@code browser}, at the
+ * test or at its class, so that {@code gradle quickTest} can leave them out.
  *
  * <p>Calls are followed through the sources of the tests, from a test and from what is run around it. They are not
  * followed through the program, whose input alone decides whether it starts a bot: a test that has it do so and lacks
@@ -44,7 +44,7 @@ class TagsTest {
     private static final String BROWSERS = "org.openqa.selenium.";
 
     private static JavaClasses all;
-    /** Those classes of the program that use processes themselves, and those that have one of them as a field. */
+    /** Classes of the program that use processes themselves, and those that have one of them as a field. */
     private static Set<JavaClass> starters;
 
     @BeforeAll
@@ -103,7 +103,7 @@ class TagsTest {
         return type.getName().startsWith(TagsTest.class.getName() + "$");
     }
 
-    /** What lacks which tag: {@code Class.method: tag}. */
+    /** Returns the missing tags: {@code Class.method: tag}. */
     private static Set<String> untagged(List<JavaClass> types) {
         Set<String> found = new TreeSet<>();
         for (JavaClass type : types) {

@@ -61,7 +61,7 @@ record BadInputEntry(String command, String call, List<String> recipe, List<Stri
         return String.join("\n", lines) + "\n";
     }
 
-    /** What entries are sorted by. */
+    /** Returns the key by which entries are sorted. */
     String key() {
         return call + "\n" + String.join("\n", recipe);
     }

@@ -50,7 +50,7 @@ final class BadInputFiles {
         9000 5000 100
         """;
 
-    /** What is made once. */
+    /** Files that are made once. */
     private static final class Bases {
         /** All answers took as long: columns are the same every time. */
         static final String REPLAY = bytes(Recorded.duel(7).bytes())

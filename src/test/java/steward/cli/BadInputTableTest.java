@@ -36,7 +36,7 @@ import steward.cli.shared.ExitStatus;
  */
 class BadInputTableTest {
 
-    /** What the whole table must have at least. */
+    /** Least entries of the whole table. */
     private static final int LEAST_ENTRIES = 590;
 
     /** How long a call is waited for when the table is written anew: refusals take milliseconds. */

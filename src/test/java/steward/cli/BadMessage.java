@@ -5,7 +5,7 @@ import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** What a line of the standard error must not have: what only those who program in Java understand. */
+/** Patterns that a line of the standard error must not have: words that only those who program in Java understand. */
 final class BadMessage {
 
     private static final Map<Pattern, String> BAD = new LinkedHashMap<>();
@@ -34,12 +34,12 @@ final class BadMessage {
     private BadMessage() {
     }
 
-    /** What is wrong with a line, or {@code null}. */
+    /** Returns the fault of a line, or {@code null}. */
     static String problem(String line) {
         return problem(line, "");
     }
 
-    /** The same for a message that may repeat words of an input. */
+    /** Returns the fault of a message that may repeat words of an input. */
     static String problem(String line, String input) {
         for (Map.Entry<Pattern, String> bad : BAD.entrySet()) {
             Matcher found = bad.getKey().matcher(line);

@@ -58,7 +58,7 @@ class BrokenInputTest {
         assertTrue(refused > 0, "nothing was refused");
     }
 
-    /** What is refused whatever is done to it shows nothing. */
+    /** Inputs that are refused whatever is done to them show nothing. */
     @ParameterizedTest
     @MethodSource("kinds")
     void theOriginalIsSound(Kind kind) throws IOException {

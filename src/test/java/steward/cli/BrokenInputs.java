@@ -74,7 +74,7 @@ final class BrokenInputs {
         this.seed = seed;
     }
 
-    /** Whether the input is a replay whose lines get the hashes that belong to them, so that more of it is read. */
+    /** Treatment of hashes in a broken replay: with right ones, more of it is read. */
     enum Hashes { AS_THEY_ARE, RIGHT }
 
     /**
@@ -108,7 +108,7 @@ final class BrokenInputs {
         }
     }
 
-    /** What is broken; made once. The replays are short, so that more are tried; two of their turns have impacts. */
+    /** Inputs to break; made once. The replays are short, so that more are tried; two of their turns have impacts. */
     private static final class Originals {
         static final GameSetup DUEL = Games.open("duel");
         static final GameSetup SHORT = Games.types().open(SceneReader.read(

@@ -43,7 +43,7 @@ public record Cli(int status, String out, String err) {
             .map(word -> word.replace("TMP", folder.toString()))).toArray(String[]::new));
     }
 
-    /** The same call, which has to be done. */
+    /** Requires that the call is done, and returns it. */
     public Cli done() {
         assertEquals(ExitStatus.DONE, status, err);
         return this;

@@ -30,7 +30,7 @@ public final class Fuzz {
     private static final String ROW = "%-48s %9s %9s %9s %11s%n";
     /** After so many failures the next target is tried. */
     private static final int MOST_SHOWN = 5;
-    /** How much of a failure is shown, in characters. */
+    /** Characters of a failure that are shown. */
     private static final int LONGEST_SHOWN = 400;
 
     private final long seed;

@@ -11,7 +11,7 @@ import java.util.regex.Pattern;
 /** Damages texts as disks, editors and hurried people do: bytes changed, cut, doubled and put in, values swapped. */
 final class Mutations {
 
-    /** What stands in place of a value, or anywhere. */
+    /** Pieces that stand in place of a value, or anywhere. */
     private static final List<String> PIECES = List.of("null", "true", "false", "0", "-1", "-0.0", "1e999", "1e-999",
         "0.5", "99999999999999999999", "2147483648", "-9223372036854775809", "NaN", "Infinity", "1e99999999999", "01",
         "+1", ".5", "5.", "\"\"", "\"x\"", "\"null\"", "\"\\u0000\"", "\"\\ud800\"", "\"\\x\"", "\"\n\"", "[]", "{}",

@@ -104,7 +104,7 @@ class MisbehavingBotsTest {
             "line longer than 65536 bytes");
     }
 
-    /** What is not asked for stays in the pipe and serves as the next answers, as on the real server. */
+    /** Lines that are not asked for stay in the pipe and serve as the next answers, as on the real server. */
     @Test
     void aMegabyteOfLinesInOneTurn() {
         String lines = "yes '9000 4500 100 more' | head -n 50000; ";

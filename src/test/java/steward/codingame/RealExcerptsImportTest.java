@@ -26,8 +26,8 @@ import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.ObjectNode;
 
 /**
- * What CodinGame's server said of games of 2026, imported and verified: the first frames of one in its own JSON, and
- * the first turns of others, whose numbers stand at full precision in text files, put into that form.
+ * Games of 2026 by CodinGame's server, imported and verified: the first frames of one in its own JSON, and the first
+ * turns of others, whose numbers stand at full precision in text files, put into that form.
  */
 class RealExcerptsImportTest {
 

@@ -1,7 +1,7 @@
 package steward.hostile;
 
 /**
- * What a hostile bot does, and what is to become of it.
+ * A hostile bot's attack, and its expected effect.
  *
  * @param what     in a few words, as the table names it
  * @param program  {@code sh} or {@code c}: which of the programs in {@code src/test/hostile} does it
@@ -15,7 +15,7 @@ package steward.hostile;
 record Attack(String what, String program, String word, String verdict, Effect off, boolean referee, int factor,
               boolean shortRun) {
 
-    /** What becomes of an attack. */
+    /** Effect of an attack. */
     enum Effect {
         /** It harms only the bot itself: nothing is left, and the opponent and the match are unharmed. */
         HELD,

@@ -68,7 +68,7 @@ class HostileTest {
         run(report, HeldLanguages.class, "--turns", "20");
     }
 
-    /** What the page says is what the suite holds: the same rows, in the same order. */
+    /** The page says just what the suite holds: the same rows, in the same order. */
     @Test
     void thePageHasARowForEachAttack() throws IOException {
         Map<String, String> rows = new LinkedHashMap<>();

@@ -38,7 +38,7 @@ final class HostileTrial {
     }
 
     /**
-     * What was found.
+     * Result of a trial.
      *
      * @param effect   what has become of the attack
      * @param verdict  the fault of the hostile bot, {@code none}, or what became of the referee

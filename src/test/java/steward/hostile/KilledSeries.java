@@ -44,7 +44,7 @@ public final class KilledSeries {
         programs = new Programs(work);
     }
 
-    /** What was found after a signal at one level. */
+    /** Findings after a signal at one level. */
     private static final class Row {
         private int rounds;
         private int processes;

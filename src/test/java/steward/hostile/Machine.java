@@ -13,10 +13,10 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.BooleanSupplier;
 
-/** What a match may leave behind on this machine: processes, files, descriptors, threads. */
+/** Traces that a match may leave on this machine: processes, files, descriptors, threads. */
 final class Machine {
 
-    /** What a loaded machine may need for something that takes milliseconds. */
+    /** Time that a loaded machine may need for something that takes milliseconds. */
     private static final long PATIENCE_NANOS = 20_000_000_000L;
 
     private static final int NONE_LEFT = 10;
@@ -95,7 +95,7 @@ final class Machine {
         return new File("/proc/self/fd").list().length;
     }
 
-    /** Those of our threads that are there for one bot. */
+    /** Returns the number of our threads that are there for one bot. */
     static long threads() {
         return Thread.getAllStackTraces().keySet().stream().map(Thread::getName)
             .filter(name -> name.equals("steward-deadline") || name.equals("steward-spare")).count();

@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 
-/** What bots report on stderr for rating tools. */
+/** Data that bots report on stderr for rating tools. */
 class DataLineCollectorTest {
 
     private final DataLineCollector data = new DataLineCollector(2);

@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.nio.charset.StandardCharsets;
 import org.junit.jupiter.api.Test;
 
-/** What of a bot's line is quoted in errors and replays. */
+/** Part of a bot's line that is quoted in errors and replays. */
 class SafeTextTest {
 
     @Test

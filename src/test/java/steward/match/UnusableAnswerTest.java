@@ -14,7 +14,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import steward.bot.Bot;
 import steward.bot.InProcessPlayer;
 
-/** What is said of an answer that cannot be used: the field, the value, what was expected, and the line received. */
+/** Message about an answer that cannot be used: the field, the value, what was expected, and the line received. */
 @Timeout(20)
 class UnusableAnswerTest {
 

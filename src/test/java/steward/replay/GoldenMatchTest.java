@@ -6,9 +6,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /**
- * The same scene, seed and bots give the same match on every machine, JDK and JIT level. The numbers are what this test
- * found when it was first run; nothing outside confirms them. When one changes, old replays of that scene no longer
- * verify: that is right only if its rules, its file or the bot drawn by lot were changed on purpose.
+ * Scene, seed and bots determine the match on every machine, JDK and JIT level. The numbers are what this test found
+ * when it was first run; nothing outside confirms them. When one changes, old replays of that scene no longer verify:
+ * that is right only if its rules, its file or the bot drawn by lot were changed on purpose.
  */
 class GoldenMatchTest {
 

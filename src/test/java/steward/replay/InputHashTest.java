@@ -10,7 +10,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import steward.numerics.SplitMix64;
 
-/** What is written today is to be verified for good: the hash of a line, byte for byte as its Javadoc says. */
+/** Replays written today are to be verified for good: the hash of a line, byte for byte as its Javadoc says. */
 class InputHashTest {
 
     private static final long GAMMA = 0x9E3779B97F4A7C15L;

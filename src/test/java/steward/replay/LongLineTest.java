@@ -16,7 +16,7 @@ import steward.replay.verify.Verification;
 /** A line that is too long is refused before it fills the memory. */
 class LongLineTest {
 
-    /** The same byte for ever, without taking any room. */
+    /** One byte for ever, without taking any room. */
     private static final class Endless extends InputStream {
 
         private long given;

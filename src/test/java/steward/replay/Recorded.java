@@ -47,7 +47,7 @@ public record Recorded(byte[] bytes, MatchResult result) {
         return of(setup, seed, bots, null);
     }
 
-    /** The same, signed. */
+    /** Records a match that is signed. */
     public static Recorded of(GameSetup setup, long seed, List<Bot> bots, SigningKey key) {
         List<Player> players = new ArrayList<>();
         List<String> names = new ArrayList<>();
@@ -95,7 +95,7 @@ public record Recorded(byte[] bytes, MatchResult result) {
         return kept.toString();
     }
 
-    /** What is to come of a replay with so many turns, all of which agree, and its result. */
+    /** Returns the expected verification of a replay with so many turns, all of which agree, and its result. */
     public static Verification whole(int turns) {
         return new Verification(turns, turns, true, null, null, ImpactCounts.NONE, ViewCounts.NONE, null,
             SignatureCheck.UNSIGNED);

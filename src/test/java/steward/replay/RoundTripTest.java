@@ -21,7 +21,7 @@ import steward.game.GameSetup;
 import steward.match.SeededBot;
 import steward.match.TestScenes;
 
-/** What is written is read back, verifies, and is the same when the match is played again. */
+/** Replays written are read back, verify, and are the same when the match is played again. */
 @Execution(ExecutionMode.CONCURRENT)
 class RoundTripTest {
 

@@ -13,7 +13,7 @@ import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import steward.numerics.SplitMix64;
 
-/** What is handed to the writing thread comes to the file whole, in order and soon; and so do its problems. */
+/** Bytes handed to the writing thread come to the file whole, in order and soon; and so do its problems. */
 class WriteBehindTest {
 
     /** A file that tells when something has come. */

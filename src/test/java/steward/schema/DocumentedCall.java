@@ -16,10 +16,10 @@ import picocli.CommandLine;
 import steward.cli.Main;
 import steward.cli.shared.Streams;
 
-/** Whether a call of the program or of Gradle that a page shows could be made. Nothing is executed. */
+/** Check of a call of the program or of Gradle that a page shows: could it be made. Nothing is executed. */
 final class DocumentedCall {
 
-    /** What Gradle's plugins bring. */
+    /** Tasks that Gradle's plugins bring. */
     private static final Set<String> PLUGIN_TASKS = Set.of("run", "test", "javadoc", "installDist", "classes",
         "labTestClasses",
         "checkstyleMain", "checkstyleTest", "checkstyleBots");
@@ -32,7 +32,7 @@ final class DocumentedCall {
     }
 
     /**
-     * What is wrong with a call, or {@code null}.
+     * Returns the fault of a call, or {@code null}.
      *
      * @param words its first one is {@code steward} or {@code ./gradlew}
      * @param whole whether nothing may be missing
@@ -58,7 +58,7 @@ final class DocumentedCall {
         }
     }
 
-    /** What is wrong with an option that stands alone, or {@code null}: some command has to have it. */
+    /** Returns the fault of an option that stands alone, or {@code null}: some command has to have it. */
     static String optionProblem(String option) {
         boolean known = program(null).getSubcommands().values().stream()
             .flatMap(command -> Stream.concat(Stream.of(command), command.getSubcommands().values().stream()))

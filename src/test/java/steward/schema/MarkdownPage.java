@@ -14,7 +14,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
 /**
- * What the tests of the manual look at in a page of Markdown: code, code within sentences, links and headings.
+ * Parts of a page of Markdown that the tests of the manual look at: code, code within sentences, links and headings.
  *
  * @param path     of the page, from the top of the repository
  * @param code     lines of code blocks, those continued by a backslash joined; blocks of JSON, Java or Python left out

@@ -25,7 +25,7 @@ import steward.match.Referee;
 import steward.match.TestScenes;
 import steward.match.TimeControl;
 
-/** What README and manual show is true: the frames are frames, the scene is a scene, the bot plays. */
+/** Claims of README and manual are true: the frames are frames, the scene is a scene, the bot plays. */
 class ReadmeTest {
 
     private static final String PROTOCOL = "docs/protocol.md";

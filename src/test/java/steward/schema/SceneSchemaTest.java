@@ -54,7 +54,7 @@ class SceneSchemaTest {
           "accuracy": { "advance": "step", "steps": 4, "arithmetic": "double" } }
         """;
 
-    /** What stands in place of a value; {@code raw:} texts become JSON as they are. */
+    /** Values that stand in place of one; {@code raw:} texts become JSON as they are. */
     private static final List<String> VALUES = List.of("0", "-0", "1", "-1", "2", "0.5", "2.0", "3e0", "1.5e0", "16",
         "17", "64", "100", "101", "651", "1000", "1001", "1024", "1025", "1e6", "1000001", "3600001", "1e-12", "9e-13",
         "1e12", "1.1e12", "-1e12", "-1.1e12", "1e999", "1e-5", "true", "false", "null", "[]", "{}", "[{}]", "[5]",
@@ -152,7 +152,7 @@ class SceneSchemaTest {
         assertTrue(accepted > MUTATIONS / 10 && accepted < MUTATIONS * 9 / 10, accepted + " accepted");
     }
 
-    /** What the reader says; on a rung of its own, so that a demand of accuracy needs no figures. */
+    /** Returns the refusal of the reader; on a rung of its own, so that a demand of accuracy needs no figures. */
     private static String refusal(String text) {
         try {
             TestScenes.TYPES.open(SceneReader.read(new SceneText(text, "s.json"), Accuracy.step(1)));

@@ -89,7 +89,7 @@ class TrafficTest {
         check(TestScenes.changed(scene, "\"players\": 2", "\"players\": 3"), 12);
     }
 
-    /** What another referee played and we keep: whole, and with all the parts missing that may be missing. */
+    /** Matches that another referee played and we keep: whole, and with all the parts missing that may be missing. */
     @Test
     void importedMatches() throws InterruptedException {
         OfficialGame game = OfficialGame.play(12);

@@ -14,7 +14,7 @@ import steward.scene.Scene;
 import steward.scene.json.Block;
 
 /**
- * The block {@code match} of a scene.
+ * Settings of a match of Fantastic Bits: the block {@code match} of a scene.
  *
  * @param variant      what some spells cost and how long they work, and what a player reads
  * @param maximumTurns turns after which the game ends, 1..10000

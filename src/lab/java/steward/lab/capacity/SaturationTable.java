@@ -7,7 +7,7 @@ import steward.lab.capacity.CapacitySimulation.Setting;
 import steward.lab.capacity.LeagueCosts.Part;
 
 /**
- * Load of a league's process with more and more workers.
+ * Simulated load of a league's process, row by row with more and more workers.
  *
  * @param costs      of a game
  * @param processors of the league's machine

@@ -21,7 +21,8 @@ import steward.replay.page.ReplayPage;
 import tools.jackson.core.JacksonException;
 
 /**
- * One match for an arena tool. Files that exist are replaced; {@link RefereeFiles} has said which may be.
+ * Plays one match for an arena tool: prints scores, and writes the game result, the replay and the page that the call
+ * asks for. Files that exist are replaced; {@link RefereeFiles} has said which may be.
  *
  * @param log    for the game result in JSON, or {@code null}
  * @param replay for our replay, or {@code null}

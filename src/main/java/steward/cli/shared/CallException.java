@@ -1,6 +1,6 @@
 package steward.cli.shared;
 
-/** The options of a call do not go together, or one is out of range; the message is followed by a pointer to help. */
+/** Error of a call: its options do not go together, or one is out of range. A pointer to help follows the message. */
 public final class CallException extends RuntimeException {
 
     private static final long serialVersionUID = 1L;

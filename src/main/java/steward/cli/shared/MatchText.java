@@ -40,8 +40,10 @@ public final class MatchText {
         };
     }
 
-    /** Returns the headline as {@link #headline(String, long, MatchResult)} does, with the failures of bots on the same
-     * line. */
+    /**
+     * Returns the headline as {@link #headline(String, long, MatchResult)} does, with the failures of bots on the same
+     * line.
+     */
     public static String headline(String scene, long seed, MatchResult result, List<Failure> failures) {
         StringBuilder line = new StringBuilder(headline(scene, seed, result));
         for (Failure failure : failures) {

@@ -46,7 +46,7 @@ class TimeLedgerTest {
         assertEquals(3 * MS, ledger.cpu());
     }
 
-    /** What the kernel has not yet counted: runnable at both samples, and it never ran. */
+    /** Time that the kernel has not yet counted: runnable at both samples, and it never ran. */
     @Test
     void aThreadThatStillWaitsHasWaited() {
         TimeLedger ledger = new TimeLedger(sample(18, 0, 0, Map.of(7L, thread(10, 0, 5, true))));
@@ -82,7 +82,7 @@ class TimeLedgerTest {
         assertFalse(spent(ledger).starved());
     }
 
-    /** The same beside four busy loops, which get 4 of 36 parts: the bot's own threads are what it waits for. */
+    /** Four busy loops beside it, which get 4 of 36 parts: the bot's own threads are what it waits for. */
     @Test
     void threadsThatStarveThemselvesBesideOthersCompute() {
         double each = 114 / 36.0;

@@ -195,7 +195,7 @@ class BotCommandTest {
             failure("n".repeat(101) + "=builtin:racer"));
     }
 
-    /** What stands behind a prefix is the program: found by the fuzz, whose command was refused when written anew. */
+    /** Words behind a prefix are the program: found by the fuzz, whose command was refused when written anew. */
     @Test
     void aProgramBehindAPrefixMayLookLikeAName() {
         BotCommand command = BotCommand.parse("json:name=codingame:x");

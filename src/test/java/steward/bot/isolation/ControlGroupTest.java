@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import steward.bot.hold.HoldPolicy;
 
-/** What is written to the files of a control group; a folder stands in for the system's. */
+/** Texts that are written to the files of a control group; a folder stands in for the system's. */
 class ControlGroupTest {
 
     @TempDir

@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** What is said of a level that does not work: the program's own words, and the cause only where it is one. */
+/** Message about a level that does not work: the program's own words, and the cause only where it is one. */
 class FailedTrialTest {
 
     private static final String CONTAINER = "this is a container that does not let programs make namespaces";

@@ -97,7 +97,7 @@ class NativeLauncherTest {
         assertFalse(Files.exists(wrong), "the one that does not run is kept");
     }
 
-    /** What is compiled here, and does not run here, is not used: a shell does the same. */
+    /** A launcher that is compiled here, and does not run here, is not used: a shell does the same. */
     @Test
     void aNewOneThatDoesNotRunIsNotUsed() throws IOException, InterruptedException {
         Path cache = folder.resolve("steward");

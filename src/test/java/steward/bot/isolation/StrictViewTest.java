@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import steward.bot.hold.HoldPolicy;
 
-/** What belongs to a bot, and what it sees of others. */
+/** Files that belong to a bot, and the files that it sees of others. */
 class StrictViewTest {
 
     @TempDir

@@ -36,7 +36,7 @@ class BotGroupTest {
         }
     }
 
-    /** The same at the end of a match, with a bot that would go on. */
+    /** At the end of a match nothing is left of a bot that would go on. */
     private static void nothingIsLeftAfterTheEnd(String script, int lines) {
         long[] pids;
         try (BotProcess bot = ScriptedBots.bot(script)) {

@@ -36,7 +36,7 @@ class BotLeakTest {
         return names;
     }
 
-    /** Those of our threads that are there for one bot. */
+    /** Returns the number of our threads that are there for one bot. */
     private static long threads() {
         return Thread.getAllStackTraces().keySet().stream().map(Thread::getName)
             .filter(name -> name.equals("steward-deadline") || name.equals("steward-spare")).count();

@@ -19,7 +19,7 @@ import org.junit.jupiter.api.io.TempDir;
 import steward.bot.Answer;
 import steward.bot.command.ProgramFinder;
 
-/** What a bot writes to its stderr belongs to the turn in which it was written, and never blocks it. */
+/** Text that a bot writes to its stderr belongs to the turn in which it was written, and never blocks it. */
 @Tag("process")
 class BotStderrTest {
 

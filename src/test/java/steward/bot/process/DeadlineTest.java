@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 class DeadlineTest {
 
     private final Semaphore expired = new Semaphore(0);
-    /** What the owner says at a look. */
+    /** Answer of the owner at a look. */
     private final AtomicLong answer = new AtomicLong();
     private long overslept;
 

@@ -23,7 +23,7 @@ import steward.bot.isolation.Launch;
 @Timeout(30)
 class DebuggerTest {
 
-    /** What gdb does with its option: starts the program behind the wrapper, by a shell. */
+    /** Stand-in for gdb with its option: starts the program behind the wrapper, by a shell. */
     private static final String STAND_IN = """
         #!/bin/sh
         [ "$1" = -iex ] || exit 9

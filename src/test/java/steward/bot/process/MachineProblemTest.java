@@ -36,7 +36,7 @@ class MachineProblemTest {
         }
     }
 
-    /** What came between the last answer and the exit was lost. */
+    /** Text between the last answer and the exit was once lost. */
     @Test
     void stderrAfterTheLastAnswerIsCollected() {
         assumeTrue(Files.isExecutable(Path.of("/bin/sh")), "skipped: there is no /bin/sh");

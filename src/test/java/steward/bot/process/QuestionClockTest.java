@@ -218,7 +218,7 @@ class QuestionClockTest {
         assertEquals(LIMIT, spent.limit());
     }
 
-    /** What is told is the time that has passed, in which the CPU time was used; the referee's pause is part of it. */
+    /** The time told is the time that has passed, in which the CPU time was used; the referee's pause is part of it. */
     @Test
     void aPauseDoesNotShortenTheTimeInWhichCpuTimeWasUsed() {
         clock.limitBy(TimeBasis.CPU);

@@ -43,7 +43,7 @@ class SandboxAttackTest {
     /** The processes of the opponent, to be replaced. */
     private static final String OPPONENT = "OPPONENT";
 
-    /** What an attack needs. */
+    /** Needs of an attack. */
     private record Field(BotProcess opponent, List<Long> processes, SandboxLevel level, Path folder) {
 
         /** Runs a script that attacks; whether it says so itself. */
@@ -68,7 +68,7 @@ class SandboxAttackTest {
         }
     }
 
-    /** Whether it succeeded. */
+    /** One attack; true if it succeeded. */
     private interface Attack {
         boolean succeeds(Field field) throws Exception;
     }
@@ -110,7 +110,7 @@ class SandboxAttackTest {
         });
     }
 
-    /** Whether something can be done to one of the opponent's processes, {@code $p}. */
+    /** Returns a script that tries something on one of the opponent's processes, {@code $p}. */
     private static String some(String what) {
         return "for p in " + OPPONENT + "; do " + what + " && ok=1; done; [ \"$ok\" ]";
     }

@@ -136,7 +136,7 @@ class SandboxVerdictsTest {
         });
     }
 
-    /** What a bot may do: close its input, write to stderr, leave children behind that write on. */
+    /** Things that a bot may do: close its input, write to stderr, leave children behind that write on. */
     @ParameterizedTest
     @EnumSource(Way.class)
     void goodAnswers(Way way) {

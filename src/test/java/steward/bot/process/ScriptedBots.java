@@ -27,7 +27,7 @@ public final class ScriptedBots {
     /** Where the time of a missed deadline went, or that it is not shown. */
     public static final String PARTS = "(computed [0-9]+.*|this system does not show .*)";
 
-    /** What a loaded machine may need for something that takes milliseconds. */
+    /** Time that a loaded machine may need for something that takes milliseconds. */
     private static final long PATIENCE_NANOS = 30_000_000_000L;
 
     private ScriptedBots() {

@@ -28,7 +28,7 @@ import tools.jackson.databind.JsonNode;
 /** {@code steward explain}: the parts of a scene and their prices. */
 class ExplainCommandTest {
 
-    /** What each shipped scene needs, and nothing else. */
+    /** Parts that each shipped scene needs, and nothing else. */
     @ParameterizedTest
     @CsvSource({
         "duel, 'pair impacts, minimum impulse, push-out, batch window, drag, velocity rounding, position rounding, "

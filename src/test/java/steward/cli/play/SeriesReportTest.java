@@ -23,7 +23,7 @@ import steward.cli.shared.Colour;
 import steward.cli.shared.ExitStatus;
 import tools.jackson.databind.JsonNode;
 
-/** What a series says and keeps. */
+/** Report and files of a series. */
 @Tag("process")
 @Timeout(120)
 class SeriesReportTest {

@@ -16,7 +16,7 @@ final class Simulation {
     private Simulation() {
     }
 
-    /** What is wrong with an input. */
+    /** Returns the fault of an input. */
     static String problemOf(String input) {
         PodRaceType.PodRaceSetup setup = (PodRaceType.PodRaceSetup) Games.open("mad-pod-racing");
         PodRaceSimulation protocol = new PodRaceSimulation(setup, new BufferedReader(new StringReader(input)),

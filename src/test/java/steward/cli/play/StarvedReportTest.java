@@ -33,7 +33,7 @@ import steward.match.Turn;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
-/** What is said of games that were played again because the machine was starved; and wrong calls. */
+/** Report on games that were played again because the machine was starved; and wrong calls. */
 class StarvedReportTest {
 
     private static final long MS = 1_000_000;

@@ -17,7 +17,7 @@ import org.junit.jupiter.api.io.TempDir;
 import steward.cli.Cli;
 import steward.replay.Forge;
 
-/** That bots were kept apart can be demanded of a replay, and is believed only if its signer says so. */
+/** Isolation can be demanded of a replay, and is believed only if its signer says so. */
 @Tag("process")
 class RequiredIsolationTest {
 

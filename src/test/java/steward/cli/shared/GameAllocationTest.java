@@ -27,7 +27,10 @@ class GameAllocationTest {
 
     private final ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
 
-    /** The same game every time, so that whatever a turn allocates shows in every count; what the JVM adds does not. */
+    /**
+     * One game is played every time, so that whatever a turn allocates shows in every count; the JVM's additions do
+     * not.
+     */
     @ParameterizedTest
     @MethodSource("steward.scene.SceneFiles#shipped")
     void aTurnAllocatesNothing(String scene) {

@@ -19,7 +19,7 @@ import steward.scene.Accuracy;
 import steward.scene.SceneFiles;
 
 /**
- * What holds in every turn of every shipped scene on every kind of rung: states are finite, impacts are in order, what
+ * Invariants of every turn of every shipped scene on every kind of rung: states are finite, impacts are in order, what
  * one body gains the other loses, energies follow from the velocities, and a copy of a game goes on as the game does.
  */
 class GameInvariantsTest {
@@ -101,7 +101,7 @@ class GameInvariantsTest {
         assertEquals(after - before, impact.energy(), ENERGY_GAP * (before + after), place);
     }
 
-    /** What both bodies carry, of which their gains are differences. */
+    /** Momentum of both bodies, of which their gains are differences. */
     private static double momentum(Impact impact) {
         double a = Double.isInfinite(impact.massA()) ? 0 : impact.massA()
             * Math.max(Math.hypot(impact.vaxBefore(), impact.vayBefore()),

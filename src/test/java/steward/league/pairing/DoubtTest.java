@@ -13,7 +13,7 @@ import steward.league.rating.RatingFit;
 import steward.league.rating.Ratings;
 import steward.league.rating.Stratum;
 
-/** What is in doubt, and who plays therefore. Games of two, two of a seed. */
+/** Pairs that are in doubt, and the games that follow from it. Games of two, two of a seed. */
 class DoubtTest {
 
     private static final StopRule RULE = new StopRule(Double.NaN, true, StopRule.USUAL_EQUAL);

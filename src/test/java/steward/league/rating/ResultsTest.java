@@ -11,7 +11,7 @@ import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import steward.league.Season;
 
-/** What games come to, in whatever order they come. */
+/** Results of games, in whatever order they come. */
 class ResultsTest {
 
     private static Season season(int players, boolean lowerIsBetter) {

@@ -95,7 +95,7 @@ class GameStoreTest {
         }
     }
 
-    /** What else belongs to a transaction may fail: then games that come later must not lean on rows that are gone. */
+    /** Other work of a transaction may fail: then games that come later must not lean on rows that are gone. */
     @Test
     void gamesAfterATransactionThatFailedAreWhole() {
         try (GameStore store = GameStore.write(folder)) {

@@ -3,7 +3,7 @@ package steward.machines.check;
 import java.io.IOException;
 import steward.game.Pilot;
 
-/** What a worker may send in place of a game: it has to be refused with a message, or to be a game. */
+/** Messages that a worker may send in place of a game: they have to be refused with a message, or to be a game. */
 public final class BrokenTranscripts {
 
     private static final long SEED = 11;

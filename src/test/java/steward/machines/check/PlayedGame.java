@@ -49,7 +49,7 @@ record PlayedGame(Contest contest, ReplayCheck.Expected expected, byte[] replay,
         return new TranscriptCheck(contest).check("a game", transcript, expected);
     }
 
-    /** The same with some text of the transcript replaced. */
+    /** Returns the disproof of the game with some text of the transcript replaced. */
     String disproof(String old, String text) throws Exception {
         String sent = new String(GzipText.bytes(transcript), StandardCharsets.UTF_8);
         assertTrue(sent.contains(old), () -> "found no '" + old + "' in " + sent);

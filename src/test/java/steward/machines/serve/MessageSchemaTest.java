@@ -158,7 +158,7 @@ class MessageSchemaTest {
             "job"), types);
     }
 
-    /** What a real worker says, in three joinings: to a bot that it cannot unpack, to a game, and to other rules. */
+    /** Messages of a real worker, in three joinings: to a bot that it cannot unpack, to a game, and to other rules. */
     private void speak(WorkerToken token, byte[] welcome, byte[] job, Map<String, byte[]> bundles) throws Exception {
         LeagueFolder league = new LeagueFolder(folder.resolve("league"));
         WorkerList list = WorkerList.read(league);

@@ -20,8 +20,8 @@ import steward.machines.bundle.UnpackedBundle;
 import steward.scene.json.SceneException;
 
 /**
- * What arrives from other machines, broken by chance: messages of workers and leagues, jobs, bundles. Each has to be
- * taken or refused with one message, and a bundle must write nothing outside its folder.
+ * Bytes from other machines, broken by chance: messages of workers and leagues, jobs, bundles. Each has to be taken or
+ * refused with one message, and a bundle must write nothing outside its folder.
  */
 public final class IncomingBytes {
 
@@ -115,7 +115,7 @@ public final class IncomingBytes {
         return isRefused(() -> GameJob.read(bytes, "the league", Bundle.LARGEST));
     }
 
-    /** What a league says to a worker; whether it is refused. */
+    /** Reads a league's message to a worker; true if it is refused. */
     public boolean league(int number) {
         SplittableRandom random = random(number);
         byte[] bytes = broken(LEAGUE_WORDS.get(random.nextInt(LEAGUE_WORDS.size())), random);

@@ -35,7 +35,7 @@ class FeedTest {
     private static final long SEED = 4;
     private static final double RAMMING = 0.3;
 
-    /** What {@link Recorded#of(String, long)} lets a player be played by. */
+    /** Returns a bot that {@link Recorded#of(String, long)} lets a player be played by. */
     private static Bot seeded(int player) {
         return new SeededBot(31 * SEED + player, RAMMING);
     }

@@ -44,7 +44,7 @@ final class PageTestBot implements Bot {
             .append("\"}").toString();
     }
 
-    /** What it wrote to stderr in the last turn. */
+    /** Returns its text on stderr in the last turn. */
     String notes() {
         return notes.toString();
     }

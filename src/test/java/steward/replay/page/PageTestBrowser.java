@@ -88,7 +88,7 @@ public final class PageTestBrowser implements AutoCloseable {
         driver.manage().window().setSize(new Dimension(width, height));
     }
 
-    /** What the machine is set to: light or dark, and whether motion is to be reduced. */
+    /** Sets the machine's preferences: light or dark, and whether motion is to be reduced. */
     public void prefer(boolean dark, boolean reducedMotion) {
         driver.executeCdpCommand("Emulation.setEmulatedMedia", Map.of("features", List.of(
             Map.of("name", "prefers-color-scheme", "value", dark ? "dark" : "light"),
@@ -130,7 +130,7 @@ public final class PageTestBrowser implements AutoCloseable {
         driver.executeCdpCommand("Input.dispatchTouchEvent", Map.of("type", "touchEnd", "touchPoints", List.of()));
     }
 
-    /** What the page complained of in the console since it was opened. */
+    /** Returns the page's complaints in the console since it was opened. */
     public List<String> complaints() {
         return logs(LogType.BROWSER);
     }

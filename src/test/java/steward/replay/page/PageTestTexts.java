@@ -16,7 +16,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestReporter;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What players, files and callers wrote, shown in a real browser: always harmless, never too much. */
+/** Texts of players, files and callers, shown in a real browser: always harmless, never too much. */
 @Tag("browser")
 class PageTestTexts {
 

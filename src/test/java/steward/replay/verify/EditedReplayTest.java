@@ -57,7 +57,7 @@ class EditedReplayTest {
         return Recorded.verify(String.join("\n", changed) + "\n");
     }
 
-    /** What an edit of one digit may do. */
+    /** Permitted outcome of an edit of one digit. */
     private enum Verdict { NAMES_THE_TURN, REFUSED, PASSES }
 
     private static Verdict edit(int lineNumber, int at, char digit) {
@@ -82,7 +82,7 @@ class EditedReplayTest {
         return b >= '0' && b <= '9';
     }
 
-    /** What was measured, and so cannot be verified. */
+    /** True if the value was measured, and so cannot be verified. */
     private static boolean isFree(String path) {
         return path.startsWith("/times/");
     }

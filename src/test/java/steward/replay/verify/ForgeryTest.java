@@ -137,7 +137,7 @@ class ForgeryTest {
         forgeResult("result: no hash", REFUSED, ",\"resultHash\":\"[0-9a-f]*\"", "");
     }
 
-    /** What stands where. */
+    /** Arranges the rows: an edit, and its expected outcome. */
     private static void rows() {
         arrange("a second result", REFUSED, lines -> insert(lines, LAST + 2, lines.get(LAST + 1)));
         arrange("a result in the middle", REFUSED, lines -> insert(lines, 5, lines.get(LAST + 1)));

@@ -77,7 +77,7 @@ class LineCheckTest {
         assertFalse(check().isSame(bytes(first + "}")));
     }
 
-    /** The same turn, with or without the comparison of bytes before: played once, with the same result. */
+    /** One turn, with or without the comparison of bytes before: played once, with the same result. */
     @Test
     void theQuickLookChangesNoVerdict() {
         String first = lines.get(1);

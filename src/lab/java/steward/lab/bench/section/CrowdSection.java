@@ -19,7 +19,7 @@ import steward.physics.TextbookSimulator;
 import steward.physics.event.EventAdvance;
 import steward.physics.queue.QueueAdvance;
 
-/** Elastic discs in a box, at 10% coverage, from a few to a million. */
+/** Bench section on crowds: elastic discs in a box, at 10% coverage, from a few to a million. */
 final class CrowdSection implements Section {
 
     private static final double COVERAGE = 0.1;

@@ -16,7 +16,7 @@ import steward.match.Protocol;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
-/** The lines of one turn. */
+/** Bench section on frames: the lines of one turn. */
 final class FrameSection implements Section {
 
     private static final int PIECE = 1000;

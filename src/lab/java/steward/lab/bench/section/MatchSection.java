@@ -24,7 +24,7 @@ import steward.replay.ReplayHeader;
 import steward.replay.ReplayWriter;
 import steward.replay.WriteBehind;
 
-/** Whole matches between bots inside this JVM, and the same matches on several threads. */
+/** Bench section on whole matches between bots inside this JVM, and on those matches on several threads. */
 final class MatchSection implements Section {
 
     private static final MatchListener NO_LISTENER = new MatchListener() { };

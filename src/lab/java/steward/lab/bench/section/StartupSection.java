@@ -15,7 +15,7 @@ import steward.lab.bench.Meter;
 import steward.lab.bench.Row;
 import steward.lab.bench.Section;
 
-/** From the program's start to the first line that a bot is sent. */
+/** Bench section on start-up: from the program's start to the first line that a bot is sent. */
 final class StartupSection implements Section {
 
     private static final double NANOS = 1e9;

@@ -23,7 +23,7 @@ import steward.replay.verify.Resimulation;
 import steward.replay.verify.Verification;
 import tools.jackson.databind.json.JsonMapper;
 
-/** Recorded matches, played again and compared. */
+/** Bench section on verification: recorded matches, played again and compared. */
 final class VerifySection implements Section {
 
     private static final int MATCHES = 50;

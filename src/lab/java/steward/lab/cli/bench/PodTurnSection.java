@@ -12,7 +12,9 @@ import steward.lab.bench.GroupSection;
 import steward.lab.bench.Row;
 import steward.lab.bench.Section;
 
-/** The turn of the official pod race, by every implementation that can play it: {@link BenchPodGames}. */
+/**
+ * Bench section on the turn of the official pod race, by every implementation that can play it: {@link BenchPodGames}.
+ */
 final class PodTurnSection implements Section {
 
     /** Number of contenders, in a race and in a brawl. */

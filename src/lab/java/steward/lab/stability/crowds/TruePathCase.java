@@ -18,9 +18,10 @@ import steward.physics.ImpactLaw;
 import steward.physics.TurnLog;
 
 /**
- * Time for which a gas of elastic discs stays on its true path: each impact multiplies an error by some factor, so that
- * any rounding, also that of the state at the end of a turn, grows to the size of a disc after some dozens of impacts
- * of each. The true path is the oracle's, whose 64 digits last several times as long.
+ * Stability case of chaos: counts the impacts of a gas of elastic discs until it leaves its true path. Each impact
+ * multiplies an error by some factor, so that any rounding, also that of the state at the end of a turn, grows to the
+ * size of a disc after some dozens of impacts of each. The true path is the oracle's, whose 64 digits last several
+ * times as long.
  */
 public final class TruePathCase implements StabilityCase {
 

@@ -129,7 +129,7 @@ class FewGamesTest {
         return cli.out();
     }
 
-    /** What games say beside ratings is told only where the two shares can be told apart. */
+    /** Residuals beside ratings are told only where the two shares can be told apart. */
     @Test
     void noBotBeatsAnotherMoreThanRatingsTellByNothing() {
         Results results = new Results(SEASON);
