@@ -106,7 +106,8 @@ public final class LeagueJson {
                 out.writeNull();
             }
         }
-        JsonNumbers.write(out, (difference.isOneSided() ? table.difference(row, column) : difference).superiority());
+        JsonNumbers.write(out, (difference.isOneSided() || Double.isInfinite(difference.variance())
+            ? table.difference(row, column) : difference).superiority());
         if (difference.isOneSided()) {
             JsonNumbers.write(out, difference.boundElo());
         } else {

@@ -272,8 +272,8 @@ public final class RatingFit {
     }
 
     /**
-     * The difference of two ratings from the matrix of all variances. Its degrees of freedom are the least that they can
-     * be: bars are hardly wider, and all differences of n bots take n^3 operations and not n^4.
+     * The difference of two ratings from the matrix of all variances. Its degrees of freedom are the least that they
+     * can be: bars are hardly wider, and all differences of n bots take n^3 operations and not n^4.
      */
     Difference quickDifference(int one, int other) {
         return new Difference(ratings[one] - ratings[other], covariance().variance(one, other),
