@@ -89,12 +89,17 @@ public final class HouseMap {
 
     private static String reduced(String room, Map<String, Set<String>> uses) {
         Set<String> direct = uses.get(room);
-        return direct.stream().filter(each -> direct.stream().noneMatch(other -> !other.equals(each)
-            && reaches(other, each, uses))).sorted((a, b) -> level(b) - level(a)).collect(Collectors.joining(", "));
+        Set<String> further = new TreeSet<>();
+        direct.stream().flatMap(each -> uses.get(each).stream()).forEach(each -> addReached(each, uses, further));
+        return direct.stream().filter(each -> !further.contains(each))
+            .sorted((a, b) -> level(b) - level(a)).collect(Collectors.joining(", "));
     }
 
-    private static boolean reaches(String from, String to, Map<String, Set<String>> uses) {
-        return uses.get(from).stream().anyMatch(next -> next.equals(to) || reaches(next, to, uses));
+    /** Adds a room and all that it rests on; each once, as the number of ways to it grows with every level. */
+    private static void addReached(String room, Map<String, Set<String>> uses, Set<String> reached) {
+        if (reached.add(room)) {
+            uses.get(room).forEach(next -> addReached(next, uses, reached));
+        }
     }
 
     /** Returns lines and files of a part, resources included, and how many classes its rooms have. */

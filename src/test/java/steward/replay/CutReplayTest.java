@@ -34,8 +34,18 @@ class CutReplayTest {
     }
 
     @Test
-    @Tag("slow")
+    @Tag("campaign")
     void cutAtEveryByte() {
+        cutAtEvery(1);
+    }
+
+    @Test
+    void cutAtEveryEndOfALineAndSomeBytesBetween() {
+        cutAtEvery(17);
+    }
+
+    /** Cuts after every so many bytes, and at every byte beside a line end. */
+    private static void cutAtEvery(int step) {
         Recorded match = small();
         byte[] replay = match.bytes();
         assertEquals(Recorded.whole(7), match.verify());
@@ -44,6 +54,11 @@ class CutReplayTest {
         int resultAt = match.text().substring(0, match.text().indexOf("{\"type\":\"result\""))
             .getBytes(StandardCharsets.UTF_8).length;
         for (int cut = 1; cut <= replay.length; cut++) {
+            boolean besideEnd = replay[cut - 1] == '\n' || cut + 1 >= replay.length || replay[cut] == '\n'
+                || replay[cut + 1] == '\n';
+            if (cut % step != 0 && !besideEnd) {
+                continue;
+            }
             Verification verification = Recorded.verify(Arrays.copyOf(replay, cut));
             // A line counts as soon as its closing brace is there; the header is line 0.
             boolean closes = cut < replay.length && replay[cut] == '\n';

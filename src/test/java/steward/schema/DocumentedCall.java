@@ -11,6 +11,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import picocli.CommandLine;
 import steward.cli.Main;
@@ -27,6 +28,8 @@ final class DocumentedCall {
     private static final Pattern PROPERTY = Pattern.compile("findProperty\\('([\\w.]+)'\\)");
     /** The list of properties that are handed to tests. */
     private static final Pattern TEST_PROPERTIES = Pattern.compile("\\[([^\\]]*)\\]\\.each \\{\\s*if \\(project\\.has");
+
+    private static final Set<String> OPTIONS = options();
 
     private DocumentedCall() {
     }
@@ -60,10 +63,15 @@ final class DocumentedCall {
 
     /** Returns the fault of an option that stands alone, or {@code null}: some command has to have it. */
     static String optionProblem(String option) {
-        boolean known = program(null).getSubcommands().values().stream()
+        return OPTIONS.contains(option) ? null : "no command has such an option";
+    }
+
+    /** Options of all commands: to set up every command takes long, and pages name hundreds of options. */
+    private static Set<String> options() {
+        return program(null).getSubcommands().values().stream()
             .flatMap(command -> Stream.concat(Stream.of(command), command.getSubcommands().values().stream()))
-            .anyMatch(command -> command.getCommandSpec().optionsMap().containsKey(option));
-        return known ? null : "no command has such an option";
+            .flatMap(command -> command.getCommandSpec().optionsMap().keySet().stream())
+            .collect(Collectors.toUnmodifiableSet());
     }
 
     private static String gradleProblem(List<String> arguments) {

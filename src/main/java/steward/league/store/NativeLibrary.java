@@ -31,9 +31,10 @@ final class NativeLibrary {
             return;
         }
         String name = LibraryLoaderUtil.getNativeLibName();
-        Path folder = unpack(cache(), name);
+        String system = system();
+        Path folder = unpack(cache(), system, name);
         if (folder == null) {
-            folder = unpack(own.resolve(".sqlite"), name);
+            folder = unpack(own.resolve(".sqlite"), system, name);
         }
         if (folder != null) {
             System.setProperty(PATH, folder.toString());
@@ -49,16 +50,28 @@ final class NativeLibrary {
         return base.resolve("steward");
     }
 
+    /**
+     * The system and processor as the driver's jar names its folders. The driver would start {@code uname} to ask
+     * whether a Linux is Android; a terminal there says so by a variable.
+     */
+    static String system() {
+        boolean plain = System.getProperty("os.name").equals("Linux") && !OSInfo.isAndroidRuntime()
+            && System.getenv("ANDROID_ROOT") == null;
+        if (!plain) {
+            return OSInfo.getNativeLibFolderPathForCurrentOS();
+        }
+        return (OSInfo.isMusl() ? "Linux-Musl" : "Linux") + "/" + OSInfo.getArchName();
+    }
+
     /** The folder with the library, or {@code null} if it cannot be written there. */
-    static Path unpack(Path cache, String name) {
-        Path folder = cache.resolve("sqlite-" + SQLiteJDBCLoader.getVersion() + "-"
-            + OSInfo.getNativeLibFolderPathForCurrentOS().replace('/', '-'));
+    static Path unpack(Path cache, String system, String name) {
+        Path folder = cache.resolve("sqlite-" + SQLiteJDBCLoader.getVersion() + "-" + system.replace('/', '-'));
         Path file = folder.resolve(name);
         if (Files.isRegularFile(file)) {
             return folder;
         }
         Path part = null;
-        String resource = LibraryLoaderUtil.getNativeLibResourcePath() + "/" + name;
+        String resource = "/org/sqlite/native/" + system + "/" + name;
         try (InputStream library = SQLiteJDBCLoader.class.getResourceAsStream(resource)) {
             if (library == null) {
                 return null;

@@ -425,12 +425,13 @@ class GameStoreTest {
 
     @Test
     void theMachineCodeIsUnpackedOnceAndWhole() throws IOException {
-        Path unpacked = NativeLibrary.unpack(path, org.sqlite.util.LibraryLoaderUtil.getNativeLibName());
-        Path file = unpacked.resolve(org.sqlite.util.LibraryLoaderUtil.getNativeLibName());
+        String name = org.sqlite.util.LibraryLoaderUtil.getNativeLibName();
+        Path unpacked = NativeLibrary.unpack(path, NativeLibrary.system(), name);
+        Path file = unpacked.resolve(name);
         long size = Files.size(file);
         assertTrue(size > 100_000, () -> size + " bytes");
         Object before = Files.getLastModifiedTime(file);
-        assertEquals(unpacked, NativeLibrary.unpack(path, org.sqlite.util.LibraryLoaderUtil.getNativeLibName()));
+        assertEquals(unpacked, NativeLibrary.unpack(path, NativeLibrary.system(), name));
         assertEquals(before, Files.getLastModifiedTime(file));
         try (var left = Files.list(unpacked)) {
             assertEquals(List.of(file), left.toList());

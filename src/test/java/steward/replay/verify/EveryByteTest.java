@@ -119,9 +119,14 @@ class EveryByteTest {
     }
 
     @Test
-    @Tag("slow")
+    @Tag("campaign")
     void ofAnUnsignedReplay() {
         check(match(null), 1);
+    }
+
+    @Test
+    void someOfAnUnsignedReplay() {
+        check(match(null), 13);
     }
 
     @Test
