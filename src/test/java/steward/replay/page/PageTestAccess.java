@@ -16,7 +16,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 @Tag("browser")
 class PageTestAccess {
 
-    private static final String AXE = "/META-INF/resources/webjars/axe-core/4.10.2/axe.min.js";
+    private static final String AXE = "/META-INF/resources/webjars/axe-core/4.6.3/axe.min.js";
 
     @TempDir
     Path folder;
