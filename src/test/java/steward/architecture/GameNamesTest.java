@@ -24,7 +24,7 @@ class GameNamesTest {
 
     /** Where every game has a line. */
     private static final List<String> LISTS = List.of("resources/META-INF/services/steward.game.GameType",
-        "java/steward/scene/SceneFiles.java", "java/steward/replay/page/PageTemplate.java",
+        "java/steward/scene/SceneFiles.java", "resources/steward/view/page.js",
         "resources/steward/part-prices.csv");
 
     /** The ids of the games, as their rooms are called: without the hyphen. */

@@ -3,6 +3,7 @@ package steward.cli;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
 import java.io.IOException;
 import java.io.InputStream;
@@ -36,6 +37,8 @@ import steward.cli.shared.ExitStatus;
  */
 class BadInputTableTest {
 
+    /** Part of what a call says where this JVM cannot start processes, as in quickTest. */
+    private static final String NO_PROCESSES = "this JVM cannot start programs";
     /** Least entries of the whole table. */
     private static final int LEAST_ENTRIES = 590;
 
@@ -61,7 +64,9 @@ class BadInputTableTest {
     @ParameterizedTest
     @MethodSource("table")
     void isRefused(BadInputEntry entry) throws IOException {
-        assertEquals(String.join("\n", entry.expected()), String.join("\n", entry.run(folder.toRealPath())));
+        String found = String.join("\n", entry.run(folder.toRealPath()));
+        assumeFalse(found.contains(NO_PROCESSES), "needs processes");
+        assertEquals(String.join("\n", entry.expected()), found);
     }
 
     @ParameterizedTest

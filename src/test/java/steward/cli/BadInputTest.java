@@ -74,7 +74,7 @@ class BadInputTest {
             Files.writeString(file, "{\"type\":\"turn\"}\n");
             refused(file + ":1: found no replay header", "replay", file.toString(), mode);
             Files.writeString(file, "{\"type\":\"steward-replay\",\"format\":999}\n");
-            refused("format: found 999, expected at most", "replay", file.toString(), mode);
+            refused("format: found 999, expected 3", "replay", file.toString(), mode);
         }
     }
 }

@@ -60,9 +60,9 @@ class UnusableAnswerTest {
             Arguments.of(null, "answered null"),
             Arguments.of("throw boom", "threw java.lang.IllegalStateException: boom"),
             Arguments.of(GOOD + "\n" + GOOD, "answered 2 lines instead of 1"),
-            received("", "found nothing, expected an object {\"pods\":[...]}"),
-            received("[]", "found an array, expected an object {\"pods\":[...]}"),
-            received("12", "found 12, expected an object {\"pods\":[...]}"),
+            received("", "found nothing, expected an object with message, pods"),
+            received("[]", "found an array, expected an object with message, pods"),
+            received("12", "found 12, expected an object with message, pods"),
             received("{}", "pods: found nothing, expected an array of 1 pod"),
             received("{\"pods\":7}", "pods: found 7, expected an array of 1 pod"),
             received("{\"pods\":[]}", "pods: found 0, expected 1 pod"),
@@ -76,7 +76,7 @@ class UnusableAnswerTest {
             received(pod("\"x\":1,\"y\":2"),
                 "pods[0]: found none of thrust, shield, boost, expected exactly one"),
             received(pod("\"x\":1,\"y\":2,\"thrust\":1,\"shield\":true"),
-                "pods[0]: found more than one of thrust, shield, boost, expected exactly one"),
+                "pods[0].shield: found more than one of thrust, shield, boost, expected exactly one"),
             received(pod("\"y\":2,\"thrust\":1"), "pods[0].x: found nothing, expected a number"),
             received(pod("\"x\":1,\"thrust\":1"), "pods[0].y: found nothing, expected a number"),
             received(pod("\"x\":1,\"x\":1"), "pods[0].x: found twice, expected once"),
@@ -122,7 +122,7 @@ class UnusableAnswerTest {
 
     @Test
     void aLongLineIsShortened() throws InterruptedException {
-        assertEquals("found an array, expected an object {\"pods\":[...]}; received: [" + " ".repeat(119) + "...",
+        assertEquals("found an array, expected an object with message, pods; received: [" + " ".repeat(119) + "...",
             faultOf("[" + " ".repeat(10_000) + "]").fault());
     }
 
@@ -132,14 +132,14 @@ class UnusableAnswerTest {
         String smile = "\uD83D\uDE00";
         String fault = faultOf("[" + " ".repeat(118) + smile + smile + "]").fault();
 
-        assertEquals("found an array, expected an object {\"pods\":[...]}; received: [" + " ".repeat(118) + "...",
+        assertEquals("found an array, expected an object with message, pods; received: [" + " ".repeat(118) + "...",
             fault);
     }
 
     /** The line is shown on terminals. */
     @Test
     void controlCharactersAreNotQuoted() throws InterruptedException {
-        assertEquals("found an array, expected an object {\"pods\":[...]}; received: [?[31m",
+        assertEquals("found an array, expected an object with message, pods; received: [?[31m",
             faultOf("[\u001b[31m").fault());
     }
 

@@ -20,6 +20,7 @@ import steward.cli.shared.Streams;
 /** Check of a call of the program or of Gradle that a page shows: could it be made. Nothing is executed. */
 final class DocumentedCall {
 
+    private static final String GAMES_PATH = "--games-path";
     /** Tasks that Gradle's plugins bring. */
     private static final Set<String> PLUGIN_TASKS = Set.of("run", "test", "javadoc", "installDist", "classes",
         "labTestClasses",
@@ -50,7 +51,12 @@ final class DocumentedCall {
             called);
     }
 
-    private static String stewardProblem(List<String> arguments, boolean whole) {
+    private static String stewardProblem(List<String> call, boolean whole) {
+        List<String> arguments = new ArrayList<>(call);
+        int games = arguments.indexOf(GAMES_PATH);               // taken out before the command sees its options
+        if (games >= 0) {
+            arguments.subList(games, games + 2).clear();
+        }
         try {
             program(arguments.isEmpty() ? null : arguments.get(0)).parseArgs(arguments.toArray(new String[0]));
             return null;
@@ -63,7 +69,7 @@ final class DocumentedCall {
 
     /** Returns the fault of an option that stands alone, or {@code null}: some command has to have it. */
     static String optionProblem(String option) {
-        return OPTIONS.contains(option) ? null : "no command has such an option";
+        return OPTIONS.contains(option) || option.equals(GAMES_PATH) ? null : "no command has such an option";
     }
 
     /** Options of all commands: to set up every command takes long, and pages name hundreds of options. */

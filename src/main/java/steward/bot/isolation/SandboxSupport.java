@@ -23,12 +23,11 @@ public final class SandboxSupport {
     }
 
     private static final class Light {
-        static final String PROBLEM = tried(isNative() ? List.of("setsid", "sh")
-            : List.of("setsid", "sh", "unshare", "setpriv", "env"), SandboxLevel.LIGHT);
+        static final String PROBLEM = tried(SandboxLevel.LIGHT);
     }
 
     private static final class Strict {
-        static final String PROBLEM = tried(List.of("setsid", "bwrap", "sh"), SandboxLevel.STRICT);
+        static final String PROBLEM = tried(SandboxLevel.STRICT);
     }
 
     /** Returns why a level does not work here, or {@code null} if it does. */
@@ -55,7 +54,19 @@ public final class SandboxSupport {
         return UserNumbers.isRoot();
     }
 
-    private static String tried(List<String> programs, SandboxLevel level) {
+    private static String tried(SandboxLevel level) {
+        try {
+            return problemOf(level);
+        } catch (Error problem) {
+            // The JDK's class for processes refuses to load where jdk.lang.Process.launchMechanism is not a known one,
+            // at the first use by a plain Error, later by a NoClassDefFoundError.
+            return "this JVM cannot start programs";
+        }
+    }
+
+    private static String problemOf(SandboxLevel level) {
+        List<String> programs = level == SandboxLevel.STRICT ? List.of("setsid", "bwrap", "sh")
+            : isNative() ? List.of("setsid", "sh") : List.of("setsid", "sh", "unshare", "setpriv", "env");
         for (String program : programs) {
             if (ProgramFinder.find(program) == null) {
                 return "there is no program '" + program + "'";
@@ -73,10 +84,6 @@ public final class SandboxSupport {
         } catch (InterruptedException interrupted) {
             Thread.currentThread().interrupt();
             return "interrupted while it was tried";
-        } catch (Error problem) {
-            // The JDK's class for processes refuses to load where jdk.lang.Process.launchMechanism is not a known one,
-            // at the first use by a plain Error, later by a NoClassDefFoundError.
-            return "this JVM cannot start programs";
         }
     }
 }

@@ -10,6 +10,7 @@ import steward.cli.shared.StandardFiles;
 import steward.cli.shared.Streams;
 import steward.files.InputException;
 import steward.files.OutputFiles;
+import steward.live.PagePicture;
 import steward.replay.ReplayReader;
 import steward.replay.page.PageExtras;
 
@@ -81,6 +82,8 @@ record PageFile(Path replay, byte[] html, int turns) {
         Path page = write(null, true);
         try {
             PagePicture.take(page, time, png);
+        } catch (IOException problem) {
+            throw new FailedException("--picture: " + png + ": " + problem.getMessage());
         } finally {
             page.toFile().delete();
         }

@@ -16,6 +16,7 @@ import java.sql.DriverManager;
 import java.sql.SQLException;
 import java.sql.Statement;
 import java.util.Set;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import picocli.CommandLine;
@@ -149,6 +150,7 @@ class LeagueCommandTest {
     }
 
     @Test
+    @Tag("process")
     void aRunTakesItsFolderFromOthersAndSaysHowBurnersAreHeld() throws IOException {
         assumeTrue(folder.getFileSystem().supportedFileAttributeViews().contains("posix"), "skipped: no POSIX files");
         done("init", "TMP/a", "--scene", "duel", "--seed", "1");

@@ -185,7 +185,7 @@ class ViewTest {
     void optionsThatDoNotFitAreRefused() {
         refused("--view and --open take the whole match", "replay", "x", "--view", "y", "--turn", "3");
         refused("--view and --open take the whole match", "replay", "x", "--open", "--verify");
-        refused("--overwrite: expected --view with it", "replay", "x", "--overwrite");
+        refused("--overwrite: expected --view or --picture with it", "replay", "x", "--overwrite");
         refused("are for one match", match("--view", "x", "--games", "2"));
         refused("are for one match", match("--watch", "--swap"));
         refused("--port is for --watch, expected both", match("--port", "80"));

@@ -142,6 +142,7 @@ class ImportCommandTest {
 
     /** Mean Max, packed: what a server does not show of it is nowhere missed. */
     @Test
+    @Tag("process")
     void aGameWithViewsOfItsOwnIsShownFedAndPlayedOn() throws IOException {
         ByteArrayOutputStream packed = new ByteArrayOutputStream();
         try (OutputStream out = new GZIPOutputStream(packed)) {

@@ -55,6 +55,7 @@ class PodRaceVectorsTest {
 
     @Test
     @Tag("slow")
+    @Tag("process")
     void theSimulatorPlaysTheSameTurns(TestReporter report) throws IOException {
         List<String> differences = new ArrayList<>();
         long values = 0;

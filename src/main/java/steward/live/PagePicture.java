@@ -1,4 +1,4 @@
-package steward.cli.replay;
+package steward.live;
 
 import java.io.File;
 import java.io.IOException;
@@ -8,10 +8,9 @@ import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
-import steward.cli.shared.FailedException;
 
 /** Picture of a page at a moment, taken by a browser of the Chromium family that is on the PATH. */
-final class PagePicture {
+public final class PagePicture {
 
     private static final List<String> BROWSERS = List.of("chromium", "chromium-browser", "google-chrome", "chrome",
         "microsoft-edge", "msedge");
@@ -28,9 +27,9 @@ final class PagePicture {
      * @param page a page that is a file
      * @param time in turns
      * @param png  is written; a file that is there is replaced
-     * @throws FailedException if there is no browser, or it takes no picture
+     * @throws IOException if there is no browser, it takes no picture, or the file cannot be written
      */
-    static void take(Path page, double time, Path png) throws InterruptedException {
+    public static void take(Path page, double time, Path png) throws InterruptedException, IOException {
         Path browser = browser();
         Path profile = null;
         try {
@@ -46,17 +45,15 @@ final class PagePicture {
                 process.destroyForcibly().waitFor();
             }
             if (!Files.isRegularFile(taken)) {
-                throw new FailedException("--picture: " + browser + " took no picture");
+                throw new IOException(browser + " took no picture");
             }
             Files.write(png, Files.readAllBytes(taken));
-        } catch (IOException problem) {
-            throw new FailedException("--picture: " + png + ": cannot be written: " + problem.getMessage());
         } finally {
             delete(profile);
         }
     }
 
-    private static Path browser() {
+    private static Path browser() throws IOException {
         String suffix = System.getProperty("os.name").toLowerCase(Locale.ROOT).startsWith("windows") ? ".exe" : "";
         for (String folder : System.getenv().getOrDefault("PATH", "").split(File.pathSeparator)) {
             for (String name : BROWSERS) {
@@ -66,7 +63,7 @@ final class PagePicture {
                 }
             }
         }
-        throw new FailedException("--picture: found no browser on the PATH, expected one of "
+        throw new IOException("found no browser on the PATH, expected one of "
             + String.join(", ", BROWSERS) + "; or open the page of --view and press P");
     }
 
