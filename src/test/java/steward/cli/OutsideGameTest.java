@@ -5,9 +5,13 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.io.OutputStream;
+import java.net.InetAddress;
+import java.net.ServerSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
 import java.util.jar.JarEntry;
 import java.util.jar.JarOutputStream;
 import java.util.stream.Stream;
@@ -124,6 +128,44 @@ class OutsideGameTest {
         Cli ended = call(others, "league", "run", league, "--games", "8");
         assertEquals(ExitStatus.UNUSABLE, ended.status());
         assertTrue(ended.err().contains("the game's jar is another one"), ended.err());
+    }
+
+    @Test
+    @Tag("slow")
+    void aWorkerPlaysOnlyWithTheJar() throws Exception {
+        String league = folder.resolve("served").toString();
+        String token = folder.resolve("far.token").toString();
+        assertEquals("", call(games, "league", "init", league, "--scene", scene.toString()).err());
+        call(games, "league", "add", league, "one=" + bot(1));
+        call(games, "league", "add", league, "two=" + bot(2));
+        call(games, "league", "worker", "add", league, "far", "--out", token);
+        String address;
+        try (ServerSocket free = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+            address = "127.0.0.1:" + free.getLocalPort();
+        }
+        CompletableFuture<Cli> run = CompletableFuture.supplyAsync(() -> call(games, "league", "run", league,
+            "--games", "4", "--threads", "0", "--serve", address));
+        Path others = Files.createDirectories(folder.resolve("far"));
+        Cli none = worker(others, address, token);
+        assertEquals(ExitStatus.FAILED, none.status(), none.err());
+        assertTrue(none.err().matches("(?s).*steward: found no jar of the league's game, expected sha256:\\w{64} .*"),
+            none.err());
+        pack(others.resolve("sumo.jar"), folder.resolve("classes"), "far");
+        Cli other = worker(others, address, token);
+        assertEquals(ExitStatus.FAILED, other.status(), other.err());
+        assertTrue(other.err().contains("found the jar sha256:"), other.err());
+        Cli same = worker(games, address, token, "--games", "4");
+        assertEquals(ExitStatus.DONE, same.status(), same.err());
+        Cli served = run.get(60, TimeUnit.SECONDS);
+        assertEquals(ExitStatus.DONE, served.status(), served.err());
+        String told = served.out() + served.err();
+        assertTrue(told.contains("worker far: found no jar of the league's game, expected sha256:"), told);
+        assertTrue(told.contains("worker far: found the jar sha256:"), told);
+    }
+
+    private static Cli worker(Path gamesPath, String address, String token, String... more) {
+        return call(gamesPath, Stream.concat(Stream.of("worker", "--join", address, "--token-file", token, "--bundles",
+            folder.resolve("bundles").toString(), "--sandbox", "off"), Stream.of(more)).toArray(String[]::new));
     }
 
     @Test

@@ -15,6 +15,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import steward.contest.Contest;
 import steward.files.InputException;
+import steward.files.JarFolder;
 import steward.game.GameTypes;
 import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
@@ -26,6 +27,7 @@ import steward.league.play.Roster.Member;
 import steward.machines.broker.LeagueBroker;
 import steward.machines.bundle.Bundle;
 import steward.machines.check.DisprovedException;
+import steward.machines.check.GameJar;
 import steward.machines.check.RulesFingerprint;
 import steward.machines.check.WorkerBook;
 import steward.machines.token.BrokerKey;
@@ -62,6 +64,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
     private final double share;
     private final String version;
     private final String rules;
+    private final String jar;
     private final Consumer<String> teller;
     private final SecureRandom random = new SecureRandom();
     private final OfferedJobs offered;
@@ -111,6 +114,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
         share = service.share();
         version = service.version();
         rules = RulesFingerprint.of(contest.setup());
+        jar = JarFolder.digestOf(contest.setup());
         reported = new ReportedGames(folder, season, contest, types, teller);
         stamp = WorkerList.stamp(folder);
         list = WorkerList.read(folder);
@@ -400,8 +404,12 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
             } else if (word instanceof WorkerWord.Unfit unfit) {
                 unfit(state, unfit);
             } else if (word instanceof WorkerWord.Differs differs) {
+                if (jar == null && differs.jar() != null) {
+                    throw new InputException("found a word about a jar, expected none: the game has no jar");
+                }
                 leave(state);
-                say(apart(state.name, state.version, shown(differs.rules()), rules));
+                say(differs.jar() == null ? apart(state.name, state.version, shown(differs.rules()), rules)
+                    : "worker " + state.name + ": " + GameJar.missing(shown(differs.jar()), jar));
             } else {
                 leave(state);
             }
@@ -445,7 +453,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
         say("worker " + state.name + " plays " + slots + (slots == 1 ? " game" : " games") + " at a time: "
             + shown(hello.machine()));
         HeaderText welcome = new HeaderText().put("type", "welcome").put("version", version)
-            .put("rules", rules).put("factor", Double.toString(settings.factor()))
+            .put("rules", rules).put("jar", jar).put("factor", Double.toString(settings.factor()))
             .put("basis", settings.basis().word()).put("hiccups", settings.hiccups().word())
             .put("hold", settings.hold().word());
         broker.tell(state.name, WireMessage.bytes(welcome,

@@ -14,14 +14,15 @@ public interface LeagueWord {
      *
      * @param version of its program
      * @param rules   what that computes in the scene, as a fingerprint
+     * @param jar     digest of the game's jar, {@code null} for a game of the program
      * @param factor  by which the scene's time limits are multiplied
      * @param basis   what they are limits of
      * @param hiccups what becomes of games lost on time on a starved machine
      * @param hold    which bots are stopped while others are asked
      * @param scene   as JSON
      */
-    record Welcome(String version, String rules, double factor, TimeBasis basis, Hiccups hiccups, HoldPolicy hold,
-                   String scene)
+    record Welcome(String version, String rules, String jar, double factor, TimeBasis basis, Hiccups hiccups,
+                   HoldPolicy hold, String scene)
         implements LeagueWord {
     }
 
@@ -81,7 +82,7 @@ public interface LeagueWord {
             header.error("hiccups", header.shown("hiccups"), "replay or count"));
         HoldPolicy hold = HoldPolicy.of(header.text("hold")).orElseThrow(() ->
             header.error("hold", header.shown("hold"), "burners, always or never"));
-        return new Welcome(header.text("version"), header.text("rules"), factor, basis, hiccups, hold,
-            new String(scene, StandardCharsets.UTF_8));
+        return new Welcome(header.text("version"), header.text("rules"), header.has("jar") ? header.text("jar") : null,
+            factor, basis, hiccups, hold, new String(scene, StandardCharsets.UTF_8));
     }
 }

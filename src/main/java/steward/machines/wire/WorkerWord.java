@@ -92,8 +92,13 @@ public interface WorkerWord {
     record Unfit(String bundle, String reason) implements WorkerWord {
     }
 
-    /** Report that the worker's program computes other results in the league's scene. */
-    record Differs(String rules) implements WorkerWord {
+    /**
+     * Refusal of a worker whose program computes other results in the league's scene.
+     *
+     * @param rules the fingerprint of its results, {@code null} if it has not the league's jar
+     * @param jar   digest of its jar of the game, or {@code none}; {@code null} if it has the league's jar
+     */
+    record Differs(String rules, String jar) implements WorkerWord {
     }
 
     /** Last message of a worker. */
@@ -118,7 +123,8 @@ public interface WorkerWord {
             case "fetch" -> new Fetch(header.text("bundle"), header.integer("from", 0, most));
             case "result" -> result(header, message.payload());
             case "unfit" -> new Unfit(header.text("bundle"), header.text("reason"));
-            case "differs" -> new Differs(header.text("rules"));
+            case "differs" -> header.has("jar") ? new Differs(null, header.text("jar"))
+                : new Differs(header.text("rules"), null);
             case "bye" -> new Bye();
             default -> throw header.error("type", header.shown("type"), "one that workers send");
         };

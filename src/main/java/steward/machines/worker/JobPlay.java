@@ -21,9 +21,11 @@ import steward.files.InputException;
 import steward.game.GameSetup;
 import steward.game.GameTypes;
 import steward.machines.bundle.UnpackedBundle;
+import steward.machines.check.GameJar;
 import steward.machines.check.RulesFingerprint;
 import steward.machines.check.TranscriptWriter;
 import steward.machines.wire.GameJob;
+import steward.machines.wire.HeaderText;
 import steward.machines.wire.LeagueWord;
 import steward.machines.wire.WorkerWord;
 import steward.match.MatchResult;
@@ -54,15 +56,18 @@ final class JobPlay {
 
         private static final long serialVersionUID = 1;
 
+        private final String field;
         private final String own;
 
-        OtherRulesException(String message, String own) {
+        OtherRulesException(String message, String field, String own) {
             super(message);
+            this.field = field;
             this.own = own;
         }
 
-        String own() {
-            return own;
+        /** Returns the answer to the league. */
+        HeaderText word() {
+            return new HeaderText().put("type", "differs").put(field, own);
         }
     }
 
@@ -97,11 +102,18 @@ final class JobPlay {
         hiccups = welcome.hiccups();
         String theirs = welcome.version();
         String rules = welcome.rules();
+        if (welcome.jar() != null) {
+            String jar = GameJar.installed(types, welcome.scene());
+            if (!jar.equals(welcome.jar())) {
+                throw new OtherRulesException(GameJar.missing(jar, welcome.jar()), "jar", jar);
+            }
+        }
         GameSetup setup = types.open(welcome.scene(), "the league's scene");
         String own = RulesFingerprint.of(setup);
         if (!own.equals(rules)) {
             throw new OtherRulesException("found Steward " + theirs + " (results " + rules + ") in the league and "
-                + "Steward " + version + " (results " + own + ") here, expected versions that compute the same", own);
+                + "Steward " + version + " (results " + own + ") here, expected versions that compute the same",
+                "rules", own);
         }
         Contest usual = Contest.withoutBots(setup, welcome.factor()).limitedBy(welcome.basis())
             .isolatedBy(() -> isolation.get().holding(welcome.hold()));

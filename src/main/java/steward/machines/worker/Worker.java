@@ -210,7 +210,7 @@ public final class Worker {
         } catch (SceneException problem) {
             throw new InputException(problem.getMessage());
         } catch (JobPlay.OtherRulesException problem) {
-            client.say(WireMessage.bytes(new HeaderText().put("type", "differs").put("rules", problem.own())));
+            client.say(WireMessage.bytes(problem.word()));
             throw new RefusedException(problem.getMessage());
         }
     }

@@ -188,7 +188,7 @@ class MessageSchemaTest {
         try {
             worker.play();
             return Long.toString(worker.played());
-        } catch (InputException refused) {
+        } catch (InputException | Worker.RefusedException refused) {
             return refused.getMessage();
         } catch (InterruptedException end) {
             return "interrupted";
