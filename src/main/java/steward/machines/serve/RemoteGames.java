@@ -408,7 +408,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
                     throw new InputException("found a word about a jar, expected none: the game has no jar");
                 }
                 leave(state);
-                say(differs.jar() == null ? apart(state.name, state.version, shown(differs.rules()), rules)
+                say(differs.jar() == null ? state.apart(state.version, shown(differs.rules()), version, rules)
                     : "worker " + state.name + ": " + GameJar.missing(shown(differs.jar()), jar));
             } else {
                 leave(state);
@@ -417,12 +417,6 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
             say("worker " + report.worker() + " is sent away: " + shown(problem.getMessage()));
             broker.disconnect(report.worker());
         }
-    }
-
-    /** Describes the difference between two programs that do not compute the same. */
-    private String apart(String worker, String theirs, String their, String own) {
-        return "found Steward " + theirs + " (results " + their + ") on worker " + worker + " and Steward " + version
-            + " (results " + own + ") in the league, expected versions that compute the same";
     }
 
     static String shown(String text) {
@@ -435,7 +429,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
         RungLaw law = contest.setup().plan().law();
         String theirs = law.keyAmong(hello.bits());
         if (!theirs.equals(law.key())) {
-            String why = apart(state.name, shown(hello.version()), shown(theirs), law.key());
+            String why = state.apart(shown(hello.version()), shown(theirs), version, law.key());
             say(why);
             broker.tell(state.name, WireMessage.bytes(new HeaderText().put("type", "refused").put("reason", why)));
             return;
@@ -490,8 +484,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
         for (WorkerState worker : new HashMap<>(workers).values()) {
             double seconds = Math.max(1, System.nanoTime() - worker.began) / 1e9;
             seen.add(new WorkerSeen(worker.name, worker.slots, worker.games / seconds, worker.version,
-                System.currentTimeMillis() - worker.lastWord, worker.caught,
-                reported.doubts(worker.name)));
+                System.currentTimeMillis() - worker.lastWord, worker.caught, reported.doubts(worker.name)));
         }
         seen.sort((one, other) -> one.name().compareTo(other.name()));
         return seen;

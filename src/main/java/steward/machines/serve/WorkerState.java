@@ -22,6 +22,12 @@ final class WorkerState {
         this.name = name;
     }
 
+    /** Describes the difference between two programs that do not compute the same. */
+    String apart(String theirs, String theirResults, String ours, String ourResults) {
+        return "found Steward " + theirs + " (results " + theirResults + ") on worker " + name + " and Steward " + ours
+            + " (results " + ourResults + ") in the league, expected versions that compute the same";
+    }
+
     /** Returns how the texts begin that say where its games were played. */
     static String machine(String name) {
         return "worker " + name + ": ";

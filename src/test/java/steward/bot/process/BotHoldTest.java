@@ -131,9 +131,9 @@ class BotHoldTest {
 
     /** Its timers send it SIGCONT: stopping it is of little use, and that is said. */
     @ParameterizedTest
-    @EnumSource(value = SandboxLevel.class, names = {"LIGHT"})
-    void aBotThatLetsItselfGoOnIsNamedAsOneThatCannotBeHeld(SandboxLevel level) throws Exception {
-        try (BotProcess bot = hog(level, "timer", HoldPolicy.BURNERS)) {
+    @EnumSource(names = {"BURNERS", "ALWAYS"})
+    void aBotThatLetsItselfGoOnIsNamedAsOneThatCannotBeHeld(HoldPolicy policy) throws Exception {
+        try (BotProcess bot = hog(SandboxLevel.LIGHT, "timer", policy)) {
             begin(bot);
             ScriptedBots.await("it is not seen", () -> {
                 Burner burner = bot.burner(0);

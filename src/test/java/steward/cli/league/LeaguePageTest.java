@@ -108,7 +108,7 @@ class LeaguePageTest {
              PageTestBrowser browser = PageTestBrowser.start(folder.resolve("profile"))) {
             server.show(state.formatted(1, 1));
             browser.go(server.address().toString());
-            assertEquals("<i>a</i>", browser.text("#table th.name"), "names are text");
+            assertEquals("<i>a</i>", browser.text("#table tbody th.name"), "names are text");
             server.show(state.formatted(7, 7));
             browser.await("the page does not follow", () -> browser.text("#scene").contains("7 games of duel"));
             assertTrue(browser.is("document.body.classList.contains('live')"));
@@ -139,7 +139,8 @@ class LeaguePageTest {
              PageTestBrowser browser = PageTestBrowser.start(folder.resolve("profile"))) {
             server.show(state);
             browser.go(server.address().toString());
-            for (String shown : List.of("#table th.name", "#games td.left", "#workers td.name", "#doubts li", "h1")) {
+            for (String shown : List.of("#table tbody th.name", "#games td.left", "#workers td.name", "#doubts li",
+                "h1")) {
                 assertTrue(browser.text(shown).contains("<img src=x"), shown + ": " + browser.text(shown));
             }
             assertTrue(browser.is("!window.owned && document.images.length === 0"));

@@ -81,8 +81,20 @@ class WorkerVerdictsTest extends ServedLeague {
             assertTrue(games.seen().isEmpty());
             assertTrue(refused(token).contains("wrong or revoked"), "also by the next run");
             done("worker", "pardon", "TMP/many", "bad");
-            client(token).close();
+            assertTrue(joins(token), "the league looks at its list once a second");
         }
+    }
+
+    private boolean joins(WorkerToken token) throws InterruptedException {
+        for (int tries = 0; tries < 100; tries++) {
+            try {
+                client(token).close();
+                return true;
+            } catch (BrokenException notYet) {
+                Thread.sleep(200);
+            }
+        }
+        return false;
     }
 
     /** All follows from its commands: that they are not the bot's is for the operator to judge, with the evidence. */

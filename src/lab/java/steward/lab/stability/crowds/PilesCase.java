@@ -68,7 +68,7 @@ public final class PilesCase implements StabilityCase {
                 }
             }
         }
-        boolean met = most <= MOST_IMPACTS && limited == 0 && different == 0 && growth <= 1e-15
+        boolean met = most > 0 && most <= MOST_IMPACTS && limited == 0 && different == 0 && growth <= 1e-15
             && overlap <= MOST_OVERLAP;
         return Finding.of(rung.isEvent(), met, String.format(Locale.ROOT, "%d piles: at most %d impacts in a turn, %d "
             + "limited, energy grew by %.1e, overlap %.1e of a radius, %d turns differ as a crowd",
