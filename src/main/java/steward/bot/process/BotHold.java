@@ -47,7 +47,7 @@ final class BotHold implements WaitingSampler.WaitingBot {
             held = true;
             heldSince = now;
         }
-        if (policy == HoldPolicy.BURNERS) {
+        if (policy != HoldPolicy.NEVER) {                   // one that is held may let itself go on
             WaitingSampler.shared().add(this);
         }
     }
@@ -111,7 +111,7 @@ final class BotHold implements WaitingSampler.WaitingBot {
      * @return {@code null} if it did not burn, or was held by then
      */
     synchronized Burner burner(long since) {
-        if (policy != HoldPolicy.BURNERS || heldSince <= since && !freed) {
+        if (policy == HoldPolicy.NEVER || heldSince <= since && !freed) {
             return null;
         }
         return held || meter.isSuspect() ? new Burner(-1, held ? processors : meter.processors(),

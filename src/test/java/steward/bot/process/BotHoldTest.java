@@ -134,7 +134,9 @@ class BotHoldTest {
     @EnumSource(names = {"BURNERS", "ALWAYS"})
     void aBotThatLetsItselfGoOnIsNamedAsOneThatCannotBeHeld(HoldPolicy policy) throws Exception {
         try (BotProcess bot = hog(SandboxLevel.LIGHT, "timer", policy)) {
-            begin(bot);
+            ScriptedBots.tell(bot, "setup\n");
+            ask(bot);
+            ask(bot);
             ScriptedBots.await("it is not seen", () -> {
                 Burner burner = bot.burner(0);
                 return burner != null && !burner.holdable();
