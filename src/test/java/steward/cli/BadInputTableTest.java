@@ -64,7 +64,13 @@ class BadInputTableTest {
     @ParameterizedTest
     @MethodSource("table")
     void isRefused(BadInputEntry entry) throws IOException {
-        String found = String.join("\n", entry.run(folder.toRealPath()));
+        String found;
+        try {
+            found = String.join("\n", entry.run(folder.toRealPath()));
+        } catch (NoClassDefFoundError problem) {
+            assumeFalse(problem.getMessage().endsWith("java.lang.ProcessImpl"), "needs processes");
+            throw problem;
+        }
         assumeFalse(found.contains(NO_PROCESSES), "needs processes");
         assertEquals(String.join("\n", entry.expected()), found);
     }
