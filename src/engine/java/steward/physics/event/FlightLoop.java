@@ -27,7 +27,7 @@ final class FlightLoop {
     private final ContactResponse response;
     private final Rest rest;
     private final Standstill standstill;
-    /** How many impacts beyond the first the last reaction has recorded: one for each contact of a heap at rest. */
+    /** Impacts that the last reaction recorded beyond the first: one for each contact of a heap at rest. */
     private int more;
     /** Starts of flights while all bodies are where they are now, for a reaction of the scene. */
     private double[] startX = new double[0];

@@ -32,7 +32,7 @@ public final class Collision {
     private final Wall[] walls;
     /** True if bodies can slide along an arena. */
     private final boolean slides;
-    /** Whether the contacts of a slide are impacts: where bodies rest they are not, as on a straight wall. */
+    /** True if the contacts of a slide are impacts: where bodies rest they are not, as on a straight wall. */
     private final boolean recordsSlides;
 
     private Collision(ImpactLaw law, Wall[] walls, ImpulseSolver solver) {

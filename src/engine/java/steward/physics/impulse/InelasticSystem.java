@@ -27,7 +27,7 @@ final class InelasticSystem {
 
     /** The most contacts in a system. */
     static final int MOST = 512;
-    /** How often a contact may enter the set, on the average. */
+    /** Bound on the entries of a contact into the set, on average. */
     private static final int ROUNDS = 4;
     /** A pivot below this share of the diagonal has vanished. */
     private static final double VANISHED = 0x1p-36;

@@ -109,7 +109,7 @@ public final class Rest {
         }
     }
 
-    /** Whether a contact is a plain impact, no slide, and nothing passes through anything else. */
+    /** True if a contact is a plain impact, no slide, and nothing passes through anything else. */
     public boolean isAbout(Bodies bodies, int a, int b) {
         return !(b < 0 && RimSliding.grazes(bodies, a, walls[~b])) && bodies.passing().isEmpty()
             && Contacts.Meaning.BOUNCE == (b < 0 ? contacts.withWall(bodies.kind[a])
@@ -268,7 +268,7 @@ public final class Rest {
         }
     }
 
-    /** Whether the last heap had nothing to exchange although it approaches: there is no room, and no way out. */
+    /** True if the last heap had nothing to exchange although it approaches: there is no room, and no way out. */
     public boolean isSqueezed() {
         return squeezed;
     }

@@ -60,7 +60,7 @@ public final class QueueAdvance implements Advance {
     private final QueueContactResponse response;
     private final ContactResponse passing;
     private final Rest rest;
-    /** How many impacts beyond the first the last reaction has recorded: one for each contact of a heap at rest. */
+    /** Impacts that the last reaction recorded beyond the first: one for each contact of a heap at rest. */
     private int more;
     /** Bodies whose impacts are near one time. */
     private int[] simultaneous = new int[0];

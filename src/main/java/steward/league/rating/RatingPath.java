@@ -17,7 +17,7 @@ public record RatingPath(List<LeagueTable.Entry> entries, List<Point> points) {
     /** Bots of which {@link #MOST} fits take a second or two; the time of a fit grows as the cube of their number. */
     private static final double QUICK = 100;
 
-    /** How many points are drawn of so many bots: fewer where they are many. */
+    /** Number of points drawn for so many bots: fewer where they are many. */
     public static long points(int bots) {
         double share = Math.min(1, QUICK / bots);
         return Math.max(LEAST, Math.round(MOST * share * share * share));

@@ -107,7 +107,7 @@ public final class AskedAgain {
             + String.format(Locale.ROOT, " (p = %.1e)", chance) + ", such as " + otherwise;
     }
 
-    /** What is doubtful of a worker, a sentence for each bot. */
+    /** Doubts about a worker, a sentence for each bot. */
     public synchronized List<String> doubts(String worker) {
         return new ArrayList<>(doubts.getOrDefault(worker, Map.of()).values());
     }
