@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Set;
+import java.util.function.Consumer;
 import java.util.function.Supplier;
 import steward.files.InputException;
 import steward.files.OutputFiles;
@@ -48,6 +49,21 @@ public record LeagueFolder(Path path) {
                 + ", expected the folder of a league, as 'steward league init' makes it");
         }
         return new LeagueFolder(path);
+    }
+
+    /**
+     * A league that is there and is about to be written to: the permissions of others are taken away from its folder.
+     *
+     * @param told gets one line if that had to be done or cannot be done
+     * @throws InputException if there is none
+     */
+    public static LeagueFolder openToWrite(Path path, Consumer<String> told) {
+        LeagueFolder folder = open(path);
+        String closed = OutputFiles.closeToOthers(path);
+        if (!closed.isEmpty()) {
+            told.accept(closed);
+        }
+        return folder;
     }
 
     /** Returns where the settings are. */

@@ -14,8 +14,10 @@ import steward.bot.isolation.SandboxLevel;
 import steward.bot.isolation.SandboxSupport;
 import steward.cli.Cli;
 import steward.cli.league.BrokenRows;
+import steward.cli.machines.ForgedGames;
 import steward.live.LiveRecording;
 import steward.live.LiveServer;
+import steward.machines.serve.HostileWorker.Way;
 import tools.jackson.databind.JsonNode;
 
 /** Attacks on what is stored, served and shared: each is tried, and says what became of it. */
@@ -54,6 +56,10 @@ final class Guards {
             attacks.put("plays in a league at `strict` and looks for its files and other entrants' programs",
                 this::spy);
         }
+        Map<String, Way> ways = Map.of("reports forged states", Way.STATES, "changes commands", Way.COMMANDS,
+            "answers for bots", Way.ANSWERS);
+        ways.keySet().stream().sorted().forEach(what -> attacks.put(what + " as a worker beside two honest ones", () ->
+            forger(ways.get(what))));
         Map<String, String> found = new LinkedHashMap<>();
         for (Map.Entry<String, Attack> each : attacks.entrySet()) {
             found.put(each.getKey(), each.getValue().found());
@@ -132,6 +138,13 @@ final class Guards {
         Path scene = Files.write(folder.resolve("s.json"), new byte[] {'{', '\n', '"', (byte) 0xE9});
         Cli said = Cli.run("explain", scene.toString());
         return held(said.status() == 2 && said.err().contains(scene + ":2:2: "), said.err());
+    }
+
+    /** Held where no game counts that a single machine would not have played; one that answers for bots is named. */
+    private String forger(Way way) throws IOException, InterruptedException {
+        List<String> problems = ForgedGames.problems(Files.createDirectory(folder.resolve(way.name())), way);
+        return held(problems.isEmpty(), String.join("; ", problems))
+            + (way == Way.ANSWERS ? ": it is named, and `revoke --set-aside` takes its games away" : "");
     }
 
     /** Held is a burner that is stopped before the match is over, whose opponent answers every time. */

@@ -59,7 +59,7 @@ final class AddCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws InterruptedException {
-        LeagueFolder folder = league.open();
+        LeagueFolder folder = league.openToWrite(streams);
         LeagueSettings settings = folder.read();
         LeagueBot added = parsed();
         if (settings.bot(added.name()).isPresent()) {

@@ -56,7 +56,7 @@ final class GenerateCommand implements Callable<Integer> {
     public Integer call() {
         check.range("--games", games, 1, MOST_GAMES);
         check.range("--bots", bots, 2, MOST_BOTS);
-        LeagueFolder folder = league.open();
+        LeagueFolder folder = league.openToWrite(streams);
         LeagueSettings settings = folder.read();
         Season season = Season.of(LeagueOpening.setup(folder, settings), settings);
         try (GameStore store = GameStore.write(folder)) {

@@ -54,7 +54,7 @@ final class ImportGamesCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        LeagueFolder folder = league.open();
+        LeagueFolder folder = league.openToWrite(streams);
         LeagueSettings settings = folder.read();
         Season season = Season.of(LeagueOpening.setup(folder, settings), settings);
         Path path = OutputFiles.path(file);

@@ -84,7 +84,7 @@ final class PruneCommand implements Callable<Integer> {
         check.that(keep.equals("lost") || keep.equals("none"), "--keep: found '" + keep + "', expected lost or none");
         check.that(bots.isEmpty() || keep.equals("lost"), "--bot: expected --keep lost with it");
         long before = before();
-        LeagueFolder folder = league.open();
+        LeagueFolder folder = dry ? league.open() : league.openToWrite(streams);
         try (LeagueOpening.Opened opened = dry ? LeagueOpening.read(folder) : LeagueOpening.write(folder)) {
             bots.forEach(bot -> LeagueOpening.bot(opened.settings(), bot));
             Set<Integer> losers = new HashSet<>();

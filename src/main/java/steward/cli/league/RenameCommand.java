@@ -38,7 +38,7 @@ final class RenameCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        LeagueFolder folder = league.open();
+        LeagueFolder folder = league.openToWrite(streams);
         LeagueSettings settings = folder.read();
         LeagueBot bot = LeagueOpening.bot(settings, name);
         if (!LeagueReader.NAME.matcher(other).matches()) {

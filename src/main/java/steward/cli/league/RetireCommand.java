@@ -35,7 +35,7 @@ final class RetireCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        LeagueFolder folder = league.open();
+        LeagueFolder folder = league.openToWrite(streams);
         LeagueSettings settings = folder.read();
         LeagueBot bot = LeagueOpening.bot(settings, name);
         folder.write(settings.replaced(name, bot.retired(!back)));

@@ -45,7 +45,7 @@ final class VerifyCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        LeagueFolder folder = league.open();
+        LeagueFolder folder = drop ? league.openToWrite(streams) : league.open();
         if (!Files.exists(folder.database())) {
             throw new InputException(folder.path() + ": found a league without games, expected one that has been "
                 + "played; 'steward league run " + folder.path() + "' plays it");

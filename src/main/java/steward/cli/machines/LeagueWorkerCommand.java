@@ -61,7 +61,9 @@ final class LeagueWorkerCommand implements Callable<Integer> {
             : "found the name '" + name + "', expected none with " + action);
         check.that(out == null || action.equals("add"), "--out is for add, expected none with " + action);
         check.that(!aside || action.equals("revoke"), "--set-aside is for revoke, expected none with " + action);
-        LeagueFolder league = LeagueFolder.open(OutputFiles.path(folder));
+        Path path = OutputFiles.path(folder);
+        LeagueFolder league = action.equals("list") ? LeagueFolder.open(path)
+            : LeagueFolder.openToWrite(path, streams::warn);
         switch (action) {
             case "add" -> {
                 Path token = OutputFiles.path(out == null ? name + ".token" : out);

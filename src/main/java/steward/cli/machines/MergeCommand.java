@@ -62,7 +62,7 @@ final class MergeCommand implements Callable<Integer> {
     @SuppressWarnings("try")                           // the lock is only held
     public Integer call() {
         check.range("--again", again, 0, PERCENT);
-        LeagueFolder folder = league.open();
+        LeagueFolder folder = league.openToWrite(streams);
         LeagueFolder.refuseRemote(folder.path());
         LeagueSettings settings = folder.read();
         Contest contest = LeagueOpening.contest(folder, settings, streams);

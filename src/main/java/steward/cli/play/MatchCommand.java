@@ -140,7 +140,7 @@ public final class MatchCommand implements Callable<Integer> {
                 return run.play(many.threads(streams), overwrite);
             }
             try (StoredSeries league = StoredSeries.open(OutputFiles.path(many.into()), contest, factor,
-                    sandbox.variables())) {
+                    sandbox.variables(), streams)) {
                 return run.play(many.threads(streams), overwrite, league::add);
             }
         }

@@ -15,6 +15,7 @@ import java.util.TreeSet;
 import java.util.stream.IntStream;
 import steward.bot.command.BotCommand;
 import steward.cli.shared.Games;
+import steward.cli.shared.Streams;
 import steward.contest.Attempts;
 import steward.contest.Contest;
 import steward.contest.PairedPlay;
@@ -59,10 +60,12 @@ public final class StoredSeries implements AutoCloseable {
      *
      * @param factor      of the time limits
      * @param environment the variables that bots are passed by name
+     * @param streams     for a warning if others could read the folder
      * @throws InputException if its games are of another scene, limits or rules
      */
-    public static StoredSeries open(Path path, Contest contest, double factor, List<String> environment) {
-        LeagueFolder folder = LeagueFolder.open(path);
+    public static StoredSeries open(Path path, Contest contest, double factor, List<String> environment,
+        Streams streams) {
+        LeagueFolder folder = LeagueFolder.openToWrite(path, streams::warn);
         LeagueSettings settings = folder.read();
         LeagueSettings played = settings.with(settings.gauntlet(), factor, settings.keep())
             .holding(contest.isolation().get().hold());

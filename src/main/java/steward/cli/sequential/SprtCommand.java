@@ -104,7 +104,8 @@ public final class SprtCommand implements Callable<Integer> {
             return new SprtRun(streams, contest, test, options.ending(), null, report)
                 .play(seed.orDrawn(), threads.count(streams));
         }
-        try (StoredSeries store = StoredSeries.open(OutputFiles.path(into), contest, factor, sandbox.variables())) {
+        try (StoredSeries store = StoredSeries.open(OutputFiles.path(into), contest, factor, sandbox.variables(),
+                streams)) {
             store.refuseTwins();
             return new SprtRun(streams, contest, test, options.ending(), store, report)
                 .play(seed.or(store.ownSeed()), threads.count(streams));

@@ -243,7 +243,7 @@ public final class TuneCommand implements Callable<Integer> {
         for (String other : against) {
             Contest contest = contest(List.of(named(command.with(command.start())), other));
             if (into != null) {
-                StoredSeries.open(OutputFiles.path(into), contest, factor, sandbox.variables()).close();
+                StoredSeries.open(OutputFiles.path(into), contest, factor, sandbox.variables(), streams).close();
             }
         }
     }
@@ -260,7 +260,7 @@ public final class TuneCommand implements Callable<Integer> {
         for (String other : against) {
             Contest contest = contest(List.of(named(command.with(places)), other));
             try (StoredSeries store = into == null ? null
-                    : StoredSeries.open(OutputFiles.path(into), contest, factor, sandbox.variables())) {
+                    : StoredSeries.open(OutputFiles.path(into), contest, factor, sandbox.variables(), streams)) {
                 int[] over = new int[1];
                 new PairedPlay(contest, firstSeed, Hiccups.REPLAY,
                     store == null ? (number, rotation) -> null : store::outcome,
@@ -337,7 +337,8 @@ public final class TuneCommand implements Callable<Integer> {
             return new SprtRun(streams, contest, test, ending, null, Verbosity.FULL)
                 .play(first + games, threads.count(streams));
         }
-        try (StoredSeries store = StoredSeries.open(OutputFiles.path(into), contest, factor, sandbox.variables())) {
+        try (StoredSeries store = StoredSeries.open(OutputFiles.path(into), contest, factor, sandbox.variables(),
+                streams)) {
             return new SprtRun(streams, contest, test, ending, store, Verbosity.FULL)
                 .play(store.ownSeed(), threads.count(streams));
         }

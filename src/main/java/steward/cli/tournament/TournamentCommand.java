@@ -153,12 +153,13 @@ public final class TournamentCommand implements Callable<Integer> {
         List<LeagueBot> bots = entries.stream().filter(entry -> entry.check() != null).map(entry -> bot(entry, spoken))
             .toList();
         if (bots.size() < Math.max(1, empty.players())) {
-            index(into, entries, false);
+            index(into, entries, "Too few programs can run.");
             throw new FailedException("found " + TextFormat.count(bots.size(), "program") + " that can run, expected "
                 + "at least " + empty.players() + "; see " + into.resolve("index.html"));
         }
         league.write(settings.withBots(with(settings.bots(), bots)));
-        index(into, entries, false);                    // is there even if the games are interrupted
+        index(into, entries, "The games are not over yet: the table comes when they are. If they were interrupted, "
+            + "the same command goes on.");
         long total = total(league, bots, empty.players());
         streams.err().println("Everybody meets everybody: " + TextFormat.count(total, "game") + " in all");
         int status = run(new RunCommand(streams, new NoServing()), league.path().toString(), "--games", "" + total,
@@ -308,7 +309,7 @@ public final class TournamentCommand implements Callable<Integer> {
             }
         }
         run(new PageCommand(streams), league.path().toString(), "--out", into.resolve("league.html").toString());
-        index(into, entries, true);
+        index(into, entries, "<a href=\"league.html\">The table</a>, <a href=\"table.csv\">as CSV</a>");
         streams.out().println("Written: " + into.resolve("index.html") + ", " + into.resolve("table.csv")
             + ", and a page for each author in " + into.resolve(PAGES));
     }
@@ -320,10 +321,9 @@ public final class TournamentCommand implements Callable<Integer> {
             game.seats().stream().filter(seat -> seat.version() == version).toList());
     }
 
-    private static void index(Path into, List<Entry> entries, boolean played) throws IOException {
+    private static void index(Path into, List<Entry> entries, String standing) throws IOException {
         StringBuilder index = new StringBuilder(AuthorPage.HEAD)
-            .append("<title>Tournament</title></head><body><h1>Tournament</h1>").append(played
-                ? "<p><a href=\"league.html\">The table</a>, <a href=\"table.csv\">as CSV</a></p>" : "")
+            .append("<title>Tournament</title></head><body><h1>Tournament</h1><p>").append(standing).append("</p>")
             .append("<table><tr><th>Program<th>Check</tr>");
         for (Entry entry : entries) {
             String name = AuthorPage.escape(entry.name());

@@ -16,6 +16,10 @@ import tools.jackson.core.JsonGenerator;
 public final class LeagueJson {
 
     private static final double NANOS_PER_MS = 1e6;
+    /** Bots up to which all differences are told: each takes time by the number of pairings, all of them bots^4. */
+    private static final int MOST_ALL = 100;
+    /** Places above and below a bot to which its differences are told of more bots. */
+    private static final int NEAR = 10;
 
     private LeagueJson() {
     }
@@ -88,10 +92,11 @@ public final class LeagueJson {
 
     /**
      * In Elo: the difference, its bar, the bar that holds at all looks; the likelihood of superiority; and the end of a
-     * bar that has only one, or {@code null}. A bar of which nothing is known is {@code null}.
+     * bar that has only one, or {@code null}. A bar of which nothing is known is {@code null}. Of more than 100 bots
+     * those more than 10 places apart are {@code null}.
      */
     private static void difference(JsonGenerator out, LeagueTable table, int row, int column) {
-        if (row == column) {
+        if (row == column || table.rows().size() > MOST_ALL && Math.abs(row - column) > NEAR) {
             out.writeNull();
             return;
         }

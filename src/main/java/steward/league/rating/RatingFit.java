@@ -271,15 +271,6 @@ public final class RatingFit {
         return of(along(one, other), ratings[one] - ratings[other]);
     }
 
-    /**
-     * The difference of two ratings from the matrix of all variances. Its degrees of freedom are the least that they
-     * can be: bars are hardly wider, and all differences of n bots take n^3 operations and not n^4.
-     */
-    Difference quickDifference(int one, int other) {
-        return new Difference(ratings[one] - ratings[other], covariance().variance(one, other),
-            Math.min(CERTAIN, covariance().leastFreedom(one, other)), 0);
-    }
-
     /** Share of the weighted points of a bot; NaN without games. */
     double share(int bot) {
         return points[bot] / games[bot];

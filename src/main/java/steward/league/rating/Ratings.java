@@ -16,9 +16,6 @@ import java.util.Map;
  */
 public record Ratings(List<Integer> versions, RatingFit fit, double... weights) {
 
-    /** Versions up to which the bar of each difference is computed from its own pairings. */
-    private static final int MOST_PLAIN = 100;
-
     /** Copies. */
     public Ratings {
         versions = List.copyOf(versions);
@@ -62,9 +59,6 @@ public record Ratings(List<Integer> versions, RatingFit fit, double... weights) 
 
     /** The difference of two versions, with a bound in place of a bar where one has won or lost nearly everything. */
     public Difference bounded(int one, int other) {
-        if (versions.size() > MOST_PLAIN) {
-            return fit.quickDifference(place(one), place(other));
-        }
         return new ScoreTest(fit).bounded(place(one), place(other));
     }
 

@@ -162,15 +162,33 @@ class LeagueCommandTest {
         assertFalse(league(run).done().err().contains(open), "as it was made");
         Files.setPosixFilePermissions(league, PosixFilePermissions.fromString("rwxr-x---"));
         String said = league(run).done().err();
-        assertTrue(said.contains("steward: " + open + " of this machine, with its keys and replays (rwxr-x---): "
-            + "now it is its owner's alone"), said);
+        assertTrue(said.contains("steward: warning: " + open + " of this machine, with its keys and replays "
+            + "(rwxr-x---): now it is its owner's alone"), said);
         assertEquals("rwx------", PosixFilePermissions.toString(Files.getPosixFilePermissions(league)));
         String held = LeagueOpening.contest(new LeagueFolder(league), new LeagueFolder(league).read(),
             new Streams(OutputStream.nullOutputStream(), OutputStream.nullOutputStream(), false, false)).hold();
         assertTrue(said.contains(held), said);
+    }
+
+    @Test
+    void everyCommandThatWritesTakesTheFolderFromOthers() throws IOException {
+        assumeTrue(folder.getFileSystem().supportedFileAttributeViews().contains("posix"), "skipped: no POSIX files");
+        generated("a", 6);
+        done("export", "TMP/a", "--out", "TMP/a.jsonl");
+        Path league = folder.resolve("a");
+        String[][] writing = {{"add", "TMP/a", "one=sh -c 'exit 1'"}, {"rename", "TMP/a", "one", "two"},
+            {"retire", "TMP/a", "two"}, {"resume", "TMP/a", "two"}, {"prune", "TMP/a", "--keep", "none"},
+            {"verify", "TMP/a", "--drop"}, {"import", "TMP/a", "TMP/a.jsonl"},
+            {"worker", "add", "TMP/a", "lab", "--out", "TMP/lab.token"}, {"worker", "revoke", "TMP/a", "lab"}};
+        for (String[] command : writing) {
+            Files.setPosixFilePermissions(league, PosixFilePermissions.fromString("rwxr-xr-x"));
+            String said = league(command).done().err();
+            assertTrue(said.contains("warning: " + league + " was open to other users"), command[0] + ": " + said);
+            assertEquals("rwx------", PosixFilePermissions.toString(Files.getPosixFilePermissions(league)), command[0]);
+        }
         Files.setPosixFilePermissions(league, PosixFilePermissions.fromString("rwxr-xr-x"));
-        assertEquals("", league("run", "TMP/a", "--games", "10", "--quiet").done().err());
-        assertEquals("rwx------", PosixFilePermissions.toString(Files.getPosixFilePermissions(league)));
+        assertEquals("", league("table", "TMP/a").err());
+        assertEquals("rwxr-xr-x", PosixFilePermissions.toString(Files.getPosixFilePermissions(league)), "only read");
     }
 
     @Test

@@ -26,6 +26,10 @@ import steward.league.LeagueFolder;
 import steward.league.Season;
 import steward.league.store.GameQueries;
 import steward.league.store.GameStore;
+import steward.machines.broker.BrokerClient;
+import steward.machines.broker.BrokerClient.BrokenException;
+import steward.machines.serve.HostileWorker;
+import steward.machines.token.WorkerToken;
 
 /**
  * Plays a league of deterministic bots once on a single machine, and once with three workers, each in a process of its
@@ -52,6 +56,8 @@ public class MachinesProof {
     final List<Process> started = new ArrayList<>();
     private final int pauseMs;
     int port;
+    /** Ends hostile workers. */
+    volatile boolean over;
 
     /** A game without what is measured, and which game of the schedule it is: a decision is a lineup and its mirror. */
     record Row(String place, String game, String machine, boolean counts, long played) {
@@ -150,6 +156,43 @@ public class MachinesProof {
             "--sandbox", "off");
     }
 
+    /** Gives a worker a token of the league with workers. */
+    void add(String name) {
+        run("league", "worker", "add", folder.resolve("many").toString(), name, "--out",
+            folder.resolve(name + ".token").toString());
+    }
+
+    /** Starts a hostile worker, which joins again whenever it is sent away. */
+    Thread hostile(String name, HostileWorker.Way way) {
+        WorkerToken token = WorkerToken.read(folder.resolve(name + ".token"));
+        TextShellBots bots = new TextShellBots(folder);
+        HostileWorker worker = new HostileWorker(way, folder.resolve("short.json").toString(), (bot, honest) ->
+            "codingame:" + (bot.equals("fast") == honest ? bots.driver() : bots.idler(!honest ? 0
+                : bot.equals("wrong") ? 3 : bot.equals("later") ? 6 : 0)));
+        Thread thread = new Thread(() -> {
+            while (!over) {
+                try (BrokerClient client = new BrokerClient("127.0.0.1", port, token, name)) {
+                    worker.play(client, () -> over);
+                } catch (BrokenException | InputException again) {
+                    pause();
+                } catch (InterruptedException end) {
+                    return;
+                }
+            }
+        }, "hostile " + name);
+        thread.setDaemon(true);
+        thread.start();
+        return thread;
+    }
+
+    private static void pause() {
+        try {
+            TimeUnit.MILLISECONDS.sleep(500);
+        } catch (InterruptedException end) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
     private Process league(int number) throws IOException {
         return start("league " + number, "league", "run", "many", "--games", Integer.toString(games), "--serve",
             "127.0.0.1:" + port);
@@ -230,10 +273,7 @@ public class MachinesProof {
 
         make("many");
         port = free();
-        for (String name : List.of("one", "two", "three")) {
-            run("league", "worker", "add", folder.resolve("many").toString(), name, "--out",
-                folder.resolve(name + ".token").toString());
-        }
+        List.of("one", "two", "three").forEach(this::add);
         began = System.nanoTime();
         long continued;
         try (CutProxy proxy = new CutProxy(port)) {

@@ -12,15 +12,9 @@ import java.util.SplittableRandom;
 import java.util.TreeMap;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
-import steward.cli.TextShellBots;
-import steward.files.InputException;
 import steward.league.LeagueFolder;
-import steward.machines.broker.BrokerClient;
-import steward.machines.broker.BrokerClient.BrokenException;
-import steward.machines.serve.HostileWorker;
 import steward.machines.serve.HostileWorker.Way;
 import steward.machines.token.WorkerList;
-import steward.machines.token.WorkerToken;
 
 /**
  * Plays a league for a while with three honest workers and three hostile ones, and with a fault every twenty seconds: a
@@ -41,7 +35,6 @@ public final class MachinesSoak extends MachinesProof {
     private final Map<String, Process> workers = new HashMap<>();
     /** Longest run of periods without a game. */
     private int stalled;
-    private volatile boolean over;
 
     private MachinesSoak(Path folder, Consumer<String> teller) throws IOException {
         super(folder, 0, 0, 50, teller);
@@ -80,11 +73,6 @@ public final class MachinesSoak extends MachinesProof {
         HOSTILE.keySet().forEach(this::add);
     }
 
-    private void add(String name) {
-        run("league", "worker", "add", folder.resolve("many").toString(), name, "--out",
-            folder.resolve(name + ".token").toString());
-    }
-
     private void play(int minutes, int seed) throws Exception {
         prepare();
         SplittableRandom random = new SplittableRandom(seed);
@@ -95,7 +83,7 @@ public final class MachinesSoak extends MachinesProof {
             for (String name : HONEST) {
                 workers.put(name, worker(name, proxy.port()));
             }
-            List<Thread> hostile = HOSTILE.keySet().stream().map(this::hostile).toList();
+            List<Thread> hostile = HOSTILE.keySet().stream().map(name -> hostile(name, HOSTILE.get(name))).toList();
             long end = System.nanoTime() + TimeUnit.MINUTES.toNanos(minutes);
             int still = 0;
             for (int before = 0; System.nanoTime() < end;) {
@@ -130,35 +118,6 @@ public final class MachinesSoak extends MachinesProof {
             }
         }
         compare(faults);
-    }
-
-    private Thread hostile(String name) {
-        WorkerToken token = WorkerToken.read(folder.resolve(name + ".token"));
-        TextShellBots bots = new TextShellBots(folder);
-        Thread thread = new Thread(() -> {
-            while (!over) {
-                try (BrokerClient client = new BrokerClient("127.0.0.1", port, token, name)) {
-                    new HostileWorker(HOSTILE.get(name), folder.resolve("short.json").toString(), (bot, honest) ->
-                        "codingame:" + (bot.equals("fast") ? bots.driver() : bots.idler(bot.equals("wrong") ? 3
-                            : bot.equals("later") ? 6 : 0))).play(client, () -> over);
-                } catch (BrokenException | InputException again) {
-                    pause();
-                } catch (InterruptedException end) {
-                    return;
-                }
-            }
-        }, "hostile " + name);
-        thread.setDaemon(true);
-        thread.start();
-        return thread;
-    }
-
-    private static void pause() {
-        try {
-            TimeUnit.MILLISECONDS.sleep(500);
-        } catch (InterruptedException end) {
-            Thread.currentThread().interrupt();
-        }
     }
 
     /** Fills up what was under way, without workers; then each decision has to have its two games once. */

@@ -31,6 +31,8 @@ public final class HostileWorker {
         ANSWERS,
         /** Plays three games as it should, and then reports other states than those that follow. */
         STATES,
+        /** Plays three games as it should, and then changes a command, and not the states that it reports. */
+        COMMANDS,
         /** Says that a bot was late, after a time that it says was shorter than the limit. */
         EARLY,
         /** Says that a bot was late, after a time that has not passed. */
@@ -105,6 +107,8 @@ public final class HostileWorker {
             case LATE -> late(game, "600000000000");
             case STATES -> changed(transcript(game, true), text -> honest ? text
                 : text.replaceFirst("\"states\":\"[0-9a-f]", "\"states\":\"x"));
+            case COMMANDS -> changed(transcript(game, true), text -> honest ? text
+                : text.replaceFirst("\"thrust\":(100|0)", "\"thrust\":50"));
             default -> transcript(game, honest || way != Way.ANSWERS);
         };
         return new WorkerWord.Played(List.of(transcript), List.of(false), null);

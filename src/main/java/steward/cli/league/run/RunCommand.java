@@ -10,7 +10,6 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import java.util.stream.Stream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -28,7 +27,6 @@ import steward.cli.shared.Interruption;
 import steward.cli.shared.Streams;
 import steward.contest.Contest;
 import steward.files.InputException;
-import steward.files.OutputFiles;
 import steward.league.FolderLock;
 import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
@@ -132,7 +130,7 @@ public final class RunCommand implements Callable<Integer> {
         check.range("--games", games, 1, Integer.MAX_VALUE);
         LeagueRun.Limits limits = new LeagueRun.Limits(threads.count(streams), games == null ? Long.MAX_VALUE : games,
             nanos(time));
-        LeagueFolder folder = league.open();
+        LeagueFolder folder = league.openToWrite(streams);
         LeagueFolder.refuseRemote(folder.path());
         if (keepRules && RulesBefore.keep(folder)) {
             streams.err().println("steward: " + folder.path().resolve(LeagueFolder.SCENE)
@@ -212,10 +210,10 @@ public final class RunCommand implements Callable<Integer> {
             }
             screen.set(streams.errTerminal() && !quiet ? new LiveTable(streams.err(),
                 () -> progress.lines(run, machines, streams::errColour)) : null);
-            String closed = OutputFiles.closeToOthers(folder.path());
             if (!quiet) {
-                Stream.of(closed, contest.hold()).filter(text -> !text.isEmpty())
-                    .forEach(text -> say(screen.get(), text));
+                if (!contest.hold().isEmpty()) {
+                    say(screen.get(), contest.hold());
+                }
                 say(screen.get(), RoundText.length(settings, roster.versions(), season.players(),
                     settings.gauntlet() == null ? -1 : roster.versionOf(settings.gauntlet()).orElse(-1)));
             }

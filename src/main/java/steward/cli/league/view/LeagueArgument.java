@@ -2,6 +2,7 @@ package steward.cli.league.view;
 
 import java.nio.file.Path;
 import picocli.CommandLine.Parameters;
+import steward.cli.shared.Streams;
 import steward.files.OutputFiles;
 import steward.league.LeagueFolder;
 
@@ -19,5 +20,10 @@ public final class LeagueArgument {
     /** The league in it. */
     public LeagueFolder open() {
         return LeagueFolder.open(path());
+    }
+
+    /** The league in it, which is about to be written to; warns if its folder was open to others. */
+    public LeagueFolder openToWrite(Streams streams) {
+        return LeagueFolder.openToWrite(path(), streams::warn);
     }
 }

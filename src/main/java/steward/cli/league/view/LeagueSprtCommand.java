@@ -76,7 +76,7 @@ public final class LeagueSprtCommand implements Callable<Integer> {
         Contest.checkProtocols(empty.setup(), entrants);
         Contest contest = empty.between(entrants);
         try (StoredSeries store = StoredSeries.open(folder.path(), contest, settings.factor(),
-                List.copyOf(LeagueOpening.environment(settings).keySet()))) {
+                List.copyOf(LeagueOpening.environment(settings).keySet()), streams)) {
             store.refuseTwins();
             return new SprtRun(streams, contest, test, options.ending(), store,
                 json ? Verbosity.JSON : Verbosity.FULL)
