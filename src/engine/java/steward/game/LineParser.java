@@ -2,7 +2,6 @@ package steward.game;
 
 import java.io.InputStream;
 import java.io.OutputStream;
-import steward.Internal;
 import tools.jackson.core.JsonParser;
 import tools.jackson.core.ObjectReadContext;
 
@@ -13,7 +12,6 @@ import tools.jackson.core.ObjectReadContext;
  *
  * <p>Caveat: a line must begin with the bracket of an object or array, in UTF-8.
  */
-@Internal
 public final class LineParser {
 
     private final Feed feed = new Feed();

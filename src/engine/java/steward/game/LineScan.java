@@ -1,13 +1,10 @@
 package steward.game;
 
-import steward.Internal;
-
 /**
  * A fast scanner for the simple lines that nearly all bots write: names, brackets and short decimal numbers in the
  * order that the caller expects, with blanks between them. It rejects everything else, including much valid JSON; a
  * full parser must then read the line from its beginning.
  */
-@Internal
 public final class LineScan {
 
     /** The number of decimal digits that fit into the 53 bits of a double. */

@@ -5,7 +5,6 @@ import java.io.OutputStream;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
-import steward.Internal;
 import steward.numerics.ShortestDecimal;
 import tools.jackson.core.SerializableString;
 import tools.jackson.core.io.NumberOutput;
@@ -18,7 +17,6 @@ import tools.jackson.core.io.NumberOutput;
  *
  * <p>Caveat: the methods for quoted text, which only field names need, throw.
  */
-@Internal
 public final class RawJson implements SerializableString {
 
     /** The maximum number of characters of a long, with its sign. */

@@ -3,7 +3,4 @@
  * the protocols by which match runners call a referee. It stands above replays and below the command line; the pod
  * race is the only game it knows, because that is what those recordings hold.
  */
-@Internal
 package steward.codingame;
-
-import steward.Internal;

@@ -2,7 +2,6 @@ package steward.replay;
 
 import java.util.List;
 import java.util.Locale;
-import steward.Internal;
 import steward.game.FrameCodec;
 import steward.game.Game;
 import steward.game.JsonNumbers;
@@ -17,7 +16,6 @@ import tools.jackson.core.io.SerializedString;
  * Writes what follows from the commands: impacts, paths, events, the ending by the impact limit, the state and its
  * hash. Empty parts are left out. The writer records it, the verifier writes it again and compares.
  */
-@Internal
 public final class OutcomeJson {
 
     /** How many impacts of a turn are kept, and how many knots of paths: a turn can have over ten thousand impacts. */

@@ -3,7 +3,6 @@ package steward.replay;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.Consumer;
-import steward.Internal;
 import steward.bot.LineBuffer;
 import steward.game.FrameCodec;
 import steward.game.Game;
@@ -22,7 +21,6 @@ import tools.jackson.core.io.SerializedString;
  *
  * <p>The hash of a line is that of all bytes before it, see {@link InputHash}; it is the last field but {@code times}.
  */
-@Internal
 public final class ReplayLines {
 
     /** The names that every turn writes, encoded once. */

@@ -1,7 +1,6 @@
 package steward.replay;
 
 import java.util.function.IntPredicate;
-import steward.Internal;
 import steward.bot.LineBuffer;
 import steward.game.FrameCodec;
 import steward.game.Game;
@@ -17,7 +16,6 @@ import tools.jackson.core.ObjectWriteContext;
  *
  * <p>Not thread-safe. A turn costs the writing of its commands.
  */
-@Internal
 public final class TranscriptDigest {
 
     private final LineBuffer commands = new LineBuffer();

@@ -1,7 +1,6 @@
 package steward.game.podrace.protocol;
 
 import java.util.Arrays;
-import steward.Internal;
 import steward.game.CommandsAnswer;
 import steward.game.LineScan;
 import steward.game.RawJson;
@@ -13,7 +12,6 @@ import tools.jackson.core.JsonParser;
  * <pre>{"pods":[{"x":1,"y":2.5,"thrust":100},{"x":1,"y":2,"shield":true}],"message":"optional"}</pre>
  * and what a replay keeps of it.
  */
-@Internal
 public final class PodRaceAnswer extends CommandsAnswer<Void> {
 
     private static final int NOT_GIVEN = Integer.MIN_VALUE;
