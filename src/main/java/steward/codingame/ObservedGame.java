@@ -3,9 +3,9 @@ package steward.codingame;
 import java.util.Arrays;
 import java.util.List;
 import steward.game.Game;
-import steward.game.JsonNumbers;
 import steward.game.podrace.PodRace;
 import steward.game.podrace.PodRaceSettings;
+import steward.json.JsonNumbers;
 import tools.jackson.core.JsonGenerator;
 
 /**

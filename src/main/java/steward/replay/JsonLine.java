@@ -6,7 +6,7 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import steward.game.JsonNumbers;
+import steward.json.JsonNumbers;
 import steward.scene.json.JsonProblem;
 import steward.text.TextFormat;
 import tools.jackson.core.JacksonException;

@@ -6,7 +6,7 @@ import java.util.function.Consumer;
 import steward.bot.LineBuffer;
 import steward.game.FrameCodec;
 import steward.game.Game;
-import steward.game.JsonNumbers;
+import steward.json.JsonNumbers;
 import steward.match.MatchResult;
 import steward.match.Turn;
 import steward.numerics.StateHash;

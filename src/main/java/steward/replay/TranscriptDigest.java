@@ -4,7 +4,7 @@ import java.util.function.IntPredicate;
 import steward.bot.LineBuffer;
 import steward.game.FrameCodec;
 import steward.game.Game;
-import steward.game.JsonNumbers;
+import steward.json.JsonNumbers;
 import steward.match.Turn;
 import steward.numerics.StateHash;
 import tools.jackson.core.JsonGenerator;

@@ -10,7 +10,7 @@ import steward.cli.shared.Json;
 import steward.cli.shared.Streams;
 import steward.contest.Contest;
 import steward.contest.Failure;
-import steward.game.JsonNumbers;
+import steward.json.JsonNumbers;
 import steward.match.MatchResult;
 import steward.match.MatchResult.PlayerResult;
 import steward.text.TextFormat;

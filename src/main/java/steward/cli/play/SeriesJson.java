@@ -11,7 +11,7 @@ import steward.contest.Series;
 import steward.contest.SeriesPlay;
 import steward.contest.Standings;
 import steward.contest.Tally;
-import steward.game.JsonNumbers;
+import steward.json.JsonNumbers;
 import steward.match.MatchResult;
 import tools.jackson.core.JsonGenerator;
 

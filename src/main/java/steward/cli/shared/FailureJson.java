@@ -4,7 +4,7 @@ import java.util.List;
 import steward.bot.TimeBasis;
 import steward.bot.TimeSpent;
 import steward.contest.Failure;
-import steward.game.JsonNumbers;
+import steward.json.JsonNumbers;
 import tools.jackson.core.JsonGenerator;
 
 /** Reason of a bot's failure, for programs. */

@@ -3,7 +3,7 @@ package steward.league.page;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.Function;
-import steward.game.JsonNumbers;
+import steward.json.JsonNumbers;
 import steward.league.Season;
 import steward.league.StoredGame;
 import steward.league.rating.Difference;

@@ -8,7 +8,7 @@ import steward.contest.Contest;
 import steward.contest.GameFacts;
 import steward.files.JarFolder;
 import steward.game.GameTypes;
-import steward.game.JsonNumbers;
+import steward.json.JsonNumbers;
 import steward.match.Protocol;
 import steward.replay.JsonLine;
 import steward.replay.ReplayException;

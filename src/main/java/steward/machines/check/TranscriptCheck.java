@@ -15,7 +15,7 @@ import steward.contest.Contest;
 import steward.contest.GameFacts;
 import steward.files.JarFolder;
 import steward.game.Game;
-import steward.game.JsonNumbers;
+import steward.json.JsonNumbers;
 import steward.match.MatchListener;
 import steward.match.MatchResult;
 import steward.match.Turn;

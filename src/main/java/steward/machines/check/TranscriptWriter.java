@@ -8,7 +8,7 @@ import java.util.function.ToLongFunction;
 import steward.bot.LineBuffer;
 import steward.game.FrameCodec;
 import steward.game.Game;
-import steward.game.JsonNumbers;
+import steward.json.JsonNumbers;
 import steward.match.MatchListener;
 import steward.match.MatchResult;
 import steward.match.Turn;

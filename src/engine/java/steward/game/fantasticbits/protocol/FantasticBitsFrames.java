@@ -2,8 +2,6 @@ package steward.game.fantasticbits.protocol;
 
 import java.util.List;
 import steward.game.BotFrames;
-import steward.game.DrawingJson;
-import steward.game.JsonNumbers;
 import steward.game.fantasticbits.Captures;
 import steward.game.fantasticbits.EntityKind;
 import steward.game.fantasticbits.FantasticBits;
@@ -11,6 +9,8 @@ import steward.game.fantasticbits.Pitch;
 import steward.game.fantasticbits.Spell;
 import steward.game.fantasticbits.Variant;
 import steward.game.fantasticbits.WizardCommand;
+import steward.json.DrawingJson;
+import steward.json.JsonNumbers;
 import steward.scene.Bumper;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.io.SerializedString;

@@ -2,11 +2,11 @@ package steward.game.fantasticbits.protocol;
 
 import java.util.ArrayList;
 import java.util.List;
-import steward.game.JsonNumbers;
 import steward.game.ServerView;
 import steward.game.ShownSeed;
 import steward.game.fantasticbits.EntityKind;
 import steward.game.fantasticbits.Pitch;
+import steward.json.JsonNumbers;
 import steward.scene.SceneFiles;
 import steward.text.ViewLines;
 import tools.jackson.core.JsonGenerator;

@@ -1,6 +1,5 @@
 package steward.game.meanmax.protocol;
 
-import steward.game.DrawingJson;
 import steward.game.CommandListState;
 import steward.game.meanmax.LooterCommand;
 import steward.game.meanmax.MeanMax;
@@ -8,6 +7,7 @@ import steward.game.meanmax.MeanMaxWorld;
 import steward.game.meanmax.SkillEffect;
 import steward.game.meanmax.UnitKind;
 import steward.game.meanmax.Wreck;
+import steward.json.DrawingJson;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.io.SerializedString;
 

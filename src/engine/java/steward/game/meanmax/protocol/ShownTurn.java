@@ -2,10 +2,10 @@ package steward.game.meanmax.protocol;
 
 import java.util.List;
 import java.util.Map;
-import steward.game.JsonNumbers;
 import steward.game.meanmax.MeanMaxWorld;
 import steward.game.meanmax.Skill;
 import steward.game.meanmax.UnitKind;
+import steward.json.JsonNumbers;
 import tools.jackson.core.JsonGenerator;
 
 /**

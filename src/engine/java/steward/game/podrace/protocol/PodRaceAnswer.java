@@ -1,10 +1,10 @@
 package steward.game.podrace.protocol;
 
 import java.util.Arrays;
-import steward.game.CommandsAnswer;
-import steward.game.LineScan;
-import steward.game.RawJson;
 import steward.game.podrace.PodRace;
+import steward.json.CommandsAnswer;
+import steward.json.LineScan;
+import steward.json.RawJson;
 import tools.jackson.core.JsonParser;
 
 /**

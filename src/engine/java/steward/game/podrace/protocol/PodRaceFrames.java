@@ -1,11 +1,11 @@
 package steward.game.podrace.protocol;
 
 import steward.game.BotFrames;
-import steward.game.DrawingJson;
-import steward.game.JsonNumbers;
 import steward.game.podrace.PodRace;
 import steward.game.podrace.PodRaceSettings;
 import steward.game.podrace.RulesEdition;
+import steward.json.DrawingJson;
+import steward.json.JsonNumbers;
 import steward.scene.Bumper;
 import steward.scene.Field;
 import steward.scene.Scene;

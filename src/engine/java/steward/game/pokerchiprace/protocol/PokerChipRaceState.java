@@ -1,10 +1,10 @@
 package steward.game.pokerchiprace.protocol;
 
 import steward.game.CommandListState;
-import steward.game.JsonNumbers;
 import steward.game.pokerchiprace.ChipCommand;
 import steward.game.pokerchiprace.ChipTable;
 import steward.game.pokerchiprace.PokerChipRace;
+import steward.json.JsonNumbers;
 import steward.physics.PassingPairs;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.io.SerializedString;

@@ -1,4 +1,4 @@
-package steward.game;
+package steward.json;
 
 import java.io.InputStream;
 import java.io.OutputStream;

@@ -1,4 +1,4 @@
-package steward.game;
+package steward.json;
 
 /**
  * A fast scanner for the simple lines that nearly all bots write: names, brackets and short decimal numbers in the

@@ -1,4 +1,4 @@
-package steward.game;
+package steward.json;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;

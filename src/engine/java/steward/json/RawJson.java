@@ -1,4 +1,4 @@
-package steward.game;
+package steward.json;
 
 import java.io.IOException;
 import java.io.OutputStream;

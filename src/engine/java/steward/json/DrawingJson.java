@@ -1,4 +1,4 @@
-package steward.game;
+package steward.json;
 
 import steward.physics.Bodies;
 import tools.jackson.core.JsonGenerator;

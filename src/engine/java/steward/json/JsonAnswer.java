@@ -1,4 +1,4 @@
-package steward.game;
+package steward.json;
 
 import java.util.Set;
 import java.util.TreeSet;

@@ -1,4 +1,4 @@
-package steward.game;
+package steward.json;
 
 import steward.numerics.ShortestDecimal;
 import tools.jackson.core.JsonGenerator;
