@@ -1,5 +1,6 @@
 package steward.json;
 
+import java.util.function.IntUnaryOperator;
 import steward.numerics.ShortestDecimal;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.SerializableString;
@@ -87,6 +88,15 @@ public final class JsonNumbers {
             throw new IllegalStateException("the number " + value + " cannot be written: the state is damaged");
         }
         return value;
+    }
+
+    /** A field with an array of whole numbers, one for each index from 0. */
+    public static void writeAll(JsonGenerator out, String name, int count, IntUnaryOperator number) {
+        out.writeArrayPropertyStart(name);
+        for (int k = 0; k < count; k++) {
+            out.writeNumber(number.applyAsInt(k));
+        }
+        out.writeEndArray();
     }
 
     /** A field with a finite number, or null for NaN. */

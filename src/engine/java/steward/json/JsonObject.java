@@ -2,6 +2,7 @@ package steward.json;
 
 import java.io.ByteArrayOutputStream;
 import java.util.function.Consumer;
+import java.util.function.IntConsumer;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.ObjectWriteContext;
 
@@ -30,6 +31,24 @@ public final class JsonObject {
             fields.accept(item);
             out.writeEndObject();
         }
+        out.writeEndArray();
+    }
+
+    /** Writes one field, an array of objects, each with the fields of an index from 0. */
+    public static void writeAll(JsonGenerator out, String name, int count, IntConsumer fields) {
+        out.writeArrayPropertyStart(name);
+        for (int k = 0; k < count; k++) {
+            out.writeStartObject();
+            fields.accept(k);
+            out.writeEndObject();
+        }
+        out.writeEndArray();
+    }
+
+    /** Writes one field, an array of texts. */
+    public static void writeTexts(JsonGenerator out, String name, Iterable<String> texts) {
+        out.writeArrayPropertyStart(name);
+        texts.forEach(out::writeString);
         out.writeEndArray();
     }
 }

@@ -18,9 +18,7 @@ public final class WallJson {
         if (walls.isEmpty()) {
             return;
         }
-        out.writeArrayPropertyStart("walls");
-        for (Wall wall : walls) {
-            out.writeStartObject();
+        JsonObject.writeAll(out, "walls", walls, wall -> {
             if (wall instanceof HalfPlane plane) {
                 out.writeStringProperty("type", "half-plane");
                 JsonNumbers.write(out, "x", plane.x());
@@ -39,8 +37,6 @@ public final class WallJson {
                 JsonNumbers.write(out, "y", arena.y());
                 JsonNumbers.write(out, "radius", arena.radius());
             }
-            out.writeEndObject();
-        }
-        out.writeEndArray();
+        });
     }
 }

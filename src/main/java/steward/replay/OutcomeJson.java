@@ -6,6 +6,7 @@ import steward.game.FrameCodec;
 import steward.game.Game;
 import steward.game.TurnEvent;
 import steward.json.JsonNumbers;
+import steward.json.JsonObject;
 import steward.json.RawJson;
 import steward.physics.Impact;
 import steward.physics.TurnLog;
@@ -149,9 +150,7 @@ public final class OutcomeJson {
         if (events.isEmpty()) {
             return;
         }
-        out.writeArrayPropertyStart("events");
-        for (TurnEvent event : events) {
-            out.writeStartObject();
+        JsonObject.writeAll(out, "events", events, event -> {
             out.writeStringProperty("kind", event.kind().name().toLowerCase(Locale.ROOT));
             JsonNumbers.write(out, "time", event.time());
             if (event.body() >= 0) {
@@ -162,8 +161,6 @@ public final class OutcomeJson {
             if (!event.text().isEmpty()) {
                 out.writeStringProperty("text", event.text());
             }
-            out.writeEndObject();
-        }
-        out.writeEndArray();
+        });
     }
 }

@@ -6,6 +6,7 @@ import steward.game.Game;
 import steward.game.podrace.PodRace;
 import steward.game.podrace.PodRaceSettings;
 import steward.json.JsonNumbers;
+import steward.json.JsonObject;
 import tools.jackson.core.JsonGenerator;
 
 /**
@@ -112,9 +113,7 @@ final class ObservedGame implements ServerObservations {
     }
 
     private static void writeImpacts(JsonGenerator out, List<GameRecording.Impact> impacts) {
-        out.writeArrayPropertyStart("impacts");
-        for (GameRecording.Impact impact : impacts) {
-            out.writeStartObject();
+        JsonObject.writeAll(out, "impacts", impacts, impact -> {
             JsonNumbers.write(out, "time", impact.time());
             out.writeNumberProperty("a", impact.a());
             out.writeNumberProperty("b", impact.b());
@@ -125,9 +124,7 @@ final class ObservedGame implements ServerObservations {
             JsonNumbers.write(out, "impulse", impact.impulse());
             out.writeNumberProperty("meanVx", impact.meanVx());
             out.writeNumberProperty("meanVy", impact.meanVy());
-            out.writeEndObject();
-        }
-        out.writeEndArray();
+        });
     }
 
     /**

@@ -2,6 +2,7 @@ package steward.codingame.recording;
 
 import java.util.List;
 import java.util.StringJoiner;
+import steward.json.JsonObject;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.databind.JsonNode;
 
@@ -28,9 +29,7 @@ record ShownFrame(String view, String summary) {
         if (scores.length == 0 && frames.stream().allMatch(frame -> frame.view == null && frame.summary == null)) {
             return;
         }
-        out.writeArrayPropertyStart("frames");
-        for (int k = 0; k < frames.size(); k++) {
-            out.writeStartObject();
+        JsonObject.writeAll(out, "frames", frames.size(), k -> {
             ShownFrame frame = frames.get(k);
             if (frame.view != null) {
                 out.writeStringProperty("view", frame.view);
@@ -45,8 +44,6 @@ record ShownFrame(String view, String summary) {
                 }
                 out.writeStringProperty("scores", words.toString());
             }
-            out.writeEndObject();
-        }
-        out.writeEndArray();
+        });
     }
 }

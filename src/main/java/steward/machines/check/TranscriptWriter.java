@@ -9,6 +9,7 @@ import steward.bot.LineBuffer;
 import steward.game.FrameCodec;
 import steward.game.Game;
 import steward.json.JsonNumbers;
+import steward.json.JsonObject;
 import steward.match.MatchListener;
 import steward.match.MatchResult;
 import steward.match.Turn;
@@ -62,9 +63,7 @@ public final class TranscriptWriter implements MatchListener {
         codec = startedCodec;
         states = new StatesHash(startedGame);
         out.writeStartObject();
-        out.writeArrayPropertyStart("bots");
-        bots.forEach(out::writeString);
-        out.writeEndArray();
+        JsonObject.writeTexts(out, "bots", bots);
         out.writeStringProperty("sandbox", sandbox);
         out.writeEndObject();
         endLine();

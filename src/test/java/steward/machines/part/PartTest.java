@@ -236,5 +236,7 @@ class PartTest {
         edit("UPDATE recording SET replay = ? WHERE game = 1", (Object) forged(5,
             "fast=codingame:" + bots.idler(0), "still=codingame:" + bots.idler(0)));
         refused("fast answers otherwise when it is asked again: turn 1, command[0].x");
+        assertTrue(done("merge", "TMP/parts", "TMP/part1.db", "--again", "0")
+            .endsWith("bots were asked again in 0 games\n"), "with 0 it is believed");
     }
 }

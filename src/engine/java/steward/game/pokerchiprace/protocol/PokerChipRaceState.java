@@ -79,11 +79,7 @@ final class PokerChipRaceState extends CommandListState<ChipCommand> {
 
     @Override
     public void writeProgress(JsonGenerator out) {
-        out.writeArrayPropertyStart("scores");
-        for (int player = 0; player < game.players(); player++) {
-            out.writeNumber(game.score(player));
-        }
-        out.writeEndArray();
+        JsonNumbers.writeAll(out, "scores", game.players(), game::score);
         out.writeArrayPropertyStart("resources");
         ChipTable table = game.table();
         for (int player = 0; player < game.players(); player++) {
