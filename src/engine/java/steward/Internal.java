@@ -7,11 +7,11 @@ import java.lang.annotation.RetentionPolicy;
 import java.lang.annotation.Target;
 
 /**
- * Public in name only, because another room of the program uses it: it may change or go with any version. The API for
- * users is listed in {@code docs/api.md}.
+ * Mark of a method that is public only because another room of the program uses it, in a type that users may build on:
+ * it may change or go with any version. The types for users are listed in {@code docs/api.md}; no other carries a mark.
  */
 @Documented
 @Retention(RetentionPolicy.CLASS)
-@Target({ElementType.PACKAGE, ElementType.TYPE, ElementType.METHOD, ElementType.CONSTRUCTOR})
+@Target({ElementType.METHOD, ElementType.CONSTRUCTOR})
 public @interface Internal {
 }

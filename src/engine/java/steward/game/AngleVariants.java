@@ -1,7 +1,6 @@
 package steward.game;
 
 import java.util.function.Consumer;
-import steward.Internal;
 import steward.physics.TurnLog;
 
 /**
@@ -9,7 +8,6 @@ import steward.physics.TurnLog;
  * last place off. It says how far such an error reaches: another referee whose functions are not correctly rounded
  * gives times and impulses within that range. Grazing impacts amplify the error far beyond a unit in the last place.
  */
-@Internal
 @FunctionalInterface
 public interface AngleVariants {
 

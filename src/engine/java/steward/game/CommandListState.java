@@ -1,5 +1,6 @@
 package steward.game;
 
+import steward.json.CommandsAnswer;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.JsonParser;
 

@@ -1,5 +1,6 @@
 package steward.game;
 
+import steward.json.DrawingJson;
 import tools.jackson.core.JsonGenerator;
 
 /** Shapes to draw of one {@link Game}, constant over the game; {@link DrawingJson} writes them. */

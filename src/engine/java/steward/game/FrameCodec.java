@@ -1,5 +1,7 @@
 package steward.game;
 
+import steward.json.JsonNumbers;
+
 /**
  * JSON of one game, bound to one {@link Game}: what its players read and write, what a replay keeps, and what is drawn.
  * The {@code write} methods of all three add fields to an object that the caller has opened and closes; numbers go

@@ -1,6 +1,5 @@
 package steward.game;
 
-import steward.Internal;
 import steward.text.ViewLines;
 import tools.jackson.core.JsonGenerator;
 
@@ -12,7 +11,6 @@ import tools.jackson.core.JsonGenerator;
  * out. {@link #writeShown} writes the same of a turn of ours, with the same rounding, and may write more: verification
  * compares the fields that were recorded.
  */
-@Internal
 public interface ServerView {
 
     /** Name of the game as the site's server shows it. */

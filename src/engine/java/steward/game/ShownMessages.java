@@ -1,12 +1,9 @@
 package steward.game;
 
-import steward.Internal;
-
 /**
  * The messages of one player's pods, units or chips in the order in which a view shows them. A replay keeps them
  * joined by {@value #BETWEEN}, without saying whose is which: a message is given to the first that shows one.
  */
-@Internal
 public final class ShownMessages {
 
     private static final String BETWEEN = " | ";

@@ -3,11 +3,9 @@ package steward.game;
 import java.util.OptionalLong;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import steward.Internal;
 import steward.text.ViewLines;
 
 /** Seed of a game of the site's server: the line {@code seed=NUMBER}, 64 bits, of what its referee was given. */
-@Internal
 public final class ShownSeed {
 
     private static final Pattern LINE = Pattern.compile("(?m)^\\s*seed=(-?[0-9]{1,19})\\s*$");

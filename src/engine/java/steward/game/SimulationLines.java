@@ -4,7 +4,6 @@ import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.math.BigDecimal;
-import steward.Internal;
 import steward.text.BoundedLine;
 import steward.text.TextFormat;
 
@@ -19,7 +18,6 @@ import steward.text.TextFormat;
  * </pre>
  * and each answer is flushed. Blank lines are skipped. An error names the line, what was found and what was expected.
  */
-@Internal
 public abstract class SimulationLines {
 
     private static final int MAXIMUM_CHECKPOINTS = 1000;

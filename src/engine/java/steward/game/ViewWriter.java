@@ -1,7 +1,6 @@
 package steward.game;
 
 import java.util.List;
-import steward.Internal;
 import steward.scene.Scene;
 
 /**
@@ -14,7 +13,6 @@ import steward.scene.Scene;
  *
  * <p>Calls: {@link #observed}, {@link #begin}, {@link #start}, then for each turn {@link #before} and {@link #after}.
  */
-@Internal
 public interface ViewWriter {
 
     /** One word that is not compared. */

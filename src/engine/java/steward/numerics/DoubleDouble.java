@@ -1,7 +1,5 @@
 package steward.numerics;
 
-import steward.Internal;
-
 /**
  * A number held as the unevaluated sum of two doubles, high + low with {@code high} the sum rounded to nearest: about
  * 106 bits. An instance is a register that operations change in place, so that code which keeps its registers computes
@@ -20,7 +18,6 @@ import steward.Internal;
  * The square root is by V. Lefevre, N. Louvet, J.-M. Muller, J. Picot, L. Rideau, "Accurate Calculation of Euclidean
  * Norms Using Double-Word Arithmetic" (2023), algorithm 7.
  */
-@Internal
 public final class DoubleDouble {
 
     private double high;

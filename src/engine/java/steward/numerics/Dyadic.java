@@ -1,13 +1,11 @@
 package steward.numerics;
 
 import java.math.BigInteger;
-import steward.Internal;
 
 /**
  * Exact number digits * 2^exponent. Every double is one, and so are sums and products of these: for decisions that are
  * too close for other arithmetics. Allocates.
  */
-@Internal
 public record Dyadic(BigInteger digits, int exponent) {
 
     public static final Dyadic ZERO = new Dyadic(BigInteger.ZERO, 0);

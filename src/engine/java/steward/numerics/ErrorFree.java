@@ -1,7 +1,5 @@
 package steward.numerics;
 
-import steward.Internal;
-
 /**
  * The rounding error of a sum or a product, itself a double: {@code a + b = s + sumError(a, b, s)} and
  * {@code a b = p + productError(a, b, p)} hold exactly.
@@ -14,7 +12,6 @@ import steward.Internal;
  * <p>The choice between the two is a matter of speed alone and is made once, from a flag of the JVM: without the
  * instruction, {@code Math.fma} takes microseconds, the split 17 operations.
  */
-@Internal
 public final class ErrorFree {
 
     /** 2^27 + 1: with c = SPLITTER * a, c - (c - a) is the upper 26 bits of a (Dekker 1971, section 5). */

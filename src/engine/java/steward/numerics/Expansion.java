@@ -1,7 +1,6 @@
 package steward.numerics;
 
 import java.util.Arrays;
-import steward.Internal;
 
 /**
  * An exact sum of doubles: its parts do not overlap, ascend in magnitude, and none is 0, so that the last one has the
@@ -10,7 +9,6 @@ import steward.Internal;
  *
  * <p>Exact as long as no partial product has digits below 2^-1074 or overflows, see {@link ErrorFree}.
  */
-@Internal
 public final class Expansion {
 
     private double[] parts = new double[32];

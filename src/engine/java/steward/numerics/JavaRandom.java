@@ -1,7 +1,5 @@
 package steward.numerics;
 
-import steward.Internal;
-
 /**
  * The pseudo-random generator of {@code java.util.Random}, whose algorithm its documentation fixes to the bit (D.
  * Knuth, "The Art of Computer Programming", volume 2, section 3.2.1: a linear congruential generator modulo 2^48).
@@ -10,7 +8,6 @@ import steward.Internal;
  *
  * <p>Caveat: the low bits are weak, and seeds that differ little give first draws that differ little.
  */
-@Internal
 public final class JavaRandom {
 
     private static final long MULTIPLIER = 0x5DEECE66DL;

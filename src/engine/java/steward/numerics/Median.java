@@ -1,10 +1,8 @@
 package steward.numerics;
 
 import java.util.stream.DoubleStream;
-import steward.Internal;
 
 /** The middle of some values. */
-@Internal
 public final class Median {
 
     private Median() {

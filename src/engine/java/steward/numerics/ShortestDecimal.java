@@ -1,7 +1,6 @@
 package steward.numerics;
 
 import java.math.BigInteger;
-import steward.Internal;
 
 /**
  * The shortest decimal that reads back as the same double, of those the nearest to it, written without allocating:
@@ -12,7 +11,6 @@ import steward.Internal;
  *
  * <p>Source: R. Giulietti, "The Schubfach way to render doubles" (2020), for the regular interval only.
  */
-@Internal
 public final class ShortestDecimal {
 
     /** The maximum number of characters that {@link #write} writes: sign, "0.00" and 17 digits. */

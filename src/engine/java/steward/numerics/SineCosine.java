@@ -1,7 +1,5 @@
 package steward.numerics;
 
-import steward.Internal;
-
 /**
  * Sine and cosine, correctly rounded: of every finite double the double nearest to the true value. So the result has
  * the same bits everywhere without an algorithm to agree on. Of 0.0 and -0.0 the sine is the argument itself; of what
@@ -15,7 +13,6 @@ import steward.Internal;
  *
  * <p>Not thread-safe: sine and cosine are left in fields. Allocates nothing.
  */
-@Internal
 public final class SineCosine {
 
     private static final double[] TABLE = SineTable.rows();

@@ -1,7 +1,5 @@
 package steward.numerics;
 
-import steward.Internal;
-
 /**
  * Arc tangent, cosine and sine with the bits of {@link StrictMath}, several times as fast: compiled in place instead
  * of called, cosine and sine with one reduction. {@code StrictMath} is specified to give what the algorithms of the
@@ -11,7 +9,6 @@ import steward.Internal;
  *
  * <p>Not thread-safe: cosine and sine are left in fields.
  */
-@Internal
 public final class StrictAngles {
 
     private static final double PI_LOW = 0x1.1a62633145c07p-53;

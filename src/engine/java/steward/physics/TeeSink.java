@@ -1,14 +1,11 @@
 package steward.physics;
 
-import steward.Internal;
-
 /**
  * A sink that hands on to another what it is told of a turn, and may look at it itself.
  *
  * @param target whom the turn is for
  * @param other  who looks on, and hears everything first
  */
-@Internal
 public record TeeSink(TurnSink target, TurnSink other) implements TurnSink {
 
     @Override

@@ -2,7 +2,6 @@ package steward.physics;
 
 import java.util.Arrays;
 import java.util.PriorityQueue;
-import steward.Internal;
 
 /**
  * Elastic discs in a square box as a textbook simulates them: predict all impacts, queue them by time, and bounce; an
@@ -10,7 +9,6 @@ import steward.Internal;
  * "Algorithms", 4th edition, section 6.1). The way into this package, the baseline of benchmarks, and used by nothing
  * else: it shares nothing with the other forms but the list of bodies that it starts from.
  */
-@Internal
 public final class TextbookSimulator {
 
     /** Told of an impact with its time and two bodies; -1 in place of a for a horizontal wall, of b for a vertical. */

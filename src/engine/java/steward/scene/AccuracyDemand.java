@@ -1,7 +1,6 @@
 package steward.scene;
 
 import java.math.BigDecimal;
-import steward.Internal;
 import steward.scene.json.Wording;
 
 /**
@@ -11,7 +10,6 @@ import steward.scene.json.Wording;
  * @param maxPositionError in u, for the body of a state with the largest error; before rounding at the end of the turn
  * @param share            of the states, above 0, at most 1
  */
-@Internal
 public record AccuracyDemand(double maxPositionError, double share) {
 
     /** Returns the demand in words, as in {@code at most 0.01 u in 99.9% of states}. */

@@ -12,7 +12,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import steward.Internal;
 import steward.physics.ImpactLaw;
 import steward.scene.json.Block;
 import steward.scene.json.JsonTree;
@@ -33,7 +32,6 @@ import steward.scene.json.Wording;
  * @param states  number of states
  * @param rungs   the figures, cheapest rung first
  */
-@Internal
 public record AccuracyFigures(String source, String key, String sample, int states,
                               List<OfRung> rungs) {
 

@@ -3,7 +3,6 @@ package steward.scene;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
-import steward.Internal;
 import steward.numerics.SplitMix64;
 import steward.numerics.StateHash;
 import steward.physics.Advance;
@@ -20,7 +19,6 @@ import steward.physics.Wall;
  * The physics of a {@link RungLaw} from its results: a hash of turns of a few bodies and of a crowd, among walls and
  * without, and of a tie. It changes when the bits of these turns do.
  */
-@Internal
 public final class PhysicsFingerprint {
 
     private static final long SEED = 4;

@@ -1,12 +1,10 @@
 package steward.scene;
 
-import steward.Internal;
 import steward.physics.Advance;
 import steward.physics.PhysicsParts;
 
 /** Observer of the advances that games take from their plan. It may replace them by its own, for measurements. */
 @FunctionalInterface
-@Internal
 public interface PhysicsObserver {
 
     /** Changes nothing. */

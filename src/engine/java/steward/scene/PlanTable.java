@@ -2,10 +2,8 @@ package steward.scene;
 
 import java.util.function.BiFunction;
 import java.util.function.Function;
-import steward.Internal;
 
 /** A plan as text: one line per part with in or out, optionally its price, its name and the reason. */
-@Internal
 public final class PlanTable {
 
     private PlanTable() {

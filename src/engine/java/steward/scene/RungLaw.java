@@ -4,7 +4,6 @@ import java.util.Arrays;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import steward.Internal;
 import steward.physics.ImpactLaw;
 
 /**
@@ -12,7 +11,6 @@ import steward.physics.ImpactLaw;
  * version and the fingerprint that {@code RungLawTest} prints: seasons, calibrations and replays of that law end, those
  * of the others stay.
  */
-@Internal
 public enum RungLaw {
 
     /** Fixed steps, however many. */

@@ -2,7 +2,6 @@ package steward.scene;
 
 import java.util.List;
 import java.util.TreeMap;
-import steward.Internal;
 import steward.numerics.StateHash;
 import steward.scene.json.Block;
 import steward.scene.json.JsonValue;
@@ -16,7 +15,6 @@ import steward.scene.json.JsonValue.JsonText;
  * accuracy and the name of its JSON Schema. Neither the order of fields nor the notation of numbers matters (1, 1.0,
  * 1e0).
  */
-@Internal
 public final class SceneKey {
 
     private static final List<String> LEFT_OUT = List.of(SceneReader.SCHEMA, "name", "time", "accuracy");

@@ -2,7 +2,4 @@
  * Formatting for people: the nearest known word to a misspelt one, columns, counts and units, the same in every locale;
  * rows of tables for spreadsheets; what may reach a terminal. No files.
  */
-@Internal
 package steward.text;
-
-import steward.Internal;

@@ -1,8 +1,8 @@
 package steward.minigame;
 
 import steward.game.BotFrames;
-import steward.game.JsonNumbers;
 import steward.game.StateCodec;
+import steward.json.JsonNumbers;
 import steward.physics.Bodies;
 import tools.jackson.core.JacksonException;
 import tools.jackson.core.JsonGenerator;

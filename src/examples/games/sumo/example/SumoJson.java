@@ -2,10 +2,10 @@ package example;
 
 import steward.game.BotFrames;
 import steward.game.Drawing;
-import steward.game.DrawingJson;
-import steward.game.JsonAnswer;
-import steward.game.JsonNumbers;
 import steward.game.StateCodec;
+import steward.json.DrawingJson;
+import steward.json.JsonAnswer;
+import steward.json.JsonNumbers;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.JsonParser;
 

@@ -2,7 +2,6 @@ package steward.bot;
 
 import java.io.IOException;
 import java.io.InputStream;
-import steward.Internal;
 
 /**
  * Reads a bot's answers, line by line, with blocking reads into one buffer. Bytes beyond an answer stay in the buffer,
@@ -11,7 +10,6 @@ import steward.Internal;
  * <p>When a process exits, the JDK moves what is left in the pipe to memory. It does so holding the stream's monitor,
  * as reads do: nothing that was written is lost, and the end of the stream comes after it.
  */
-@Internal
 public final class AnswerReader {
 
     /** The longest line, in bytes without its line end. */

@@ -1,7 +1,5 @@
 package steward.bot;
 
-import steward.Internal;
-
 /**
  * A bot that computed while another was asked, which was late.
  *
@@ -9,6 +7,5 @@ import steward.Internal;
  * @param processors how many it used on average, over the last 100 ms of such time
  * @param holdable   whether it can be held on this machine
  */
-@Internal
 public record Burner(int player, double processors, boolean holdable) {
 }

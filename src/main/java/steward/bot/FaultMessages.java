@@ -1,10 +1,8 @@
 package steward.bot;
 
 import java.util.regex.Pattern;
-import steward.Internal;
 
 /** Texts that say how a player failed. */
-@Internal
 public final class FaultMessages {
 
     /** Statuses above this are 128 + the number of the signal that ended the process. */

@@ -2,10 +2,8 @@ package steward.bot;
 
 import java.io.OutputStream;
 import java.util.Arrays;
-import steward.Internal;
 
 /** Bytes of lines that can be read in place; reused from line to line. Not thread-safe. */
-@Internal
 public final class LineBuffer extends OutputStream {
 
     private byte[] bytes = new byte[4096];

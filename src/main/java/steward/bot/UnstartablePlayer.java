@@ -1,10 +1,8 @@
 package steward.bot;
 
 import java.util.function.Consumer;
-import steward.Internal;
 
 /** A player whose program is not there, or cannot be executed: it fails when it is asked for the first time. */
-@Internal
 public final class UnstartablePlayer implements Player {
 
     private final String name;

@@ -1,9 +1,6 @@
 package steward.bot;
 
-import steward.Internal;
-
 /** Finds character boundaries in UTF-8 bytes that were cut at an arbitrary place. */
-@Internal
 public final class Utf8 {
 
     private Utf8() {

@@ -107,7 +107,9 @@ public final class Main {
     }
 
     private static int execute(Streams streams, List<String> words) {
-        CommandLine program = program(streams, words.isEmpty() ? null : words.get(0));
+        String called = words.isEmpty() ? null : words.get(0);
+        boolean version = words.size() == 1 && StandardOptions.VERSION.contains(called);
+        CommandLine program = version ? program(streams, List.of()) : program(streams, called);
         int status = ExitStatus.DONE;
         if (words.isEmpty()) {
             program.usage(streams.out());
@@ -124,10 +126,14 @@ public final class Main {
 
     /** The program with only the called command, or with all of them if there is none of that name. */
     public static CommandLine program(Streams streams, String called) {
+        boolean one = called != null && !TAKES_ALL.contains(called) && COMMANDS.contains(called);
+        return program(streams, one ? List.of(called) : COMMANDS);
+    }
+
+    private static CommandLine program(Streams streams, List<String> commands) {
         CommandLine program = new CommandLine(new Main());
         dress(program);
-        boolean one = called != null && !TAKES_ALL.contains(called) && COMMANDS.contains(called);
-        for (String name : one ? List.of(called) : COMMANDS) {
+        for (String name : commands) {
             CommandLine line = new CommandLine(command(name, streams));
             dress(line);
             program.addSubcommand(name, line);

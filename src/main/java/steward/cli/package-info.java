@@ -7,7 +7,4 @@
  * <p>Results go to the standard output, everything else to the standard error. The program is started thousands of
  * times, so a command is loaded only when it is called by its name, and reads JSON as a stream.
  */
-@Internal
 package steward.cli;
-
-import steward.Internal;

@@ -14,7 +14,8 @@ import java.util.function.IntFunction;
 import java.util.stream.IntStream;
 import steward.game.FrameCodec;
 import steward.game.Game;
-import steward.game.JsonNumbers;
+import steward.json.JsonNumbers;
+import steward.json.JsonObject;
 import steward.match.MatchListener;
 import steward.match.MatchResult;
 import steward.match.Turn;
@@ -193,25 +194,17 @@ public final class GameResultLog implements MatchListener {
     }
 
     private void writeTooltips(JsonGenerator out) {
-        out.writeArrayPropertyStart("tooltips");
-        for (Tooltip tooltip : tooltips) {
-            out.writeStartObject();
+        JsonObject.writeAll(out, "tooltips", tooltips, tooltip -> {
             out.writeStringProperty("text", tooltip.text());
             out.writeNumberProperty("event", tooltip.turn());
-            out.writeEndObject();
-        }
-        out.writeEndArray();
+        });
     }
 
     private static void writeAgents(JsonGenerator out, MatchResult result) {
-        out.writeArrayPropertyStart("agents");
-        for (int player = 0; player < result.players().size(); player++) {
-            out.writeStartObject();
+        JsonObject.writeAll(out, "agents", result.players().size(), player -> {
             out.writeNumberProperty("index", player);
             out.writeStringProperty("name", result.players().get(player).name());
-            out.writeEndObject();
-        }
-        out.writeEndArray();
+        });
     }
 
     /** One list of texts, bounded as a whole. */

@@ -3,6 +3,7 @@ package steward.codingame;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.regex.Pattern;
+import steward.json.JsonObject;
 import steward.match.MatchResult;
 import steward.match.MatchResult.PlayerResult;
 import tools.jackson.core.JsonGenerator;
@@ -44,13 +45,8 @@ public final class LeagueJson {
         out.writeNumberProperty(SEED, seed);
         matchData.forEach((name, value) -> writeValue(out, name, value));
         out.writeEndObject();
-        out.writeArrayPropertyStart("player_data");
-        for (PlayerResult player : result.players()) {
-            out.writeStartObject();
-            data(player.data()).forEach((name, value) -> writeValue(out, name, value));
-            out.writeEndObject();
-        }
-        out.writeEndArray();
+        JsonObject.writeAll(out, "player_data", result.players(),
+            player -> data(player.data()).forEach((name, value) -> writeValue(out, name, value)));
         writeAttributes(out, matchData, result, ofTurns);
     }
 

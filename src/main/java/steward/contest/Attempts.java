@@ -4,7 +4,6 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Set;
-import steward.Internal;
 import steward.contest.Contest.Entrant;
 
 /**
@@ -13,7 +12,6 @@ import steward.contest.Contest.Entrant;
  * which then is held from the start. Where that cannot be held, the game is played again twice; if another burns in
  * each attempt, the game does not count. With {@link Hiccups#COUNT} every first attempt counts.
  */
-@Internal
 public final class Attempts {
 
     /** How often a game may be played. */

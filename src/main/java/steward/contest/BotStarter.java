@@ -1,13 +1,11 @@
 package steward.contest;
 
 import java.util.List;
-import steward.Internal;
 import steward.bot.Player;
 import steward.bot.isolation.Isolation;
 import steward.contest.Contest.Entrant;
 
 /** Makes players of bots: processes, unless something is measured without them. */
-@Internal
 public interface BotStarter {
 
     /**

@@ -5,10 +5,8 @@ import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import steward.Internal;
 
 /** Failures of many games by bot and kind, each kind with its earliest game as an example. Thread-safe. */
-@Internal
 public final class FailureCounts {
 
     private final Contest contest;

@@ -2,11 +2,9 @@ package steward.contest;
 
 import java.util.HashMap;
 import java.util.Map;
-import steward.Internal;
 import steward.text.TextFormat;
 
 /** Games in a row in which each bot failed: more of them tell nothing about strength. Not thread-safe. */
-@Internal
 public final class FailureStreaks {
 
     /** Number of games in a row that end a test or a search. */

@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.SortedMap;
 import java.util.TreeMap;
-import steward.Internal;
 import steward.game.Game;
 import steward.game.GameTypes;
 import steward.replay.RecordedTurn;
@@ -21,7 +20,6 @@ import steward.replay.verify.Resimulation;
  * @param transcript digest of all commands and states, see {@link TranscriptDigest}; 0 if it is not known
  * @param values     the game's own values by player, see {@link Game#ownValues}; empty if they are not known
  */
-@Internal
 public record GameFacts(long transcript, List<SortedMap<String, Double>> values) {
 
     /** Nothing is known. */

@@ -7,7 +7,6 @@ import java.util.List;
 import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
-import steward.Internal;
 import steward.bot.Burner;
 import steward.bot.FaultMessages;
 import steward.bot.isolation.Isolation;
@@ -27,7 +26,6 @@ import steward.text.TextFormat;
  * Follows one game and collects what its result does not contain: why bots failed, with the last lines they wrote to
  * stderr, how long each answer took, and {@link GameFacts}. A turn costs it the writing of its commands.
  */
-@Internal
 public final class GameLog implements MatchListener {
 
     /** Characters of a line of stderr that are kept. */

@@ -10,7 +10,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.Consumer;
-import steward.Internal;
 import steward.match.MatchResult;
 
 /**
@@ -18,7 +17,6 @@ import steward.match.MatchResult;
  * Results come to it in the order of seeds, however many threads play: when it says that it has enough, nothing that is
  * played besides counts.
  */
-@Internal
 public final class PairedPlay {
 
     private final Contest contest;

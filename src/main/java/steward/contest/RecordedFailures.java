@@ -5,7 +5,6 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import steward.Internal;
 import steward.bot.TimeSpent;
 import steward.bot.isolation.Isolation;
 import steward.bot.isolation.SandboxLevel;
@@ -18,7 +17,6 @@ import steward.scene.SceneReader;
 import steward.scene.json.SceneException;
 
 /** Failures of bots as the replay of their match tells them, with stderr and hints as when it was played. */
-@Internal
 public final class RecordedFailures {
 
     private static final Pattern LATE = Pattern.compile("within ([0-9]{1,9}) ms .*waited ([0-9]{1,9}) for a processor");

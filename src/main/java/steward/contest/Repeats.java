@@ -2,14 +2,12 @@ package steward.contest;
 
 import java.util.HashSet;
 import java.util.Set;
-import steward.Internal;
 import steward.numerics.StateHash;
 
 /**
  * Games that were seen, so that equal ones count once: games of the same players in the same seats with the same
  * transcript are one observation, whatever their seeds were. Not thread-safe.
  */
-@Internal
 public final class Repeats {
 
     /** Repeats in a row after which nothing new is expected. */

@@ -7,7 +7,6 @@ import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
-import steward.Internal;
 import steward.files.InputException;
 import steward.files.LateFile;
 import steward.replay.WriteBehind;
@@ -16,7 +15,6 @@ import steward.replay.WriteBehind;
  * The replay of one game as a file: it remembers what went wrong with it, and leaves nothing empty behind. The file is
  * made with its first line, so that also after {@code kill -9} every file there is can be verified up to its cut.
  */
-@Internal
 public final class ReplayFile extends OutputStream {
 
     private final Path path;

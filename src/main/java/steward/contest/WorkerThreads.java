@@ -7,10 +7,8 @@ import java.util.concurrent.ExecutorCompletionService;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.function.IntFunction;
-import steward.Internal;
 
 /** Daemon threads, each of which works until nothing is left to do. */
-@Internal
 public final class WorkerThreads {
 
     private WorkerThreads() {

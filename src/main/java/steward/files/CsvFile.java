@@ -6,11 +6,9 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import steward.Internal;
 import steward.text.CsvRow;
 
 /** A table for spreadsheets that grows row by row: what was added is in the file, whatever happens next. */
-@Internal
 public final class CsvFile implements AutoCloseable {
 
     private final OutputStream out;

@@ -14,13 +14,11 @@ import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
-import steward.Internal;
 
 /**
  * Class loader of the jars of a folder. What is loaded from a jar is another thing whenever a byte of the jar is: its
  * digest stands in the seasons and replays of a game that is from there.
  */
-@Internal
 public final class JarFolder extends URLClassLoader {
 
     static {

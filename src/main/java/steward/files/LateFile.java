@@ -8,7 +8,6 @@ import java.nio.file.LinkOption;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.attribute.BasicFileAttributes;
-import steward.Internal;
 
 /**
  * A file that is made when something is first written to it, so that a process which is killed before leaves no empty
@@ -17,7 +16,6 @@ import steward.Internal;
  *
  * <p>One thread at a time may use it.
  */
-@Internal
 public final class LateFile extends OutputStream {
 
     private final Path path;

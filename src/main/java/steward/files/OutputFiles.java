@@ -15,10 +15,8 @@ import java.nio.file.StandardOpenOption;
 import java.nio.file.attribute.PosixFilePermission;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.Set;
-import steward.Internal;
 
 /** Opens the files that replays and pages are written to, before the match is played. */
-@Internal
 public final class OutputFiles {
 
     private OutputFiles() {

@@ -2,7 +2,4 @@
  * Watching a match while it is played: its lines kept for all viewers, a small server on this machine that sends them
  * to browsers, and the browser itself. A viewer, however slow, never delays the match.
  */
-@Internal
 package steward.live;
-
-import steward.Internal;

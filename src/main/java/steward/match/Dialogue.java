@@ -1,6 +1,5 @@
 package steward.match;
 
-import steward.Internal;
 import steward.bot.LineBuffer;
 import steward.game.BotFrames;
 import steward.game.FrameCodec;
@@ -12,7 +11,6 @@ import steward.game.TextCodec;
  * A protocol bound to one game: the lines sent to a bot, and how its answers are read. The referee uses it; a replay
  * can produce the same lines again, because they follow from the game.
  */
-@Internal
 public interface Dialogue {
 
     /** The lines before the first turn, possibly empty; valid until the next call of any method that makes lines. */

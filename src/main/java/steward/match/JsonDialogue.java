@@ -4,7 +4,7 @@ import steward.bot.LineBuffer;
 import steward.game.BotFrames;
 import steward.game.Game;
 import steward.game.GameSetup;
-import steward.game.JsonNumbers;
+import steward.json.JsonNumbers;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.ObjectWriteContext;
 

@@ -1,11 +1,9 @@
 package steward.match;
 
 import java.nio.charset.StandardCharsets;
-import steward.Internal;
 import steward.text.TextFormat;
 
 /** Makes texts from players safe to print on a terminal and to store in a replay. */
-@Internal
 public final class SafeText {
 
     /** Characters of a line that are quoted. */

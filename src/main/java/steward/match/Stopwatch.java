@@ -1,9 +1,6 @@
 package steward.match;
 
-import steward.Internal;
-
 /** Sums up one player's answer times, in nanoseconds. */
-@Internal
 public final class Stopwatch {
 
     private int answers;

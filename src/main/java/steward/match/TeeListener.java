@@ -1,6 +1,5 @@
 package steward.match;
 
-import steward.Internal;
 import steward.game.FrameCodec;
 import steward.game.Game;
 
@@ -10,7 +9,6 @@ import steward.game.Game;
  * @param first  is called first
  * @param second is called only if the first call did not throw
  */
-@Internal
 public record TeeListener(MatchListener first, MatchListener second) implements MatchListener {
 
     @Override

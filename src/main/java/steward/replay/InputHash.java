@@ -3,7 +3,6 @@ package steward.replay;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.VarHandle;
 import java.nio.ByteOrder;
-import steward.Internal;
 import steward.numerics.SplitMix64;
 import steward.numerics.StateHash;
 
@@ -17,7 +16,6 @@ import steward.numerics.StateHash;
  * processor computes four at once in little more time than one; their values enter the hash first. Then come the
  * remaining bytes, eight at a time, the last word padded with zeros, and the count of all bytes.
  */
-@Internal
 public final class InputHash {
 
     private static final VarHandle EIGHT_BYTES =

@@ -6,8 +6,7 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import steward.Internal;
-import steward.game.JsonNumbers;
+import steward.json.JsonNumbers;
 import steward.scene.json.JsonProblem;
 import steward.text.TextFormat;
 import tools.jackson.core.JacksonException;
@@ -19,7 +18,6 @@ import tools.jackson.core.ObjectReadContext;
  * One line of a replay: a JSON object of which only the top level is taken apart. Objects and arrays are kept as the
  * bytes they were written with, so that they can be compared with other bytes and parsed only when needed.
  */
-@Internal
 public final class JsonLine {
 
     /** Characters of a value that an error quotes. */

@@ -1,6 +1,5 @@
 package steward.replay;
 
-import steward.Internal;
 import tools.jackson.core.JsonGenerator;
 
 /**
@@ -8,7 +7,6 @@ import tools.jackson.core.JsonGenerator;
  * imported: its verification compares everything that was observed, and passes over what was not. Each method adds
  * fields to an object that the caller opens and closes.
  */
-@Internal
 public interface Observations {
 
     /** True if the state before the first turn was observed; otherwise the one that follows from the scene is kept. */

@@ -2,12 +2,12 @@ package steward.replay;
 
 import java.util.List;
 import java.util.Locale;
-import steward.Internal;
 import steward.game.FrameCodec;
 import steward.game.Game;
-import steward.game.JsonNumbers;
-import steward.game.RawJson;
 import steward.game.TurnEvent;
+import steward.json.JsonNumbers;
+import steward.json.JsonObject;
+import steward.json.RawJson;
 import steward.physics.Impact;
 import steward.physics.TurnLog;
 import tools.jackson.core.JsonGenerator;
@@ -17,7 +17,6 @@ import tools.jackson.core.io.SerializedString;
  * Writes what follows from the commands: impacts, paths, events, the ending by the impact limit, the state and its
  * hash. Empty parts are left out. The writer records it, the verifier writes it again and compares.
  */
-@Internal
 public final class OutcomeJson {
 
     /** How many impacts of a turn are kept, and how many knots of paths: a turn can have over ten thousand impacts. */
@@ -151,9 +150,7 @@ public final class OutcomeJson {
         if (events.isEmpty()) {
             return;
         }
-        out.writeArrayPropertyStart("events");
-        for (TurnEvent event : events) {
-            out.writeStartObject();
+        JsonObject.writeAll(out, "events", events, event -> {
             out.writeStringProperty("kind", event.kind().name().toLowerCase(Locale.ROOT));
             JsonNumbers.write(out, "time", event.time());
             if (event.body() >= 0) {
@@ -164,8 +161,6 @@ public final class OutcomeJson {
             if (!event.text().isEmpty()) {
                 out.writeStringProperty("text", event.text());
             }
-            out.writeEndObject();
-        }
-        out.writeEndArray();
+        });
     }
 }

@@ -1,7 +1,7 @@
 package steward.replay;
 
 import java.util.Arrays;
-import steward.game.JsonNumbers;
+import steward.json.JsonNumbers;
 import tools.jackson.core.JsonParser;
 import tools.jackson.core.JsonToken;
 import tools.jackson.core.ObjectReadContext;

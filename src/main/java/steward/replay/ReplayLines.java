@@ -3,11 +3,11 @@ package steward.replay;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.Consumer;
-import steward.Internal;
 import steward.bot.LineBuffer;
 import steward.game.FrameCodec;
 import steward.game.Game;
-import steward.game.JsonNumbers;
+import steward.json.JsonNumbers;
+import steward.json.JsonObject;
 import steward.match.MatchResult;
 import steward.match.Turn;
 import steward.numerics.StateHash;
@@ -22,7 +22,6 @@ import tools.jackson.core.io.SerializedString;
  *
  * <p>The hash of a line is that of all bytes before it, see {@link InputHash}; it is the last field but {@code times}.
  */
-@Internal
 public final class ReplayLines {
 
     /** The names that every turn writes, encoded once. */
@@ -80,15 +79,11 @@ public final class ReplayLines {
             out.writeStringProperty(LineFields.JAR, header.jar());
         }
         out.writeStringProperty("seed", Long.toString(header.seed()));
-        out.writeArrayPropertyStart("players");
-        for (int player = 0; player < header.names().size(); player++) {
-            out.writeStartObject();
+        JsonObject.writeAll(out, "players", header.names().size(), player -> {
             out.writeStringProperty("name", header.names().get(player));
             out.writeStringProperty("bot", header.bots().get(player));
             out.writeStringProperty("protocol", header.protocols().get(player).word());
-            out.writeEndObject();
-        }
-        out.writeEndArray();
+        });
         out.writeName("timeFactor");
         if (header.timeFactor() < Double.POSITIVE_INFINITY) {
             JsonNumbers.write(out, header.timeFactor());
@@ -182,17 +177,13 @@ public final class ReplayLines {
         } else {
             writeObservedStanding(game);
         }
-        out.writeArrayPropertyStart("players");
-        for (MatchResult.PlayerResult player : result.players()) {
-            out.writeStartObject();
+        JsonObject.writeAll(out, "players", result.players(), player -> {
             out.writeStringProperty("name", player.name());
             if (player.fault() != null) {
                 out.writeStringProperty("fault", player.fault());
             }
             writeData(player.data());
-            out.writeEndObject();
-        }
-        out.writeEndArray();
+        });
         writeData(result.data());
         writeHash(new SerializedString(LineFields.RESULT_HASH));
     }
@@ -225,17 +216,13 @@ public final class ReplayLines {
     public static void writeStanding(JsonGenerator out, Game game) {
         int[] ranks = game.ranks();
         double[] scores = game.scores();
-        out.writeArrayPropertyStart("standing");
-        for (int player = 0; player < ranks.length; player++) {
-            out.writeStartObject();
+        JsonObject.writeAll(out, "standing", ranks.length, player -> {
             out.writeNumberProperty("rank", ranks[player]);
             JsonNumbers.write(out, "score", scores[player]);
             if (!game.isIn(player)) {
                 out.writeStringProperty("out", game.eliminationReason(player));
             }
-            out.writeEndObject();
-        }
-        out.writeEndArray();
+        });
     }
 
     /** A text of one player's turn. */

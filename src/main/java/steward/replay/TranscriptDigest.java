@@ -1,11 +1,10 @@
 package steward.replay;
 
 import java.util.function.IntPredicate;
-import steward.Internal;
 import steward.bot.LineBuffer;
 import steward.game.FrameCodec;
 import steward.game.Game;
-import steward.game.JsonNumbers;
+import steward.json.JsonNumbers;
 import steward.match.Turn;
 import steward.numerics.StateHash;
 import tools.jackson.core.JsonGenerator;
@@ -17,7 +16,6 @@ import tools.jackson.core.ObjectWriteContext;
  *
  * <p>Not thread-safe. A turn costs the writing of its commands.
  */
-@Internal
 public final class TranscriptDigest {
 
     private final LineBuffer commands = new LineBuffer();

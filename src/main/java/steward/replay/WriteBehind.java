@@ -7,7 +7,6 @@ import java.util.Arrays;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import java.util.concurrent.locks.ReentrantLock;
-import steward.Internal;
 
 /**
  * Buffers what is written; one thread of this JVM writes it to the file, so that a match does not wait for a disk. The
@@ -18,7 +17,6 @@ import steward.Internal;
  *
  * <p>A failure to write is thrown by the next call. One thread at a time may write.
  */
-@Internal
 public final class WriteBehind extends OutputStream {
 
     private static final int CAPACITY = 1 << 16;

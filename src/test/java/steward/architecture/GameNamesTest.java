@@ -73,6 +73,7 @@ class GameNamesTest {
 
     @Test
     void theFirstGameIsFoundWhereItIsNamed() throws IOException {
-        assertTrue(filesThatName(FIRST).contains("java/steward/codingame/ObservedGame.java"), "it can find something");
+        assertTrue(filesThatName(FIRST).contains("java/steward/codingame/recording/ObservedGame.java"),
+            "it can find something");
     }
 }

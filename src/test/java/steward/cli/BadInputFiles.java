@@ -13,7 +13,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import steward.codingame.OfficialGame;
+import steward.codingame.recording.OfficialGame;
 import steward.replay.sign.SigningKey;
 import steward.scene.SceneFiles;
 

@@ -23,7 +23,7 @@ import steward.bot.command.BotCommand;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Games;
 import steward.cli.shared.Streams;
-import steward.codingame.OfficialGame;
+import steward.codingame.recording.OfficialGame;
 import steward.game.GameSetup;
 import steward.match.MatchListener;
 import steward.match.MatchResult;

@@ -6,7 +6,7 @@ import java.io.StringWriter;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
-import steward.game.JsonNumbers;
+import steward.json.JsonNumbers;
 import steward.match.MatchResult;
 import steward.match.MatchResult.PlayerResult;
 import steward.match.TestScenes;

@@ -3,7 +3,4 @@
  * and spells; and the published referee's own expressions for its motion
  * ({@link steward.game.fantasticbits.OfficialFantasticBits}).
  */
-@Internal
 package steward.game.fantasticbits;
-
-import steward.Internal;

@@ -3,7 +3,4 @@
  * tankers, wrecks and skill effects; and the published referee's own expressions for its motion
  * ({@link steward.game.meanmax.OfficialMeanMax}).
  */
-@Internal
 package steward.game.meanmax;
-
-import steward.Internal;

@@ -1,6 +1,5 @@
 package steward.game.podrace;
 
-import steward.Internal;
 import steward.physics.TurnLog;
 
 /**
@@ -8,7 +7,6 @@ import steward.physics.TurnLog;
  * corner per impact, the place after positional correction; a later impact at the same time replaces it. Allocates
  * nothing.
  */
-@Internal
 public final class CheckpointSweep {
 
     private CheckpointSweep() {

@@ -1,6 +1,5 @@
 package steward.game.podrace;
 
-import steward.Internal;
 import steward.numerics.SineCosine;
 import steward.numerics.StrictAngles;
 
@@ -13,7 +12,6 @@ import steward.numerics.StrictAngles;
  *
  * <p>The headings themselves are in an array of the caller, {@link #NUMBERS} numbers per pod from an offset on.
  */
-@Internal
 public final class Headings {
 
     /** The greatest change of a heading in a turn, in radians: 18 degrees. */

@@ -3,7 +3,6 @@ package steward.game.podrace;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import steward.Internal;
 import steward.scene.Accuracy;
 import steward.scene.Field;
 import steward.scene.Scene;
@@ -11,7 +10,6 @@ import steward.scene.json.Block;
 import steward.scene.json.SceneException;
 
 /** Looks at pods, walls, bumpers and checkpoints of a race against each other; errors are located in the file. */
-@Internal
 public final class PlaceCheck {
 
     /** Rounding of two start places brings them nearer by at most sqrt(2). */

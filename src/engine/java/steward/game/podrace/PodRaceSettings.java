@@ -5,7 +5,6 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
-import steward.Internal;
 import steward.numerics.SplitMix64;
 import steward.scene.Scene;
 import steward.scene.json.Block;
@@ -30,7 +29,6 @@ import steward.scene.json.Block;
  *                               one more, is eliminated
  * @param maximumTurns           the race ends after this many turns
  */
-@Internal
 public record PodRaceSettings(RulesEdition rules, boolean siteCommands, int players, int podsPerPlayer, double radius,
                               double mass, double restitution, int maximumThrust, int laps, double checkpointRadius,
                               List<double[][]> maps, boolean shift, int jitter, int turnsWithoutCheckpoint,

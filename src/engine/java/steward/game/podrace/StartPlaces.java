@@ -1,9 +1,6 @@
 package steward.game.podrace;
 
-import steward.Internal;
-
 /** The start positions of pods. */
-@Internal
 public final class StartPlaces {
 
     /** Distance of the inner start places from checkpoint 0, in u, and of each further pair from the last. */

@@ -3,7 +3,4 @@
  * by ejecting a part of themselves; and the published referee's own expressions for their motion
  * ({@link steward.game.pokerchiprace.OfficialPokerChipRace}).
  */
-@Internal
 package steward.game.pokerchiprace;
-
-import steward.Internal;

@@ -2,7 +2,4 @@
  * Ways to advance a turn by scanning all pairs: from impact to impact at exact times, in fixed steps, and the published
  * referee's own loop.
  */
-@Internal
 package steward.physics.event;
-
-import steward.Internal;

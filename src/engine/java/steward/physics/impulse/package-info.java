@@ -3,7 +3,4 @@
  * every arithmetic; and {@link steward.physics.impulse.ContactResponse}, which responds to a contact with an impulse,
  * lets the pair pass, or asks the scene's reaction.
  */
-@Internal
 package steward.physics.impulse;
-
-import steward.Internal;

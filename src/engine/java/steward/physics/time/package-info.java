@@ -2,7 +2,4 @@
  * Times of impact of circles with circles and walls, in every arithmetic: one family of solutions of the same
  * quadratic, from the published referee's own expressions to exact signs with double-double results.
  */
-@Internal
 package steward.physics.time;
-
-import steward.Internal;

@@ -1,12 +1,9 @@
 package steward.scene.json;
 
-import steward.Internal;
-
 /**
  * Limits of a file that a person writes: far more than a person would need, and so little that it is read, or refused,
  * in a moment. Held while reading: the first value too many is the last one looked at.
  */
-@Internal
 public final class JsonLimits {
 
     /** Most bytes of a file: 250,000 short values. */

@@ -3,12 +3,10 @@ package steward.scene.json;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import steward.Internal;
 import tools.jackson.core.JacksonException;
 import tools.jackson.core.JsonToken;
 
 /** Messages about malformed JSON for the author of the file: the parser's own messages are for programmers. */
-@Internal
 public final class JsonProblem {
 
     private static final String CUT = "found the end of the text within the JSON, expected all of it";

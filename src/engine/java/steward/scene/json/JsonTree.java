@@ -5,7 +5,6 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import steward.Internal;
 import steward.scene.json.JsonValue.Entry;
 import steward.scene.json.JsonValue.JsonArray;
 import steward.scene.json.JsonValue.JsonLiteral;
@@ -21,7 +20,6 @@ import tools.jackson.core.json.JsonFactory;
 import tools.jackson.core.json.JsonWriteFeature;
 
 /** Reads a JSON text to values with their positions, within {@link JsonLimits}, and writes them. */
-@Internal
 public final class JsonTree {
 
     /** Names and texts are written in ASCII: a scene then survives any encoding. */

@@ -2,12 +2,10 @@ package steward.scene.json;
 
 import java.util.List;
 import java.util.Map;
-import steward.Internal;
 import steward.text.TextFormat;
 import tools.jackson.core.JsonGenerator;
 
 /** A value of a scene file as it was written, with its position. Numbers keep their text. */
-@Internal
 public sealed interface JsonValue {
 
     /** Returns where it begins. */

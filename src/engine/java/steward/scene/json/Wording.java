@@ -3,11 +3,9 @@ package steward.scene.json;
 import java.util.Collection;
 import java.util.Locale;
 import java.util.stream.Collectors;
-import steward.Internal;
 import steward.text.NearestName;
 
 /** Form of numbers, ranges and choices in errors and plans. */
-@Internal
 public final class Wording {
 
     private Wording() {

@@ -1,5 +1,2 @@
 /** Prices of the parts of a scene, as they are stored with the program or measured by the lab. */
-@Internal
 package steward.scene.price;
-
-import steward.Internal;

@@ -2,11 +2,11 @@ package steward.minigame.airhockey;
 
 import steward.game.BotFrames;
 import steward.game.Drawing;
-import steward.game.DrawingJson;
-import steward.game.JsonAnswer;
-import steward.game.JsonNumbers;
 import steward.game.StateCodec;
-import steward.game.WallJson;
+import steward.json.DrawingJson;
+import steward.json.JsonAnswer;
+import steward.json.JsonNumbers;
+import steward.json.WallJson;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.JsonParser;
 

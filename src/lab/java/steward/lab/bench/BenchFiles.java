@@ -11,8 +11,8 @@ import java.util.List;
 import java.util.Locale;
 import steward.files.CsvFile;
 import steward.files.OutputFiles;
-import steward.game.JsonNumbers;
-import steward.game.JsonObject;
+import steward.json.JsonNumbers;
+import steward.json.JsonObject;
 import steward.text.CsvRow;
 
 /**

@@ -2,7 +2,4 @@
  * Measuring whole matches and crowds: sections of contenders, rows of results, meters, and the files and page that
  * store them.
  */
-@Internal
 package steward.lab.bench;
-
-import steward.Internal;

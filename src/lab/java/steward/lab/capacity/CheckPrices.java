@@ -9,7 +9,7 @@ import steward.contest.Contest;
 import steward.contest.Contest.Entrant;
 import steward.machines.check.AnswerCheck;
 import steward.machines.check.DisprovedException;
-import steward.machines.check.ReplayCheck;
+import steward.machines.check.ExpectedGame;
 import steward.machines.check.TranscriptCheck;
 import steward.machines.check.TranscriptWriter;
 import steward.match.MatchResult;
@@ -31,7 +31,7 @@ public record CheckPrices(double check, double again, double turns, double bytes
     private static final double NANOS = 1e9;
     private static final double NANOS_PER_US = 1e3;
 
-    private record Sent(ReplayCheck.Expected expected, byte[] transcript, int turns) {
+    private record Sent(ExpectedGame expected, byte[] transcript, int turns) {
     }
 
     /** Something that is done with a game. */
@@ -65,7 +65,7 @@ public record CheckPrices(double check, double again, double turns, double bytes
         TranscriptWriter transcript = new TranscriptWriter(contest.entrants().stream().map(Entrant::bot).toList(),
             contest.sandbox());
         MatchResult result = contest.play(seed, 0, null, transcript);
-        return new Sent(new ReplayCheck.Expected(seed, contest.entrants().stream().map(Entrant::name).toList(),
+        return new Sent(new ExpectedGame(seed, contest.entrants().stream().map(Entrant::name).toList(),
             contest.entrants().stream().map(Entrant::protocol).toList()), transcript.compressed(), result.turns());
     }
 

@@ -2,7 +2,4 @@
  * Costs of workers to the league's process, measured; and the number of workers it could serve, simulated in virtual
  * time.
  */
-@Internal
 package steward.lab.capacity;
-
-import steward.Internal;

@@ -7,7 +7,6 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.HashMap;
 import java.util.Map;
-import steward.Internal;
 import steward.lab.trial.RunLength;
 
 /**
@@ -16,7 +15,6 @@ import steward.lab.trial.RunLength;
  * {@code steward stability} as their {@code --out} told them on a machine with two cores; the last column says how many
  * times as much work the long version does as the normal one, by the counts in the cases.
  */
-@Internal
 public final class StabilitySeconds {
 
     private static final String RESOURCE = "/steward/stability-seconds.csv";

@@ -2,7 +2,4 @@
  * The stability table: all its cases in order, its rows and files; and the golden hash, which must be the same on every
  * machine.
  */
-@Internal
 package steward.lab.stability;
-
-import steward.Internal;

@@ -2,7 +2,4 @@
  * The building blocks of stability cases: rungs, run lengths, findings, seeded pairs and gases, balances of energy and
  * momentum, and checks against the oracle.
  */
-@Internal
 package steward.lab.trial;
-
-import steward.Internal;

@@ -67,6 +67,7 @@ class CapacitySimulationTest {
         Load load = CapacitySimulation.of(costs, new Setting(32, 500, 10e6, 2500), 40_000, SEED);
         assertEquals(1 / 200e-6, load.stored(), 0.01 * load.stored(), "the thread that stores: 200 us a game");
         assertEquals(1, load.store(), 0.01);
+        assertEquals(5000 * 50e-6, load.schedule(), 0.01, "no game begins before there is room to store another");
         assertEquals(Part.STORE, costs.first(32));
         assertEquals(5000, costs.most(Part.STORE, 32), 1e-9);
     }

@@ -2,7 +2,4 @@
  * Use of time by bot processes, as Linux shows it under {@code /proc}: CPU time, waiting for a processor, and whether a
  * thread sleeps. Nothing here runs in a turn that is answered at once.
  */
-@Internal
 package steward.bot.accounting;
-
-import steward.Internal;

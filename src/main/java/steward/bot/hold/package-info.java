@@ -2,7 +2,4 @@
  * Fairness between bots that share a machine: who may compute while others are asked, what such bots use, and the
  * connection to the program that stops them. Knows no rules of games and no answers.
  */
-@Internal
 package steward.bot.hold;
-
-import steward.Internal;

@@ -6,7 +6,4 @@
  * <p>It uses four helpers: one watchdog thread for all deadlines, one small sentinel process that outlives this JVM
  * long enough to kill remaining bots, a process group per bot, and an unnamed file per bot for its stderr.
  */
-@Internal
 package steward.bot.process;
-
-import steward.Internal;

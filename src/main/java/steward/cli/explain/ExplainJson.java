@@ -4,6 +4,7 @@ import java.util.Locale;
 import steward.cli.shared.Json;
 import steward.cli.shared.Streams;
 import steward.game.GameSetup;
+import steward.json.JsonObject;
 import steward.scene.AccuracyChoice;
 import steward.scene.Part;
 import steward.scene.Scene;
@@ -36,9 +37,7 @@ final class ExplainJson {
             out.writeBooleanProperty("stated", choice.stated());
             out.writeStringProperty("why", choice.why());
             out.writeEndObject();
-            out.writeArrayPropertyStart("warnings");
-            setup.check().forEach(out::writeString);
-            out.writeEndArray();
+            JsonObject.writeTexts(out, "warnings", setup.check());
         });
     }
 

@@ -30,7 +30,7 @@ import steward.text.TextFormat;
 /** {@code steward league merge}: parts that were played elsewhere. */
 @Command(name = "merge", description = "Takes parts that 'league shard' has played into the league.",
     footer = {"",
-        "Every replay is played again, and what is stored is read from it alone. In the",
+        "Every game is played again, and what is stored follows from that alone. In the",
         "first 20 games of a part, and in a share of the others, bots that do not draw",
         "by lot are asked again what they were asked, and have to give the same answers.",
         "A part in which anything is wrong is refused as a whole. Games that the league",

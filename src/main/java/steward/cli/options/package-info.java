@@ -1,7 +1,4 @@
 /**
  * Options that several commands have, with the checks and the words that refuse a wrong call: each stands here once.
  */
-@Internal
 package steward.cli.options;
-
-import steward.Internal;

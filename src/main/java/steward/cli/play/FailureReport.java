@@ -11,6 +11,7 @@ import steward.cli.shared.FailureJson;
 import steward.cli.shared.FailureText;
 import steward.contest.Contest;
 import steward.contest.FailureKind;
+import steward.json.JsonObject;
 import steward.text.TextFormat;
 import tools.jackson.core.JsonGenerator;
 
@@ -69,9 +70,7 @@ public final class FailureReport {
 
     /** The field {@code failures}: an array with an object for each kind. */
     public static void json(JsonGenerator out, List<FailureKind> kinds) {
-        out.writeArrayPropertyStart("failures");
-        for (FailureKind kind : kinds) {
-            out.writeStartObject();
+        JsonObject.writeAll(out, "failures", kinds, kind -> {
             out.writeNumberProperty("bot", kind.entrant());
             out.writeNumberProperty("games", kind.occurrences().size());
             out.writeNumberProperty("game", kind.game().number());
@@ -79,8 +78,6 @@ public final class FailureReport {
             out.writeStringProperty("fault", kind.first().reason());
             FailureJson.write(out, kind.first());
             out.writeStringProperty("replay", kind.game().replay() == null ? null : kind.game().replay().toString());
-            out.writeEndObject();
-        }
-        out.writeEndArray();
+        });
     }
 }

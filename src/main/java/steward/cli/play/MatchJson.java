@@ -10,7 +10,8 @@ import steward.cli.shared.Json;
 import steward.cli.shared.Streams;
 import steward.contest.Contest;
 import steward.contest.Failure;
-import steward.game.JsonNumbers;
+import steward.json.JsonNumbers;
+import steward.json.JsonObject;
 import steward.match.MatchResult;
 import steward.match.MatchResult.PlayerResult;
 import steward.text.TextFormat;
@@ -40,15 +41,11 @@ final class MatchJson {
                 out.writeNull();
             }
             out.writeBooleanProperty("allFailed", result.allFailed());
-            out.writeArrayPropertyStart("players");
-            for (int k = 0; k < result.players().size(); k++) {
-                out.writeStartObject();
+            JsonObject.writeAll(out, "players", result.players().size(), k -> {
                 int player = k;
                 writePlayer(out, result.players().get(k), contest.entrants().get(k).bot(),
                     failures.stream().filter(failure -> failure.player() == player).findFirst().orElse(null));
-                out.writeEndObject();
-            }
-            out.writeEndArray();
+            });
             writeData(out, result.data());
             out.writeStringProperty("replay", file == null ? null : file.toString());
         });
@@ -76,7 +73,7 @@ final class MatchJson {
         out.writeEndObject();
         out.writeName("heldFrom");
         writeTurn(out, player.heldFrom());
-        writeStrings(out, "warnings", warnings(player));
+        JsonObject.writeTexts(out, "warnings", warnings(player));
         writeData(out, player.data());
     }
 
@@ -87,12 +84,6 @@ final class MatchJson {
         } else {
             out.writeNumber(turn);
         }
-    }
-
-    private static void writeStrings(JsonGenerator out, String name, List<String> texts) {
-        out.writeArrayPropertyStart(name);
-        texts.forEach(out::writeString);
-        out.writeEndArray();
     }
 
     /** Writes the data that bots reported on stderr. */

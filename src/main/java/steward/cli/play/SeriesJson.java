@@ -11,7 +11,8 @@ import steward.contest.Series;
 import steward.contest.SeriesPlay;
 import steward.contest.Standings;
 import steward.contest.Tally;
-import steward.game.JsonNumbers;
+import steward.json.JsonNumbers;
+import steward.json.JsonObject;
 import steward.match.MatchResult;
 import tools.jackson.core.JsonGenerator;
 
@@ -47,28 +48,12 @@ final class SeriesJson {
             out.writeStringProperty("sandbox", series.contest().sandbox());
             out.writeStringProperty("hold", series.contest().hold());
             JsonNumbers.writeOrNull(out, "meanTurns", standings.meanTurns());
-            out.writeArrayPropertyStart("bots");
-            for (int k = 0; k < series.contest().entrants().size(); k++) {
-                out.writeStartObject();
-                writeBot(out, series.contest().entrants().get(k), standings.tally(k));
-                out.writeEndObject();
-            }
-            out.writeEndArray();
+            JsonObject.writeAll(out, "bots", series.contest().entrants().size(),
+                k -> writeBot(out, series.contest().entrants().get(k), standings.tally(k)));
             FailureReport.json(out, standings.failures());
-            out.writeArrayPropertyStart("list");
-            for (Series.Played game : standings.games()) {
-                out.writeStartObject();
-                writeGame(out, series, game);
-                out.writeEndObject();
-            }
-            out.writeEndArray();
-            out.writeArrayPropertyStart("times");
-            for (int k = 0; k < series.contest().entrants().size(); k++) {
-                out.writeStartObject();
-                writeTimes(out, standings.times(k));
-                out.writeEndObject();
-            }
-            out.writeEndArray();
+            JsonObject.writeAll(out, "list", standings.games(), game -> writeGame(out, series, game));
+            JsonObject.writeAll(out, "times", series.contest().entrants().size(),
+                k -> writeTimes(out, standings.times(k)));
         });
     }
 
@@ -93,11 +78,8 @@ final class SeriesJson {
     private static void writeGame(JsonGenerator out, Series series, Series.Played game) {
         out.writeNumberProperty("game", game.number());
         out.writeStringProperty("seed", Long.toString(game.seed()));
-        out.writeArrayPropertyStart("order");
-        for (int player = 0; player < series.contest().players(); player++) {
-            out.writeNumber(series.contest().entrantOf(player, game.rotation()));
-        }
-        out.writeEndArray();
+        JsonNumbers.writeAll(out, "order", series.contest().players(),
+            player -> series.contest().entrantOf(player, game.rotation()));
         if (game.result() == null) {
             out.writeStringProperty("failure", game.failure());
         } else {

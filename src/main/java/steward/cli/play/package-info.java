@@ -2,7 +2,4 @@
  * Commands that play matches: {@code match}, {@code play}, {@code referee}, {@code demo}, {@code simulate}; and
  * {@code scene}, which lists and prints what can be played.
  */
-@Internal
 package steward.cli.play;
-
-import steward.Internal;

@@ -1,6 +1,7 @@
 package steward.cli.replay;
 
 import java.util.List;
+import steward.json.JsonObject;
 import steward.match.MatchResult;
 import steward.replay.feed.FedTurn;
 import steward.replay.feed.Takeover;
@@ -26,9 +27,7 @@ final class FeedJson {
         out.writeStringProperty("protocol", session.protocol().word());
         out.writeNumberProperty("compared", compared);
         out.writeNumberProperty("same", compared - differing.size());
-        out.writeArrayPropertyStart("differing");
-        for (FedTurn turn : differing) {
-            out.writeStartObject();
+        JsonObject.writeAll(out, "differing", differing, turn -> {
             out.writeNumberProperty("turn", turn.number());
             out.writeStringProperty("recordedFault", turn.recordedFault());
             out.writeStringProperty("fault", turn.fault());
@@ -41,9 +40,7 @@ final class FeedJson {
                 out.writeEndObject();
             }
             out.writeEndArray();
-            out.writeEndObject();
-        }
-        out.writeEndArray();
+        });
     }
 
     /**
@@ -63,9 +60,7 @@ final class FeedJson {
         out.writeNumberProperty("turnsInAll", outcome.turns());
         out.writeStringProperty("ending", result == null ? null : result.ending());
         out.writeStringProperty("noResultBecause", outcome.reason());
-        out.writeArrayPropertyStart("ahead");
-        outcome.ahead().forEach(out::writeString);
-        out.writeEndArray();
+        JsonObject.writeTexts(out, "ahead", outcome.ahead());
         out.writeStringProperty("replay", file);
         out.writeEndObject();
     }

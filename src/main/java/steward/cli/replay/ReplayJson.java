@@ -7,8 +7,8 @@ import steward.cli.shared.FailureJson;
 import steward.cli.shared.Games;
 import steward.cli.shared.Json;
 import steward.cli.shared.Streams;
-import steward.contest.Failure;
 import steward.contest.RecordedFailures;
+import steward.json.JsonObject;
 import steward.match.MatchResult;
 import steward.replay.RecordedTurn;
 import steward.replay.ReplayHeader;
@@ -52,9 +52,7 @@ record ReplayJson(Streams streams, ReplayReader replay) {
         } else {
             out.writeNumber(result.winner());
         }
-        out.writeArrayPropertyStart("players");
-        for (int player = 0; player < header.names().size(); player++) {
-            out.writeStartObject();
+        JsonObject.writeAll(out, "players", header.names().size(), player -> {
             out.writeStringProperty("name", header.names().get(player));
             out.writeStringProperty("bot", header.bots().get(player));
             if (result != null) {
@@ -63,18 +61,12 @@ record ReplayJson(Streams streams, ReplayReader replay) {
                 out.writeStringProperty("fault", result.players().get(player).fault());
                 out.writeStringProperty("out", result.players().get(player).out());
             }
-            out.writeEndObject();
-        }
-        out.writeEndArray();
-        out.writeArrayPropertyStart("failures");
-        for (Failure failure : failures.failures()) {
-            out.writeStartObject();
+        });
+        JsonObject.writeAll(out, "failures", failures.failures(), failure -> {
             out.writeNumberProperty("player", failure.player());
             out.writeStringProperty("fault", failure.reason());
             FailureJson.write(out, failure);
-            out.writeEndObject();
-        }
-        out.writeEndArray();
+        });
         out.writeStringProperty("warning", replay.warning());
     }
 
@@ -167,9 +159,7 @@ record ReplayJson(Streams streams, ReplayReader replay) {
             }
             if (!verification.views().notCompared().isEmpty()) {
                 out.writeNumberProperty("values", verification.views().values());
-                out.writeArrayPropertyStart("notCompared");
-                verification.views().notCompared().forEach(out::writeString);
-                out.writeEndArray();
+                JsonObject.writeTexts(out, "notCompared", verification.views().notCompared());
             }
             out.writeStringProperty("olderLaw", verification.olderLaw());
             out.writeStringProperty("isolation", verification.signature().isolation());

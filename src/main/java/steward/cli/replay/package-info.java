@@ -2,7 +2,4 @@
  * Commands about recorded matches: {@code replay}, {@code feed}, {@code import}; and {@code key}, which makes
  * the keys they are signed with.
  */
-@Internal
 package steward.cli.replay;
-
-import steward.Internal;

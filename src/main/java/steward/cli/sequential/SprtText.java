@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
 import steward.cli.shared.Colour;
-import steward.game.JsonNumbers;
+import steward.json.JsonNumbers;
 import steward.league.sequential.ExpectedLength;
 import steward.league.sequential.Gsprt;
 import steward.league.sequential.ScoreCounts;

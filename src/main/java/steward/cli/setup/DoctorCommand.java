@@ -9,6 +9,7 @@ import steward.cli.shared.Colour;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Json;
 import steward.cli.shared.Streams;
+import steward.json.JsonObject;
 import steward.text.TextFormat;
 
 /** {@code steward doctor}: what works on this machine. */
@@ -58,16 +59,12 @@ public final class DoctorCommand implements Callable<Integer> {
     private void print(List<Checkup.Item> items) {
         Json.print(streams, out -> {
             out.writeBooleanProperty("works", items.stream().allMatch(Checkup.Item::works));
-            out.writeArrayPropertyStart("items");
-            for (Checkup.Item item : items) {
-                out.writeStartObject();
+            JsonObject.writeAll(out, "items", items, item -> {
                 out.writeStringProperty("about", item.about());
                 out.writeStringProperty("name", item.name());
                 out.writeBooleanProperty("works", item.works());
                 out.writeStringProperty("detail", item.detail());
-                out.writeEndObject();
-            }
-            out.writeEndArray();
+            });
         });
     }
 }

@@ -1,10 +1,10 @@
 package steward.cli.shared;
 
-import java.util.List;
 import steward.bot.TimeBasis;
 import steward.bot.TimeSpent;
 import steward.contest.Failure;
-import steward.game.JsonNumbers;
+import steward.json.JsonNumbers;
+import steward.json.JsonObject;
 import tools.jackson.core.JsonGenerator;
 
 /** Reason of a bot's failure, for programs. */
@@ -18,8 +18,8 @@ public final class FailureJson {
     /** The turn, and what may help. */
     public static void write(JsonGenerator out, Failure failure) {
         out.writeNumberProperty("turn", failure.turn());
-        writeStrings(out, "stderr", failure.stderr());
-        writeStrings(out, "hints", failure.hints());
+        JsonObject.writeTexts(out, "stderr", failure.stderr());
+        JsonObject.writeTexts(out, "hints", failure.hints());
         writeTime(out, "time", failure.time());
     }
 
@@ -44,11 +44,5 @@ public final class FailureJson {
         out.writeBooleanProperty("inSteps", any && time.shows() != TimeSpent.Shows.ALL);
         out.writeBooleanProperty("starved", time.starved());
         out.writeEndObject();
-    }
-
-    private static void writeStrings(JsonGenerator out, String name, List<String> texts) {
-        out.writeArrayPropertyStart(name);
-        texts.forEach(out::writeString);
-        out.writeEndArray();
     }
 }

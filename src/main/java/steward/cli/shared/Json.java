@@ -6,7 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
-import steward.game.JsonNumbers;
+import steward.json.JsonNumbers;
 import steward.replay.page.UnclosedOutputStream;
 import steward.text.TextFormat;
 import tools.jackson.core.JsonGenerator;

@@ -3,7 +3,8 @@ package steward.league.page;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.Function;
-import steward.game.JsonNumbers;
+import steward.json.JsonNumbers;
+import steward.json.JsonObject;
 import steward.league.Season;
 import steward.league.StoredGame;
 import steward.league.rating.Difference;
@@ -84,9 +85,7 @@ public final class LeagueJson {
         out.writeNumberProperty("repeated", worker.repeated());
         out.writeStringProperty("program", worker.version());
         out.writeNumberProperty("silentMs", worker.silentMs());
-        out.writeArrayPropertyStart("doubts");
-        worker.doubts().forEach(out::writeString);
-        out.writeEndArray();
+        JsonObject.writeTexts(out, "doubts", worker.doubts());
         out.writeEndObject();
     }
 
@@ -185,15 +184,11 @@ public final class LeagueJson {
         out.writeArrayPropertyStart("versions");
         path.entries().forEach(entry -> out.writeNumber(entry.version()));
         out.writeEndArray();
-        out.writeArrayPropertyStart("points");
-        for (RatingPath.Point point : path.points()) {
-            out.writeStartObject();
+        JsonObject.writeAll(out, "points", path.points(), point -> {
             out.writeNumberProperty("games", point.games());
             numbers(out, "ratings", point.ratings());
             numbers(out, "bars", Arrays.stream(point.bars()).map(LeagueJson::known).toArray());
-            out.writeEndObject();
-        }
-        out.writeEndArray();
+        });
         out.writeEndObject();
     }
 
@@ -217,16 +212,12 @@ public final class LeagueJson {
         out.writeBooleanProperty("counts", game.counts());
         out.writeStringProperty("problem", game.problem());
         out.writeStringProperty("replay", replay);
-        out.writeArrayPropertyStart("seats");
-        for (StoredGame.StoredSeat seat : game.seats()) {
-            out.writeStartObject();
+        JsonObject.writeAll(out, "seats", game.seats(), seat -> {
             out.writeNumberProperty("version", seat.version());
             out.writeNumberProperty("rank", seat.rank());
             JsonNumbers.writeOrNull(out, "score", seat.score());
             out.writeStringProperty("fault", seat.fault());
-            out.writeEndObject();
-        }
-        out.writeEndArray();
+        });
         out.writeEndObject();
     }
 }

@@ -11,7 +11,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.function.Consumer;
 import java.util.function.Function;
-import steward.game.JsonNumbers;
+import steward.json.JsonNumbers;
 import steward.league.StoredGame;
 import steward.replay.ReplayException;
 import steward.replay.page.PageTemplate;

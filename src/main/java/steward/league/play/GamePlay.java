@@ -1,6 +1,5 @@
 package steward.league.play;
 
-import java.io.ByteArrayOutputStream;
 import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.List;
@@ -20,6 +19,7 @@ import steward.league.Season;
 import steward.league.StoredGame;
 import steward.league.StoredGame.StoredSeat;
 import steward.league.play.Roster.Member;
+import steward.match.MatchListener;
 import steward.match.MatchResult;
 
 /**
@@ -32,21 +32,31 @@ import steward.match.MatchResult;
  */
 public record GamePlay(Season season, Contest contest, Recordings recordings, String machine, LongSupplier clock) {
 
-    /** Destination of the replays of games that are over. */
+    /** Destination of the recordings of games that are over. */
     public interface Recordings {
 
-        /** True if anything has to be recorded. */
-        boolean isAny(LeagueSettings settings);
+        /** Returns what records the next attempt at a game. */
+        Recorder recorder(LeagueSettings settings);
 
         /**
-         * Takes a replay.
+         * Takes a recording.
          *
          * @param game  its name
          * @param kept  whether the settings say that it is kept
          * @return its path in the folder of replays, or {@code null}
          * @throws InputException if it cannot be written
          */
-        String take(byte[] game, byte[] replay, boolean kept);
+        String take(byte[] game, byte[] recording, boolean kept);
+    }
+
+    /** Plays an attempt and records it. */
+    public interface Recorder {
+
+        /** Plays, see {@link Contest#play}. */
+        MatchResult play(Contest match, long seed, MatchListener log) throws InterruptedException;
+
+        /** The recording, of a game without a result as far as it came; {@code null} if there is none. */
+        byte[] recording();
     }
 
     /**
@@ -65,18 +75,18 @@ public record GamePlay(Season season, Contest contest, Recordings recordings, St
         boolean again = true;
         while (again) {
             GameLog log = new GameLog(match, 0);
-            ByteArrayOutputStream recording = recordings.isAny(settings) ? new ByteArrayOutputStream() : null;
+            Recorder recorder = recordings.recorder(settings);
             MatchResult result = null;
             String problem = null;
             try {
-                result = plan.contest().play(task.seed(), 0, recording, log);
+                result = recorder.play(plan.contest(), task.seed(), log);
             } catch (UncheckedIOException failed) {
                 problem = String.valueOf(failed.getMessage());
             }
             again = result != null && plan.demandAnother(log.failures());
             attempts.add(stored(task, settings, members, attempts.size() + 1, result,
                 plan.discarded() != null ? plan.discarded() : problem, !again && plan.discarded() == null, log,
-                recording));
+                recorder.recording()));
         }
         return attempts;
     }
@@ -93,15 +103,15 @@ public record GamePlay(Season season, Contest contest, Recordings recordings, St
 
     private StoredGame stored(Schedule.Task task, LeagueSettings settings, List<Member> members, int attempt,
                               MatchResult result, String problem, boolean last, GameLog log,
-                              ByteArrayOutputStream recording) {
+                              byte... recording) {
         byte[] name = name(task, members, attempt);
         List<StoredSeat> seats = new ArrayList<>();
         for (int seat = 0; seat < members.size(); seat++) {
             seats.add(seat(members.get(seat), seat, result, log));
         }
         List<String> names = members.stream().map(member -> member.bot().name()).toList();
-        String replay = recording == null || recording.size() == 0 ? null : recordings.take(name,
-            recording.toByteArray(), KeptGames.keeps(settings, result != null, seats, names));
+        String replay = recording == null ? null : recordings.take(name, recording,
+            KeptGames.keeps(settings, result != null, seats, names));
         return new StoredGame(0, name, task.decision(), task.seed(), attempt, last && result != null,
             result == null ? 0 : result.turns(), problem, clock.getAsLong(), machine, replay,
             log.facts().transcript(), seats);

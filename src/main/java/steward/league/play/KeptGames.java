@@ -1,11 +1,13 @@
 package steward.league.play;
 
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.HexFormat;
 import java.util.List;
+import steward.contest.Contest;
 import steward.contest.KeptReplays;
 import steward.files.InputException;
 import steward.files.OutputFiles;
@@ -13,6 +15,8 @@ import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
 import steward.league.StoredGame;
 import steward.league.StoredGame.StoredSeat;
+import steward.match.MatchListener;
+import steward.match.MatchResult;
 
 /** The replays that a league keeps: which, and where. */
 public final class KeptGames implements GamePlay.Recordings {
@@ -25,8 +29,19 @@ public final class KeptGames implements GamePlay.Recordings {
     }
 
     @Override
-    public boolean isAny(LeagueSettings settings) {
-        return settings.keep() != KeptReplays.NONE;
+    public GamePlay.Recorder recorder(LeagueSettings settings) {
+        ByteArrayOutputStream replay = settings.keep() == KeptReplays.NONE ? null : new ByteArrayOutputStream();
+        return new GamePlay.Recorder() {
+            @Override
+            public MatchResult play(Contest match, long seed, MatchListener log) throws InterruptedException {
+                return match.play(seed, 0, replay, log);
+            }
+
+            @Override
+            public byte[] recording() {
+                return replay == null || replay.size() == 0 ? null : replay.toByteArray();
+            }
+        };
     }
 
     @Override

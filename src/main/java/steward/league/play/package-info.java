@@ -2,7 +2,4 @@
  * A league while it is played: which program each bot is at the moment, the games on their threads, and what is told
  * of them. It knows games only through contests, and does not use the terminal.
  */
-@Internal
 package steward.league.play;
-
-import steward.Internal;

@@ -1,5 +1,2 @@
 /** Ratings of bots, from the games that were stored and nothing else: sums, a joint fit of all games, tables. */
-@Internal
 package steward.league.rating;
-
-import steward.Internal;

@@ -10,16 +10,16 @@ import steward.league.Season;
 import steward.league.StoredGame;
 
 /**
- * A part of a league's schedule in a file of its own: the games of some decisions with their replays, to be merged into
- * the league. It has the tables of a league, and of its own {@code part}, with one row that says which part it is, and
- * {@code recording}, with the replays, compressed by gzip. One program at a time uses it. Thread-safe.
+ * A part of a league's schedule in a file of its own: the games of some decisions with their transcripts, to be merged
+ * into the league. It has the tables of a league, and of its own {@code part}, with one row that says which part it is,
+ * and {@code transcript}, with the transcripts, compressed by gzip. One program at a time uses it. Thread-safe.
  */
 public final class PartStore implements AutoCloseable {
 
     private static final List<String> TABLES = List.of(
         "CREATE TABLE IF NOT EXISTS part (part INTEGER NOT NULL, parts INTEGER NOT NULL, games INTEGER NOT NULL, "
             + "seed INTEGER NOT NULL, pairing TEXT NOT NULL)",
-        "CREATE TABLE IF NOT EXISTS recording (game INTEGER PRIMARY KEY REFERENCES game, replay BLOB NOT NULL)");
+        "CREATE TABLE IF NOT EXISTS transcript (game INTEGER PRIMARY KEY REFERENCES game, text BLOB NOT NULL)");
 
     private final Database database;
     private final GameStore games;
@@ -71,6 +71,7 @@ public final class PartStore implements AutoCloseable {
                 throw new InputException(file + ": found a part of another season, expected one of this league's: "
                     + season.difference(last.get()));
             }
+            refuseReplays(database, file);
             Optional<Head> found = database.inTransaction(() -> {
                 for (String table : TABLES) {
                     database.execute(table);
@@ -108,10 +109,19 @@ public final class PartStore implements AutoCloseable {
                 throw new InputException(file + ": found no part of a league in it, expected one, as 'steward league "
                     + "shard' makes it");
             }
+            refuseReplays(database, file);
             return new PartStore(database, head.get(), season.get(), games.season(season.get()).orElseThrow());
         } catch (InputException refused) {
             database.close();
             throw refused;
+        }
+    }
+
+    /** Refuses a part of an earlier form, which is left as it is. */
+    private static void refuseReplays(Database database, Path file) {
+        if (database.with(() -> database.value("SELECT 1 FROM sqlite_master WHERE name = 'recording'")) != null) {
+            throw new InputException(file + ": found a part with replays, expected one with transcripts, as 'steward "
+                + "league shard' makes it since; play the part again with another --out");
         }
     }
 
@@ -148,23 +158,25 @@ public final class PartStore implements AutoCloseable {
     }
 
     /**
-     * Stores the attempts at a game with their replays, all or none; those that are there stay as they are.
+     * Stores the attempts at a game with their transcripts, all or none; those that are there stay as they are.
      *
-     * @param replays one for each attempt, compressed by gzip
+     * @param transcripts one for each attempt, compressed by gzip, or {@code null} where it has no result
      */
-    public void add(List<StoredGame> attempts, List<byte[]> replays) {
+    public void add(List<StoredGame> attempts, List<byte[]> transcripts) {
         games.add(number, attempts, () -> {
             for (int k = 0; k < attempts.size(); k++) {
-                database.update("INSERT OR IGNORE INTO recording (game, replay) "
-                    + "SELECT id, ? FROM game WHERE name = ?", replays.get(k), attempts.get(k).name());
+                if (transcripts.get(k) != null) {
+                    database.update("INSERT OR IGNORE INTO transcript (game, text) "
+                        + "SELECT id, ? FROM game WHERE name = ?", transcripts.get(k), attempts.get(k).name());
+                }
             }
             return null;
         });
     }
 
-    /** The replay of a game by its number, compressed by gzip; {@code null} if there is none. */
-    public byte[] replay(long game) {
-        return database.with(() -> (byte[]) database.value("SELECT replay FROM recording WHERE game = ?", game));
+    /** The transcript of a game by its number, compressed by gzip; {@code null} if there is none. */
+    public byte[] transcript(long game) {
+        return database.with(() -> (byte[]) database.value("SELECT text FROM transcript WHERE game = ?", game));
     }
 
     @Override

@@ -2,7 +2,4 @@
  * Apache ActiveMQ Artemis, embedded: the broker in a league's process, and a worker's connection to it. Nothing else
  * knows Artemis, and it is loaded by nothing but the commands that play on several machines.
  */
-@Internal
 package steward.machines.broker;
-
-import steward.Internal;

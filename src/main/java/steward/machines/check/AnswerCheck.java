@@ -1,7 +1,5 @@
 package steward.machines.check;
 
-import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.ScheduledFuture;
@@ -13,9 +11,7 @@ import steward.contest.Contest.Entrant;
 import steward.game.GameTypes;
 import steward.replay.RecordedMatch;
 import steward.replay.RecordedTurn;
-import steward.replay.ReplayException;
 import steward.replay.ReplayHeader;
-import steward.replay.ReplayReader;
 import steward.replay.feed.FedTurn;
 import steward.replay.feed.Feed;
 import steward.replay.verify.Resimulation;
@@ -43,19 +39,6 @@ public final class AnswerCheck {
         this.contest = contest;
         this.types = types;
         scene = contest.setup().scene().json();
-    }
-
-    /**
-     * Reads a replay that has been verified.
-     *
-     * @throws DisprovedException if it cannot be read
-     */
-    public static RecordedMatch read(String source, byte[] gzip) throws DisprovedException {
-        try (ReplayReader replay = new ReplayReader(GzipText.open(gzip), source)) {
-            return RecordedMatch.read(replay);
-        } catch (IOException | UncheckedIOException | ReplayException problem) {
-            throw new DisprovedException(source + ": " + problem.getMessage());
-        }
     }
 
     /**

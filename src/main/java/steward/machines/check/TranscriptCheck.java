@@ -15,7 +15,7 @@ import steward.contest.Contest;
 import steward.contest.GameFacts;
 import steward.files.JarFolder;
 import steward.game.Game;
-import steward.game.JsonNumbers;
+import steward.json.JsonNumbers;
 import steward.match.MatchListener;
 import steward.match.MatchResult;
 import steward.match.Turn;
@@ -67,7 +67,7 @@ public final class TranscriptCheck {
      * @param gzip   the transcript, compressed
      * @throws DisprovedException if it is none of that game, or other states were computed where it was played
      */
-    public ReplayCheck.Outcome check(String source, byte[] gzip, ReplayCheck.Expected expected)
+    public CheckedGame check(String source, byte[] gzip, ExpectedGame expected)
             throws DisprovedException {
         return playing(source, gzip, expected, null, null).outcome;
     }
@@ -77,7 +77,7 @@ public final class TranscriptCheck {
      *
      * @throws DisprovedException as above
      */
-    public byte[] replay(String source, byte[] gzip, ReplayCheck.Expected expected) throws DisprovedException {
+    public byte[] replay(String source, byte[] gzip, ExpectedGame expected) throws DisprovedException {
         ByteArrayOutputStream replay = new ByteArrayOutputStream();
         playing(source, gzip, expected, replay, null);
         return replay.toByteArray();
@@ -89,13 +89,13 @@ public final class TranscriptCheck {
      *
      * @throws DisprovedException as above
      */
-    public RecordedMatch match(String source, byte[] gzip, ReplayCheck.Expected expected) throws DisprovedException {
+    public RecordedMatch match(String source, byte[] gzip, ExpectedGame expected) throws DisprovedException {
         List<RecordedTurn> turns = new ArrayList<>();
         Playing playing = playing(source, gzip, expected, null, turns);
         return new RecordedMatch(source, playing.header, turns, playing.game.ending(), null);
     }
 
-    private Playing playing(String source, byte[] gzip, ReplayCheck.Expected expected, ByteArrayOutputStream replay,
+    private Playing playing(String source, byte[] gzip, ExpectedGame expected, ByteArrayOutputStream replay,
                             List<RecordedTurn> turns) throws DisprovedException {
         try {
             Playing playing = new Playing(source, GzipText.bytes(gzip), expected, replay, turns);
@@ -115,7 +115,7 @@ public final class TranscriptCheck {
 
         private final String source;
         private final byte[] text;
-        private final ReplayCheck.Expected expected;
+        private final ExpectedGame expected;
         private final int players = contest.players();
         private final Resimulation again;
         private final Game game;
@@ -128,14 +128,14 @@ public final class TranscriptCheck {
         private final ReplayHeader header;
         private final List<RecordedTurn> turns;
         private final JsonLine last;
-        private ReplayCheck.Outcome outcome;
+        private CheckedGame outcome;
         private JsonParser nanos;
         private long spent;
         private int from;
         private int number = 1;
 
         /** @param replay and {@code turns} are filled, unless {@code null} */
-        Playing(String source, byte[] text, ReplayCheck.Expected expected, ByteArrayOutputStream replay,
+        Playing(String source, byte[] text, ExpectedGame expected, ByteArrayOutputStream replay,
                 List<RecordedTurn> turns) {
             this.source = source;
             this.text = text;
@@ -313,7 +313,7 @@ public final class TranscriptCheck {
                 + "from 0, one for each answer or player");
         }
 
-        private ReplayCheck.Outcome end() throws DisprovedException {
+        private CheckedGame end() throws DisprovedException {
             String found = last.text(TranscriptWriter.STATES);
             if (!found.equals(states.hex())) {
                 throw DisprovedException.computed(source + ": differs when it is played again: found states of the "
@@ -322,10 +322,10 @@ public final class TranscriptCheck {
             List<long[]> times = new ArrayList<>();
             TIMES.forEach(name -> times.add(numbers(name)));
             times.add(last.has(TranscriptWriter.HELD) ? numbers(TranscriptWriter.HELD) : new long[players]);
-            List<ReplayCheck.Seat> seats = new ArrayList<>();
+            List<CheckedGame.Seat> seats = new ArrayList<>();
             List<MatchResult.PlayerResult> results = new ArrayList<>();
             for (int player = 0; player < players; player++) {
-                seats.add(new ReplayCheck.Seat(game.ranks()[player], game.scores()[player], faults[player],
+                seats.add(new CheckedGame.Seat(game.ranks()[player], game.scores()[player], faults[player],
                     asked[player], times.get(0)[player], times.get(1)[player], times.get(2)[player]));
                 results.add(new MatchResult.PlayerResult(expected.names().get(player), game.ranks()[player],
                     game.scores()[player], faults[player], game.eliminationReason(player), asked[player],
@@ -336,7 +336,7 @@ public final class TranscriptCheck {
             if (listener != null) {
                 listener.end(result);
             }
-            return new ReplayCheck.Outcome(game.turn(), GameFacts.of(game, digest), seats, spent);
+            return new CheckedGame(game.turn(), GameFacts.of(game, digest), seats, spent);
         }
 
         private long[] numbers(String name) {

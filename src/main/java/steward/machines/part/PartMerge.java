@@ -30,15 +30,16 @@ import steward.league.store.GameStore;
 import steward.league.store.GameStore.Version;
 import steward.league.store.PartStore;
 import steward.machines.check.AnswerCheck;
+import steward.machines.check.CheckedGame;
 import steward.machines.check.DisprovedException;
-import steward.machines.check.GzipText;
-import steward.machines.check.ReplayCheck;
+import steward.machines.check.ExpectedGame;
+import steward.machines.check.TranscriptCheck;
 import steward.match.Protocol;
 import steward.replay.RecordedMatch;
 
 /**
- * Merges parts into a league. The stored facts of a game are read from its replay, which is played again; of some games
- * the bots are asked again. A part of which anything is wrong is refused as a whole. Merging a part again changes
+ * Merges parts into a league. The stored facts of a game follow from its transcript, which is played again; of some
+ * games the bots are asked again. A part of which anything is wrong is refused as a whole. Merging a part again changes
  * nothing.
  */
 public final class PartMerge {
@@ -47,14 +48,13 @@ public final class PartMerge {
     private static final int FIRST = 20;
     private static final int TOGETHER = 1000;
 
-    private final LeagueFolder folder;
     private final GameStore store;
     private final Season season;
     private final int number;
     private final Roster roster;
     private final Contest contest;
     private final double share;
-    private final ReplayCheck replays;
+    private final TranscriptCheck transcripts;
     private final AnswerCheck answers;
     private final KeptGames keeper;
     private final Map<Integer, Set<String>> decided = new HashMap<>();
@@ -69,14 +69,13 @@ public final class PartMerge {
      */
     public PartMerge(LeagueFolder folder, GameStore store, Season season, int number, Roster roster, Contest contest,
                      GameTypes types, double share) {
-        this.folder = folder;
         this.store = store;
         this.season = season;
         this.number = number;
         this.roster = roster;
         this.contest = contest;
         this.share = share;
-        replays = new ReplayCheck(contest, types);
+        transcripts = new TranscriptCheck(contest);
         answers = new AnswerCheck(contest, types);
         keeper = new KeptGames(folder);
         new GameQueries(store, number, season).games(game -> decided
@@ -96,9 +95,12 @@ public final class PartMerge {
      * @param added  games that are new
      * @param there  games that the league had already
      * @param again  games in which bots were asked again
-     * @param answered of these, how many bots
      */
-    public record Merged(int added, int there, int again, int answered) {
+    public record Merged(int added, int there, int again) {
+    }
+
+    /** A game as the part says it, and as it follows from its transcript. */
+    private record Checked(StoredGame told, StoredGame own) {
     }
 
     /**
@@ -113,9 +115,8 @@ public final class PartMerge {
         part.queries().games(found::add);
         checkAttempts(found, part.head(), source);
         SplittableRandom random = new SplittableRandom();
-        List<StoredGame> checked = new ArrayList<>();
-        Map<String, Long> places = new HashMap<>();
-        int[] counts = new int[2];
+        List<Checked> checked = new ArrayList<>();
+        int askedAgain = 0;
         for (StoredGame game : found) {
             if (store.has(named(game, versions))) {
                 continue;
@@ -123,19 +124,16 @@ public final class PartMerge {
             StoredGame own = checked(part, source, game, versions);
             boolean again = share > 0 && game.problem() == null
                 && (checked.size() < FIRST || random.nextDouble() < share);
-            int asked = again ? askAgain(part, source, game, versions) : 0;
-            counts[0] += asked > 0 ? 1 : 0;
-            counts[1] += asked;
-            checked.add(own);
-            places.put(HexFormat.of().formatHex(own.name()), game.id());
+            askedAgain += again && askAgain(part, source, game, versions) ? 1 : 0;
+            checked.add(new Checked(game, own));
         }
         int added = 0;
         for (int from = 0; from < checked.size(); from += TOGETHER) {
             List<StoredGame> batch = checked.subList(from, Math.min(checked.size(), from + TOGETHER)).stream()
-                .map(game -> kept(part, game, places.get(HexFormat.of().formatHex(game.name())), versions)).toList();
+                .map(game -> kept(part, source, game, versions)).toList();
             added += store.add(number, batch);
         }
-        return new Merged(added, found.size() - added, counts[0], counts[1]);
+        return new Merged(added, found.size() - added, askedAgain);
     }
 
     private void checkKind(PartStore part, String source) {
@@ -196,7 +194,7 @@ public final class PartMerge {
             .mapToObj(version -> versions.get(version).identity()).toList(), game.attempt());
     }
 
-    /** The game as its replay tells it. */
+    /** The game as its transcript tells it. */
     private StoredGame checked(PartStore part, String source, StoredGame game, Map<Integer, Version> versions) {
         String place = place(source, game);
         byte[] name = named(game, versions);
@@ -204,29 +202,28 @@ public final class PartMerge {
             throw new InputException(place + ": found the name of another game, expected that of its seed, attempt "
                 + "and bots, " + HexFormat.of().formatHex(name));
         }
-        byte[] replay = part.replay(game.id());
+        byte[] transcript = part.transcript(game.id());
         int[] lineup = Arrays.stream(game.lineup()).map(version -> versions.get(version).id()).toArray();
         int decision = decided.getOrDefault(game.decision(), Set.of(group(lineup))).contains(group(lineup))
             && game.seed() == roster.settings().seed() + game.decision() ? game.decision() : -1;
-        if (replay == null) {
+        if (transcript == null) {
             if (game.problem() == null || game.counts()) {
-                throw new InputException(place + ": found no replay, expected that of the game");
+                throw new InputException(place + ": found no transcript, expected that of the game");
             }
             List<StoredSeat> none = Arrays.stream(lineup)
                 .mapToObj(version -> new StoredSeat(version, 0, 0, null, 0, 0, 0, 0)).toList();
             return new StoredGame(0, name, decision, game.seed(), game.attempt(), false, 0, game.problem(),
                 game.played(), game.machine(), null, none);
         }
-        ReplayCheck.Outcome outcome;
+        CheckedGame outcome;
         try {
-            outcome = replays.check(place, replay, new ReplayCheck.Expected(game.seed(), names(part, game),
-                protocols(game, versions)));
+            outcome = transcripts.check(place, transcript, expected(part, game, versions));
         } catch (DisprovedException wrong) {
             throw new InputException(wrong.getMessage());
         }
         List<StoredSeat> seats = new ArrayList<>();
         for (int seat = 0; seat < lineup.length; seat++) {
-            ReplayCheck.Seat told = outcome.seats().get(seat);
+            CheckedGame.Seat told = outcome.seats().get(seat);
             seats.add(new StoredSeat(lineup[seat], told.rank(), told.score(), told.fault(), told.answers(),
                 told.meanNanos(), told.worstNanos(), told.firstNanos(),
                 outcome.facts().values(seat)));
@@ -237,12 +234,12 @@ public final class PartMerge {
         return own;
     }
 
-    /** Refuses a row that says something else than its replay. */
+    /** Refuses a row that says something else than its transcript. */
     private static void checkSame(String place, StoredGame told, StoredGame own) {
         String said = told.turns() + " turns, ranks " + told.ranks();
         String is = own.turns() + " turns, ranks " + own.ranks();
         if (!said.equals(is)) {
-            throw new InputException(place + ": found " + said + ", expected as in its replay " + is);
+            throw new InputException(place + ": found " + said + ", expected as in its transcript " + is);
         }
     }
 
@@ -250,39 +247,36 @@ public final class PartMerge {
         return source + ": game " + HexFormat.of().formatHex(game.name());
     }
 
-    /** As the players were called there. */
-    private static List<String> names(PartStore part, StoredGame game) {
+    /** The game, its players named as there. */
+    private static ExpectedGame expected(PartStore part, StoredGame game, Map<Integer, Version> versions) {
         Map<Integer, String> names = part.games().versions().stream()
             .collect(Collectors.toMap(Version::id, Version::display));
-        return Arrays.stream(game.lineup()).mapToObj(names::get).toList();
-    }
-
-    private List<Protocol> protocols(StoredGame game, Map<Integer, Version> versions) {
         List<Protocol> protocols = new ArrayList<>();
         for (int version : game.lineup()) {
             Version own = versions.get(version);
             LeagueBot bot = new LeagueBot(own.bot(), own.command(), null, false, false);
             protocols.add(Contest.entrant(bot.typed(), Protocol.JSON).protocol());
         }
-        return protocols;
+        return new ExpectedGame(game.seed(), Arrays.stream(game.lineup()).mapToObj(names::get).toList(), protocols);
     }
 
-    /** Asks those bots again that do not draw by lot and are still the same; returns how many. */
-    private int askAgain(PartStore part, String source, StoredGame game, Map<Integer, Version> versions) {
-        int asked = 0;
+    /** Asks those bots again that do not draw by lot and are still the same. @return true if there is any */
+    private boolean askAgain(PartStore part, String source, StoredGame game, Map<Integer, Version> versions) {
+        boolean any = false;
         try {
-            RecordedMatch match = AnswerCheck.read(place(source, game), part.replay(game.id()));
+            RecordedMatch match = transcripts.match(place(source, game), part.transcript(game.id()),
+                expected(part, game, versions));
             for (int seat = 0; seat < game.seats().size(); seat++) {
                 Optional<Entrant> entrant = deterministic(versions.get(game.lineup()[seat]));
                 if (entrant.isPresent()) {
                     answers.check(match, seat, entrant.get());
-                    asked++;
+                    any = true;
                 }
             }
         } catch (DisprovedException wrong) {
             throw new InputException(wrong.getMessage());
         }
-        return asked;
+        return any;
     }
 
     private Optional<Entrant> deterministic(Version version) {
@@ -291,20 +285,22 @@ public final class PartMerge {
     }
 
     /** Returns the game with its replay, if the league keeps it. */
-    private StoredGame kept(PartStore part, StoredGame game, long place, Map<Integer, Version> versions) {
-        byte[] replay = part.replay(place);
+    private StoredGame kept(PartStore part, String source, Checked checked, Map<Integer, Version> versions) {
+        StoredGame game = checked.own;
+        byte[] transcript = part.transcript(checked.told.id());
         Map<Integer, String> bots = versions.values().stream().distinct()
             .collect(Collectors.toMap(Version::id, Version::bot));
         List<String> names = Arrays.stream(game.lineup()).mapToObj(bots::get).toList();
-        if (replay == null || !KeptGames.keeps(roster.settings(), game.problem() == null, game.seats(), names)) {
+        if (transcript == null || !KeptGames.keeps(roster.settings(), game.problem() == null, game.seats(), names)) {
             return game;
         }
         try {
-            String file = keeper.take(game.name(), GzipText.bytes(replay), true);
+            String file = keeper.take(game.name(), transcripts.replay(place(source, game), transcript,
+                expected(part, checked.told, versions)), true);
             return new StoredGame(0, game.name(), game.decision(), game.seed(), game.attempt(), game.counts(),
                 game.turns(), game.problem(), game.played(), game.machine(), file, game.transcript(), game.seats());
-        } catch (java.io.IOException damaged) {
-            throw new InputException(folder.path() + ": a replay cannot be unpacked: " + damaged.getMessage());
+        } catch (DisprovedException wrong) {
+            throw new InputException(wrong.getMessage());
         }
     }
 }

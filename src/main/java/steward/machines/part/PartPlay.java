@@ -24,7 +24,10 @@ import steward.league.play.RosterReader;
 import steward.league.store.GameQueries;
 import steward.league.store.GameStore;
 import steward.league.store.PartStore;
-import steward.machines.check.GzipText;
+import steward.machines.check.TranscriptWriter;
+import steward.match.MatchListener;
+import steward.match.MatchResult;
+import steward.match.TeeListener;
 
 /**
  * Plays one part of a league's schedule: every so-manieth decision, from the state of the league as it lies there. The
@@ -41,7 +44,7 @@ public final class PartPlay {
     private final Schedule schedule;
     private final long end;
     private final Consumer<StoredGame> listener;
-    private final Map<String, byte[]> replays = new ConcurrentHashMap<>();
+    private final Map<String, byte[]> transcripts = new ConcurrentHashMap<>();
 
     private boolean brokenOff;
     private String stopped;
@@ -76,7 +79,7 @@ public final class PartPlay {
         this.reader = reader;
         this.listener = listener;
         members = roster.byVersion();
-        play = new GamePlay(part.season(), contest, new Kept(), machine, System::currentTimeMillis);
+        play = new GamePlay(part.season(), contest, new Transcripts(), machine, System::currentTimeMillis);
         LeagueSettings settings = roster.settings();
         int players = part.season().players();
         folder.named(() -> roster.checked(players));
@@ -102,18 +105,38 @@ public final class PartPlay {
         }
     }
 
-    /** All replays go into the part: whoever merges it plays them again. */
-    private final class Kept implements GamePlay.Recordings {
+    /** All transcripts go into the part: whoever merges it plays them again. */
+    private final class Transcripts implements GamePlay.Recordings {
 
         @Override
-        public boolean isAny(LeagueSettings settings) {
-            return true;
+        public GamePlay.Recorder recorder(LeagueSettings settings) {
+            return new TranscriptRecorder();
         }
 
         @Override
-        public String take(byte[] game, byte[] replay, boolean kept) {
-            replays.put(HexFormat.of().formatHex(game), GzipText.compressed(replay));
+        public String take(byte[] game, byte[] transcript, boolean kept) {
+            transcripts.put(HexFormat.of().formatHex(game), transcript);
             return null;
+        }
+    }
+
+    /** Transcript of an attempt that has a result. */
+    private static final class TranscriptRecorder implements GamePlay.Recorder {
+
+        private byte[] transcript;
+
+        @Override
+        public MatchResult play(Contest match, long seed, MatchListener log) throws InterruptedException {
+            TranscriptWriter writer = new TranscriptWriter(match.entrants().stream().map(Contest.Entrant::bot).toList(),
+                match.sandbox());
+            MatchResult result = match.play(seed, 0, null, new TeeListener(writer, log));
+            transcript = writer.compressed();
+            return result;
+        }
+
+        @Override
+        public byte[] recording() {
+            return transcript;
         }
     }
 
@@ -166,7 +189,7 @@ public final class PartPlay {
     }
 
     private boolean isStored(Schedule.Task task, List<StoredGame> attempts) {
-        List<byte[]> kept = attempts.stream().map(game -> replays.remove(HexFormat.of().formatHex(game.name())))
+        List<byte[]> kept = attempts.stream().map(game -> transcripts.remove(HexFormat.of().formatHex(game.name())))
             .toList();
         synchronized (this) {
             underWay--;

@@ -1,5 +1,2 @@
 /** Parts of a league's schedule, played by machines that cannot reach each other, and merged into the league. */
-@Internal
 package steward.machines.part;
-
-import steward.Internal;

@@ -21,9 +21,10 @@ import steward.league.play.KeptGames;
 import steward.league.play.Roster.Member;
 import steward.machines.check.AnswerCheck;
 import steward.machines.check.AskedAgain;
+import steward.machines.check.CheckedGame;
 import steward.machines.check.DisprovedException;
+import steward.machines.check.ExpectedGame;
 import steward.machines.check.GzipText;
-import steward.machines.check.ReplayCheck;
 import steward.machines.check.TranscriptCheck;
 import steward.machines.wire.WorkerWord;
 import steward.replay.RecordedMatch;
@@ -87,7 +88,7 @@ final class ReportedGames {
         byte[] name = GameName.of(season, task.seed(),
             members.stream().map(member -> member.version().identity()).toList(), k + 1);
         String source = "game " + HexFormat.of().formatHex(name);
-        ReplayCheck.Outcome outcome = transcripts.check(source, sent, expected(game));
+        CheckedGame outcome = transcripts.check(source, sent, expected(game));
         left[0] -= outcome.nanos();
         if (left[0] < 0) {
             throw new DisprovedException(source + ": found answers that took " + outcome.nanos() / 1000
@@ -109,7 +110,7 @@ final class ReportedGames {
         }
         List<StoredSeat> seats = new ArrayList<>();
         for (int seat = 0; seat < members.size(); seat++) {
-            ReplayCheck.Seat told = outcome.seats().get(seat);
+            CheckedGame.Seat told = outcome.seats().get(seat);
             seats.add(new StoredSeat(members.get(seat).version().id(), told.rank(), told.score(), told.fault(),
                 told.answers(), told.meanNanos(), told.worstNanos(), told.firstNanos(),
                 outcome.facts().values(seat)));
@@ -124,8 +125,8 @@ final class ReportedGames {
             System.currentTimeMillis(), machine, file, outcome.facts().transcript(), seats);
     }
 
-    private static ReplayCheck.Expected expected(Elsewhere.Game game) {
-        return new ReplayCheck.Expected(game.task().seed(),
+    private static ExpectedGame expected(Elsewhere.Game game) {
+        return new ExpectedGame(game.task().seed(),
             game.members().stream().map(member -> member.entrant().name()).toList(),
             game.members().stream().map(member -> member.entrant().protocol()).toList());
     }

@@ -1,5 +1,2 @@
 /** Permission to play for a league: the broker's key, the workers and their tokens, in private files. */
-@Internal
 package steward.machines.token;
-
-import steward.Internal;

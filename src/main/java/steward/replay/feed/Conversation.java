@@ -5,7 +5,7 @@ import java.util.List;
 import steward.bot.Answer;
 import steward.bot.LineBuffer;
 import steward.bot.Player;
-import steward.game.JsonNumbers;
+import steward.json.JsonNumbers;
 import steward.match.Dialogue;
 import steward.match.Protocol;
 import steward.match.SafeText;

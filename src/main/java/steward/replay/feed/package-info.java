@@ -1,7 +1,4 @@
 /**
  * Giving a bot again what it was sent, to see whether it answers the same, and letting it play on from any turn.
  */
-@Internal
 package steward.replay.feed;
-
-import steward.Internal;

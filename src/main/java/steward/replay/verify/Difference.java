@@ -5,7 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import steward.game.JsonNumbers;
+import steward.json.JsonNumbers;
 import steward.text.TextFormat;
 import tools.jackson.core.JsonParser;
 import tools.jackson.core.JsonToken;

@@ -3,7 +3,7 @@ package steward.replay.verify;
 import java.util.Arrays;
 import steward.game.AngleVariants;
 import steward.game.Game;
-import steward.game.JsonNumbers;
+import steward.json.JsonNumbers;
 import steward.physics.TurnLog;
 import steward.replay.JsonLine;
 import tools.jackson.core.JsonParser;

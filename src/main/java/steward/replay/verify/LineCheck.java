@@ -9,7 +9,7 @@ import java.util.Map;
 import steward.bot.LineBuffer;
 import steward.game.AngleVariants;
 import steward.game.Game;
-import steward.game.JsonNumbers;
+import steward.json.JsonNumbers;
 import steward.match.MatchResult;
 import steward.match.Turn;
 import steward.replay.JsonLine;

@@ -2,7 +2,7 @@ package steward.replay.verify;
 
 import steward.game.FrameCodec;
 import steward.game.Game;
-import steward.game.JsonNumbers;
+import steward.json.JsonNumbers;
 import steward.physics.Impact;
 import steward.physics.TurnLog;
 import tools.jackson.core.JsonGenerator;

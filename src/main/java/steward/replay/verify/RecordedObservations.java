@@ -3,7 +3,7 @@ package steward.replay.verify;
 import java.util.HashSet;
 import java.util.Set;
 import java.util.regex.Pattern;
-import steward.game.JsonNumbers;
+import steward.json.JsonNumbers;
 import steward.replay.JsonLine;
 import steward.replay.Observations;
 import steward.replay.ReplayException;

@@ -25,8 +25,8 @@ import steward.cli.ProcessTest;
 import steward.cli.ShellBots;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Streams;
-import steward.codingame.OfficialGame;
-import steward.codingame.ServerMeanMax;
+import steward.codingame.recording.OfficialGame;
+import steward.codingame.recording.ServerMeanMax;
 import steward.match.TestScenes;
 
 /** {@code steward import}, and what the other commands make of its replays. */

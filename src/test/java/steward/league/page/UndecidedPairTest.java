@@ -11,7 +11,7 @@ import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
-import steward.game.JsonNumbers;
+import steward.json.JsonNumbers;
 import steward.league.Season;
 import steward.league.rating.Difference;
 import steward.league.rating.LeagueTable;

@@ -30,7 +30,7 @@ import steward.numerics.SplitMix64;
  * @param result that it had where it was played
  * @param facts  that were seen there
  */
-record PlayedGame(Contest contest, ReplayCheck.Expected expected, byte[] replay, byte[] transcript,
+record PlayedGame(Contest contest, ExpectedGame expected, byte[] replay, byte[] transcript,
                   MatchResult result, GameFacts facts) {
 
     static PlayedGame of(Contest contest, long seed) throws InterruptedException {
@@ -39,13 +39,13 @@ record PlayedGame(Contest contest, ReplayCheck.Expected expected, byte[] replay,
             contest.sandbox());
         GameLog log = new GameLog(contest, 0);
         MatchResult result = contest.play(seed, 0, replay, new TeeListener(transcript, log));
-        return new PlayedGame(contest, new ReplayCheck.Expected(seed,
+        return new PlayedGame(contest, new ExpectedGame(seed,
             contest.entrants().stream().map(Entrant::name).toList(),
             contest.entrants().stream().map(Entrant::protocol).toList()), replay.toByteArray(),
             transcript.compressed(), result, log.facts());
     }
 
-    ReplayCheck.Outcome check() throws DisprovedException {
+    CheckedGame check() throws DisprovedException {
         return new TranscriptCheck(contest).check("a game", transcript, expected);
     }
 

@@ -59,19 +59,19 @@ class TranscriptTest {
     }
 
     private static void compare(PlayedGame game) throws DisprovedException {
-        ReplayCheck.Outcome found = game.check();
-        assertEquals(new ReplayCheck(game.contest(), Games.types()).check("a replay",
-            GzipText.compressed(game.replay()), game.expected()), new ReplayCheck.Outcome(found.turns(),
-            found.facts(), found.seats(), 0), "as the replay tells it");
+        CheckedGame found = game.check();
         assertEquals(game.facts(), found.facts(), "as the log of the game told it");
         assertEquals(game.result().turns(), found.turns());
         for (int player = 0; player < found.seats().size(); player++) {
             MatchResult.PlayerResult result = game.result().players().get(player);
-            ReplayCheck.Seat seat = found.seats().get(player);
+            CheckedGame.Seat seat = found.seats().get(player);
             assertEquals(result.rank(), seat.rank());
             assertEquals(result.score(), seat.score());
+            assertEquals(result.fault(), seat.fault());
             assertEquals(result.answers(), seat.answers());
+            assertEquals(result.averageNanos(), seat.meanNanos());
             assertEquals(result.worstNanos(), seat.worstNanos());
+            assertEquals(result.firstNanos(), seat.firstNanos());
         }
     }
 
@@ -126,7 +126,7 @@ class TranscriptTest {
     void whoWasNotAskedAfterTheDecidingFaultHasNoTime() throws Exception {
         PlayedGame game = PlayedGame.of(PlayedGame.piloted("poker-chip-race", Pilot.Aim.WIN).startedBy(
             (entrant, isolation, others) -> new InProcessPlayer(entrant.name(), new Speechless())), SEED);
-        assertEquals(List.of(1, 0), game.check().seats().stream().map(ReplayCheck.Seat::answers).toList());
+        assertEquals(List.of(1, 0), game.check().seats().stream().map(CheckedGame.Seat::answers).toList());
         assertArrayEquals(game.replay(), new TranscriptCheck(game.contest()).replay("a game", game.transcript(),
             game.expected()));
         compare(game);
@@ -137,7 +137,7 @@ class TranscriptTest {
         byte[] older = GzipText.compressed(sent.replace("[null,null],\"faults\"", "[null," + said + "],\"faults\"")
             .replaceFirst("(\"answerNanos\":\\[[0-9]+)", "$1,5").getBytes(StandardCharsets.UTF_8));
         assertEquals(List.of(1, 1), new TranscriptCheck(game.contest()).check("a game", older, game.expected()).seats()
-            .stream().map(ReplayCheck.Seat::answers).toList());
+            .stream().map(CheckedGame.Seat::answers).toList());
     }
 
     /** A bot whose answers are none. */
@@ -159,7 +159,7 @@ class TranscriptTest {
     void aMissedDeadlineIsBelievedWhereTheMeasuredTimeAllowsIt() throws Exception {
         PlayedGame game = PlayedGame.of(Contest.of(Games.open("duel"), List.of("one=codingame:sleep 5",
             "two=codingame:sleep 5"), Protocol.JSON, 0.1).isolatedBy(() -> Isolation.OFF), 3);
-        ReplayCheck.Outcome outcome = game.check();
+        CheckedGame outcome = game.check();
         assertTrue(outcome.seats().get(0).fault().startsWith("no answer within 100 ms"), outcome::toString);
         assertTrue(outcome.nanos() >= 100_000_000, outcome::toString);
         assertTrue(game.disproof("\"answerNanos\":[", "\"answerNanos\":[99999999,").contains("faults[0]: found 'no "
@@ -179,7 +179,7 @@ class TranscriptTest {
         assertTrue(game.disproof("{\"bots\":[", "{\"bots\":[null,").contains("bots"));
         assertTrue(game.disproof("{\"bots\":[", "{\"more\":1,\"bots\":[").contains("\"more\""));
         String other = assertThrows(DisprovedException.class, () -> new TranscriptCheck(game.contest()).check("a game",
-            game.transcript(), new ReplayCheck.Expected(SEED + 1, game.expected().names(),
+            game.transcript(), new ExpectedGame(SEED + 1, game.expected().names(),
                 game.expected().protocols()))).getMessage();
         assertTrue(other.startsWith("a game"), other);
         byte[] sent = GzipText.bytes(game.transcript());

@@ -1,10 +1,10 @@
 package steward.machines.part;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -29,12 +29,12 @@ import steward.cli.ShellBots;
 import steward.cli.TextShellBots;
 import steward.cli.shared.Games;
 import steward.contest.Contest;
-import steward.contest.GameLog;
 import steward.league.LeagueFolder;
 import steward.league.Season;
 import steward.league.store.GameQueries;
 import steward.league.store.GameStore;
 import steward.machines.check.GzipText;
+import steward.machines.check.TranscriptWriter;
 import steward.match.Protocol;
 
 /** Parts of leagues of shell bots, which are deterministic: played, merged, forged. */
@@ -167,16 +167,25 @@ class PartTest {
             for (int k = 0; k < values.length; k++) {
                 statement.setObject(k + 1, values[k]);
             }
-            assertTrue(statement.executeUpdate() > 0);
+            assertTrue(statement.executeUpdate() > 0 || sql.startsWith("CREATE"), sql);
         }
     }
 
-    private byte[] replay() throws SQLException {
+    private byte[] transcript() throws SQLException {
         try (Connection connection = DriverManager.getConnection("jdbc:sqlite:" + folder.resolve("part1.db"));
              Statement statement = connection.createStatement();
-             ResultSet row = statement.executeQuery("SELECT replay FROM recording WHERE game = 1")) {
+             ResultSet row = statement.executeQuery("SELECT text FROM transcript WHERE game = 1")) {
             return row.getBytes(1);
         }
+    }
+
+    /** Puts another transcript into the place of the first game's. */
+    private void put(byte[] gzip) throws SQLException {
+        edit("UPDATE transcript SET text = ? WHERE game = 1", (Object) gzip);
+    }
+
+    private void put(String text) throws SQLException {
+        put(GzipText.compressed(text.getBytes(StandardCharsets.UTF_8)));
     }
 
     private void refused(String what) {
@@ -189,26 +198,19 @@ class PartTest {
     void whatDoesNotFollowFromTheCommandsIsRefused() throws IOException, SQLException {
         make("parts", "5");
         shard("parts", 1, 3);
-        byte[] whole = replay();
+        byte[] whole = transcript();
         String text = new String(GzipText.bytes(whole), StandardCharsets.UTF_8);
 
-        String[] lines = text.split("\n");
-        lines[4] = lines[4].replaceFirst("\"x\":(\\d+)\\.?\\d*,", "\"x\":1$1,");
-        edit("UPDATE recording SET replay = ? WHERE game = 1",
-            (Object) GzipText.compressed((String.join("\n", lines) + "\n").getBytes(StandardCharsets.UTF_8)));
-        refused("differs when it is played again: turn 4");
-
-        edit("UPDATE recording SET replay = ? WHERE game = 1",
-            (Object) GzipText.compressed(text.substring(0, text.length() / 2).getBytes(StandardCharsets.UTF_8)));
-        refused("found a replay that is cut off, expected a whole one");
-
-        edit("UPDATE recording SET replay = ? WHERE game = 1", new byte[] {1, 2, 3});
+        put(text.replaceFirst("\"x\":(\\d)", "\"x\":1$1"));
+        refused("differs when it is played again: found states of the hash");
+        put(text.substring(0, text.length() / 2));
+        refused("bytes, expected a whole game");
+        put(new byte[] {1, 2, 3});
         refused("cannot be unpacked");
+        edit("UPDATE transcript SET text = (SELECT text FROM transcript WHERE game = 2) WHERE game = 1");
+        refused("found 8 turns, ranks 0 1, expected as in its transcript 8 turns, ranks 1 0");
+        put(whole);
 
-        edit("UPDATE recording SET replay = (SELECT replay FROM recording WHERE game = 2) WHERE game = 1");
-        refused("found that of another game, expected the game of seed 5 between fast and still");
-
-        edit("UPDATE recording SET replay = ? WHERE game = 1", (Object) whole);
         edit("UPDATE game SET ranks = '1 0' WHERE id = 1");
         refused("table game, row id = 1, column ranks: found '1 0'");
         edit("UPDATE game SET ranks = '0 1', turns = 7 WHERE id = 1");
@@ -219,13 +221,13 @@ class PartTest {
         refused("found decision 3 with the seed 9, expected a game of part 1/3");
     }
 
-    /** Plays a game of these bots under other names: a replay of which everything follows from the commands. */
+    /** Plays a game of these bots: a transcript of which everything follows from the commands. */
     private byte[] forged(long seed, String... commands) throws InterruptedException {
         Contest contest = Contest.of(Games.open(folder.resolve("short.json").toString()), List.of(commands),
             Protocol.JSON, 1);
-        ByteArrayOutputStream recording = new ByteArrayOutputStream();
-        contest.play(seed, 0, recording, new GameLog(contest, 0));
-        return GzipText.compressed(recording.toByteArray());
+        TranscriptWriter transcript = new TranscriptWriter(List.of(commands), contest.sandbox());
+        contest.play(seed, 0, null, transcript);
+        return transcript.compressed();
     }
 
     @Test
@@ -233,8 +235,22 @@ class PartTest {
         make("parts", "5");
         shard("parts", 1, 3);
         // The first game is that of fast against still; here the winner stands still, too.
-        edit("UPDATE recording SET replay = ? WHERE game = 1", (Object) forged(5,
-            "fast=codingame:" + bots.idler(0), "still=codingame:" + bots.idler(0)));
+        put(forged(5, "fast=codingame:" + bots.idler(0), "still=codingame:" + bots.idler(0)));
         refused("fast answers otherwise when it is asked again: turn 1, command[0].x");
+        assertTrue(done("merge", "TMP/parts", "TMP/part1.db", "--again", "0")
+            .endsWith("bots were asked again in 0 games\n"), "with 0 it is believed");
+    }
+
+    /** Parts held replays before; such a file stays as it is. */
+    @Test
+    void aPartOfTheEarlierFormIsRefusedByName() throws IOException, SQLException {
+        make("parts", "5");
+        shard("parts", 1, 3);
+        edit("CREATE TABLE recording (game INTEGER PRIMARY KEY REFERENCES game, replay BLOB NOT NULL)");
+        byte[] before = Files.readAllBytes(folder.resolve("part1.db"));
+        refused("part1.db: found a part with replays, expected one with transcripts");
+        league("shard", "TMP/parts", "--part", "1/3", "--games", Integer.toString(GAMES), "--out", "TMP/part1.db")
+            .assertRefused("part1.db: found a part with replays, expected one with transcripts");
+        assertArrayEquals(before, Files.readAllBytes(folder.resolve("part1.db")));
     }
 }

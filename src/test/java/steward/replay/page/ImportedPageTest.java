@@ -8,10 +8,10 @@ import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import steward.codingame.GameRecordingImport;
-import steward.codingame.OfficialGame;
-import steward.codingame.RecordingImport;
-import steward.codingame.ServerMeanMax;
+import steward.codingame.recording.GameRecordingImport;
+import steward.codingame.recording.OfficialGame;
+import steward.codingame.recording.RecordingImport;
+import steward.codingame.recording.ServerMeanMax;
 import steward.match.TestScenes;
 
 /** The page of an imported match in a real browser: states without hashes and paths, turns without any state. */

@@ -1,11 +1,11 @@
 package steward.game.fantasticbits.protocol;
 
-import steward.game.JsonNumbers;
 import steward.game.fantasticbits.EntityKind;
 import steward.game.fantasticbits.FantasticBits;
 import steward.game.fantasticbits.Pitch;
 import steward.game.fantasticbits.Spell;
 import steward.game.fantasticbits.SpellBook;
+import steward.json.JsonNumbers;
 import steward.physics.Bodies;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.SerializableString;

@@ -2,11 +2,11 @@ package steward.game.fantasticbits.protocol;
 
 import java.util.List;
 import steward.game.Drawing;
-import steward.game.DrawingJson;
-import steward.game.WallJson;
 import steward.game.fantasticbits.EntityKind;
 import steward.game.fantasticbits.FantasticBits;
 import steward.game.fantasticbits.Pitch;
+import steward.json.DrawingJson;
+import steward.json.WallJson;
 import steward.physics.Bodies;
 import steward.physics.Segment;
 import steward.physics.Wall;

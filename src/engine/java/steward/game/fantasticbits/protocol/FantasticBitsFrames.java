@@ -2,8 +2,6 @@ package steward.game.fantasticbits.protocol;
 
 import java.util.List;
 import steward.game.BotFrames;
-import steward.game.DrawingJson;
-import steward.game.JsonNumbers;
 import steward.game.fantasticbits.Captures;
 import steward.game.fantasticbits.EntityKind;
 import steward.game.fantasticbits.FantasticBits;
@@ -11,6 +9,9 @@ import steward.game.fantasticbits.Pitch;
 import steward.game.fantasticbits.Spell;
 import steward.game.fantasticbits.Variant;
 import steward.game.fantasticbits.WizardCommand;
+import steward.json.DrawingJson;
+import steward.json.JsonNumbers;
+import steward.json.JsonObject;
 import steward.scene.Bumper;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.io.SerializedString;
@@ -50,16 +51,12 @@ final class FantasticBitsFrames implements BotFrames {
             DrawingJson.place(out, post.x(), post.y());
         }
         out.writeEndArray();
-        out.writeArrayPropertyStart("kinds");
-        for (EntityKind kind : game.settings().bludgers() ? KINDS : KINDS.subList(0, 2)) {
-            out.writeStartObject();
+        JsonObject.writeAll(out, "kinds", game.settings().bludgers() ? KINDS : KINDS.subList(0, 2), kind -> {
             out.writeStringProperty("kind", kind.text());
             JsonNumbers.write(out, "radius", kind.radius());
             JsonNumbers.write(out, "mass", kind.mass());
             JsonNumbers.write(out, "friction", kind.friction());
-            out.writeEndObject();
-        }
-        out.writeEndArray();
+        });
         JsonNumbers.write(out, "postRadius", EntityKind.POST.radius());
         JsonNumbers.write(out, "captureReach", Captures.REACH);
         out.writeNumberProperty("maximumPower", WizardCommand.MOST_THRUST);

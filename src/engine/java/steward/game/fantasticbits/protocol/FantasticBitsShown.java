@@ -2,11 +2,12 @@ package steward.game.fantasticbits.protocol;
 
 import java.util.ArrayList;
 import java.util.List;
-import steward.game.JsonNumbers;
 import steward.game.ServerView;
 import steward.game.ShownSeed;
 import steward.game.fantasticbits.EntityKind;
 import steward.game.fantasticbits.Pitch;
+import steward.json.JsonNumbers;
+import steward.json.JsonObject;
 import steward.scene.SceneFiles;
 import steward.text.ViewLines;
 import tools.jackson.core.JsonGenerator;
@@ -120,11 +121,8 @@ final class FantasticBitsShown implements ServerView.Shown {
         if (turn == null) {
             return;
         }
-        out.writeArrayPropertyStart("scores");
-        for (int score : turn.scores) {
-            out.writeNumber(score);
-        }
-        out.writeEndArray();
+        out.writeName("scores");
+        out.writeArray(turn.scores, 0, turn.scores.length);
         out.writeArrayPropertyStart("resources");
         for (int magic : turn.magic) {
             out.writeStartObject();
@@ -138,9 +136,7 @@ final class FantasticBitsShown implements ServerView.Shown {
     }
 
     private static void writeBodies(JsonGenerator out, Turn turn) {
-        out.writeArrayPropertyStart("bodies");
-        for (Entity entity : turn.entities) {
-            out.writeStartObject();
+        JsonObject.writeAll(out, "bodies", turn.entities, entity -> {
             out.writeNumberProperty("id", entity.id);
             out.writeStringProperty("kind", entity.kind.text());
             if (entity.owner >= 0) {
@@ -152,8 +148,6 @@ final class FantasticBitsShown implements ServerView.Shown {
                 JsonNumbers.write(out, "vx", entity.vx);
                 JsonNumbers.write(out, "vy", entity.vy);
             }
-            out.writeEndObject();
-        }
-        out.writeEndArray();
+        });
     }
 }

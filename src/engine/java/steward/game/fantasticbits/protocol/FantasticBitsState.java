@@ -4,6 +4,8 @@ import steward.game.CommandListState;
 import steward.game.fantasticbits.FantasticBits;
 import steward.game.fantasticbits.Pitch;
 import steward.game.fantasticbits.WizardCommand;
+import steward.json.JsonNumbers;
+import steward.json.JsonObject;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.io.SerializedString;
 
@@ -24,20 +26,8 @@ final class FantasticBitsState extends CommandListState<WizardCommand> {
 
     /** The fields {@code scores} and {@code magic}, per player. */
     static void writePlayers(JsonGenerator out, FantasticBits game) {
-        writeScores(out, game);
-        out.writeArrayPropertyStart("magic");
-        for (int player = 0; player < game.players(); player++) {
-            out.writeNumber(game.magic(player));
-        }
-        out.writeEndArray();
-    }
-
-    private static void writeScores(JsonGenerator out, FantasticBits game) {
-        out.writeArrayPropertyStart("scores");
-        for (int player = 0; player < game.players(); player++) {
-            out.writeNumber(game.score(player));
-        }
-        out.writeEndArray();
+        JsonNumbers.writeAll(out, "scores", game.players(), game::score);
+        JsonNumbers.writeAll(out, "magic", game.players(), game::magic);
     }
 
     @Override
@@ -68,13 +58,8 @@ final class FantasticBitsState extends CommandListState<WizardCommand> {
 
     @Override
     public void writeProgress(JsonGenerator out) {
-        writeScores(out, game);
-        out.writeArrayPropertyStart("resources");
-        for (int player = 0; player < game.players(); player++) {
-            out.writeStartObject();
-            out.writeNumberProperty("magic", game.magic(player));
-            out.writeEndObject();
-        }
-        out.writeEndArray();
+        JsonNumbers.writeAll(out, "scores", game.players(), game::score);
+        JsonObject.writeAll(out, "resources", game.players(),
+            player -> out.writeNumberProperty("magic", game.magic(player)));
     }
 }

@@ -2,7 +2,4 @@
  * Protocol of Fantastic Bits: JSON frames and answers, the site's lines; replays and drawing; and {@link
  * steward.game.fantasticbits.protocol.FantasticBitsType}, the game as the other rooms see it.
  */
-@Internal
 package steward.game.fantasticbits.protocol;
-
-import steward.Internal;

@@ -1,10 +1,10 @@
 package steward.game.meanmax.protocol;
 
-import steward.game.CommandsAnswer;
-import steward.game.JsonNumbers;
 import steward.game.meanmax.LooterCommand;
 import steward.game.meanmax.LooterCommand.Action;
 import steward.game.meanmax.UnitKind;
+import steward.json.CommandsAnswer;
+import steward.json.JsonNumbers;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.JsonParser;
 

@@ -1,10 +1,10 @@
 package steward.game.meanmax.protocol;
 
 import steward.game.Drawing;
-import steward.game.DrawingJson;
 import steward.game.meanmax.MeanMax;
 import steward.game.meanmax.MeanMaxWorld;
 import steward.game.meanmax.UnitKind;
+import steward.json.DrawingJson;
 import steward.physics.Bodies;
 import tools.jackson.core.JsonGenerator;
 

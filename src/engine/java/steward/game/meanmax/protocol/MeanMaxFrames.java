@@ -1,12 +1,12 @@
 package steward.game.meanmax.protocol;
 
 import steward.game.BotFrames;
-import steward.game.JsonNumbers;
 import steward.game.meanmax.LooterCommand;
 import steward.game.meanmax.MeanMax;
 import steward.game.meanmax.MeanMaxWorld;
 import steward.game.meanmax.Skill;
 import steward.game.meanmax.UnitKind;
+import steward.json.JsonNumbers;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.io.SerializedString;
 

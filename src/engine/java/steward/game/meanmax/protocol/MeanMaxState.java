@@ -1,6 +1,5 @@
 package steward.game.meanmax.protocol;
 
-import steward.game.DrawingJson;
 import steward.game.CommandListState;
 import steward.game.meanmax.LooterCommand;
 import steward.game.meanmax.MeanMax;
@@ -8,6 +7,9 @@ import steward.game.meanmax.MeanMaxWorld;
 import steward.game.meanmax.SkillEffect;
 import steward.game.meanmax.UnitKind;
 import steward.game.meanmax.Wreck;
+import steward.json.DrawingJson;
+import steward.json.JsonNumbers;
+import steward.json.JsonObject;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.io.SerializedString;
 
@@ -25,20 +27,8 @@ final class MeanMaxState extends CommandListState<LooterCommand> {
 
     /** The fields {@code scores} and {@code rages}, per player. */
     static void writePlayers(JsonGenerator out, MeanMax game) {
-        writeScores(out, game);
-        out.writeArrayPropertyStart("rages");
-        for (int player = 0; player < game.players(); player++) {
-            out.writeNumber(game.rage(player));
-        }
-        out.writeEndArray();
-    }
-
-    private static void writeScores(JsonGenerator out, MeanMax game) {
-        out.writeArrayPropertyStart("scores");
-        for (int player = 0; player < game.players(); player++) {
-            out.writeNumber(game.score(player));
-        }
-        out.writeEndArray();
+        JsonNumbers.writeAll(out, "scores", game.players(), game::score);
+        JsonNumbers.writeAll(out, "rages", game.players(), game::rage);
     }
 
     @Override
@@ -71,11 +61,7 @@ final class MeanMaxState extends CommandListState<LooterCommand> {
         UnitJson.writeUnits(out, BODIES, game, units, true);
         UnitJson.writePlaces(out, game);
         writePlayers(out, game);
-        out.writeArrayPropertyStart("tankersLeft");
-        for (int player = 0; player < game.players(); player++) {
-            out.writeNumber(game.world().queue().left(player));
-        }
-        out.writeEndArray();
+        JsonNumbers.writeAll(out, "tankersLeft", game.players(), game.world().queue()::left);
         out.writeNumberProperty("nextId", game.bodies().nextId());
     }
 
@@ -92,13 +78,8 @@ final class MeanMaxState extends CommandListState<LooterCommand> {
             DrawingJson.zone(out, effect.x(), effect.y(), MeanMaxWorld.SKILL_RADIUS, effect.skill().text());
         }
         out.writeEndArray();
-        writeScores(out, game);
-        out.writeArrayPropertyStart("resources");
-        for (int player = 0; player < game.players(); player++) {
-            out.writeStartObject();
-            out.writeNumberProperty("rage", game.rage(player));
-            out.writeEndObject();
-        }
-        out.writeEndArray();
+        JsonNumbers.writeAll(out, "scores", game.players(), game::score);
+        JsonObject.writeAll(out, "resources", game.players(),
+            player -> out.writeNumberProperty("rage", game.rage(player)));
     }
 }

@@ -2,10 +2,11 @@ package steward.game.meanmax.protocol;
 
 import java.util.List;
 import java.util.Map;
-import steward.game.JsonNumbers;
 import steward.game.meanmax.MeanMaxWorld;
 import steward.game.meanmax.Skill;
 import steward.game.meanmax.UnitKind;
+import steward.json.JsonNumbers;
+import steward.json.JsonObject;
 import tools.jackson.core.JsonGenerator;
 
 /**
@@ -97,11 +98,8 @@ record ShownTurn(List<Impact> impacts, List<Death> deaths, List<Unit> units, Lis
     }
 
     private static void writeNumbers(JsonGenerator out, String name, int[] values) {
-        out.writeArrayPropertyStart(name);
-        for (int value : values) {
-            out.writeNumber(value);
-        }
-        out.writeEndArray();
+        out.writeName(name);
+        out.writeArray(values, 0, values.length);
     }
 
     /** @param speeds whether the speeds shown are those of the state, as before the first turn */
@@ -109,9 +107,7 @@ record ShownTurn(List<Impact> impacts, List<Death> deaths, List<Unit> units, Lis
         out.writeArrayPropertyStart("bodies");
         units.forEach(unit -> write(out, unit, speeds));
         out.writeEndArray();
-        out.writeArrayPropertyStart("wrecks");
-        for (Wreck wreck : wrecks) {
-            out.writeStartObject();
+        JsonObject.writeAll(out, "wrecks", wrecks, wreck -> {
             out.writeNumberProperty("id", wreck.id);
             JsonNumbers.write(out, "x", wreck.x);
             JsonNumbers.write(out, "y", wreck.y);
@@ -119,20 +115,14 @@ record ShownTurn(List<Impact> impacts, List<Death> deaths, List<Unit> units, Lis
             if (water.containsKey(wreck.id)) {
                 out.writeNumberProperty("water", water.get(wreck.id));
             }
-            out.writeEndObject();
-        }
-        out.writeEndArray();
-        out.writeArrayPropertyStart("effects");
-        for (Effect effect : effects) {
-            out.writeStartObject();
+        });
+        JsonObject.writeAll(out, "effects", effects, effect -> {
             out.writeNumberProperty("id", effect.id);
             out.writeStringProperty("skill", effect.skill.text());
             JsonNumbers.write(out, "x", effect.x);
             JsonNumbers.write(out, "y", effect.y);
             out.writeNumberProperty("looter", effect.looter);
-            out.writeEndObject();
-        }
-        out.writeEndArray();
+        });
         writeNumbers(out, "scores", scores);
         writeNumbers(out, "rages", rages);
     }

@@ -1,11 +1,11 @@
 package steward.game.meanmax.protocol;
 
-import steward.game.JsonNumbers;
 import steward.game.meanmax.MeanMax;
 import steward.game.meanmax.MeanMaxWorld;
 import steward.game.meanmax.SkillEffect;
 import steward.game.meanmax.UnitKind;
 import steward.game.meanmax.Wreck;
+import steward.json.JsonNumbers;
 import steward.physics.Bodies;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.SerializableString;

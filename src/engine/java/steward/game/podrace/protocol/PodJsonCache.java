@@ -1,8 +1,8 @@
 package steward.game.podrace.protocol;
 
 import java.util.Arrays;
-import steward.game.RawJson;
 import steward.game.podrace.PodRace;
+import steward.json.RawJson;
 import steward.physics.Bodies;
 
 /**

@@ -1,11 +1,10 @@
 package steward.game.podrace.protocol;
 
 import java.util.Arrays;
-import steward.Internal;
-import steward.game.CommandsAnswer;
-import steward.game.LineScan;
-import steward.game.RawJson;
 import steward.game.podrace.PodRace;
+import steward.json.CommandsAnswer;
+import steward.json.LineScan;
+import steward.json.RawJson;
 import tools.jackson.core.JsonParser;
 
 /**
@@ -13,7 +12,6 @@ import tools.jackson.core.JsonParser;
  * <pre>{"pods":[{"x":1,"y":2.5,"thrust":100},{"x":1,"y":2,"shield":true}],"message":"optional"}</pre>
  * and what a replay keeps of it.
  */
-@Internal
 public final class PodRaceAnswer extends CommandsAnswer<Void> {
 
     private static final int NOT_GIVEN = Integer.MIN_VALUE;

@@ -1,9 +1,9 @@
 package steward.game.podrace.protocol;
 
 import steward.game.Drawing;
-import steward.game.DrawingJson;
-import steward.game.WallJson;
 import steward.game.podrace.PodRace;
+import steward.json.DrawingJson;
+import steward.json.WallJson;
 import steward.physics.Bodies;
 import steward.scene.Field;
 import steward.scene.Scene;

@@ -1,12 +1,12 @@
 package steward.game.podrace.protocol;
 
 import steward.game.BotFrames;
-import steward.game.DrawingJson;
-import steward.game.JsonNumbers;
 import steward.game.podrace.PodRace;
 import steward.game.podrace.PodRaceSettings;
 import steward.game.podrace.RulesEdition;
-import steward.scene.Bumper;
+import steward.json.DrawingJson;
+import steward.json.JsonNumbers;
+import steward.json.JsonObject;
 import steward.scene.Field;
 import steward.scene.Scene;
 import tools.jackson.core.JsonGenerator;
@@ -72,15 +72,11 @@ final class PodRaceFrames implements BotFrames {
         JsonNumbers.write(out, "width", field.width());
         JsonNumbers.write(out, "height", field.height());
         out.writeBooleanProperty("walls", !field.walls().isEmpty());
-        out.writeArrayPropertyStart("bumpers");
-        for (Bumper bumper : field.bumpers()) {
-            out.writeStartObject();
+        JsonObject.writeAll(out, "bumpers", field.bumpers(), bumper -> {
             JsonNumbers.write(out, "x", bumper.x());
             JsonNumbers.write(out, "y", bumper.y());
             JsonNumbers.write(out, "radius", bumper.radius());
-            out.writeEndObject();
-        }
-        out.writeEndArray();
+        });
         out.writeEndObject();
     }
 

@@ -4,7 +4,6 @@ import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.util.Locale;
-import steward.Internal;
 import steward.game.SimulationLines;
 import steward.game.podrace.PodRace;
 import steward.game.podrace.PodRaceSettings;
@@ -19,7 +18,6 @@ import steward.game.podrace.PodState;
  * and its answer the four new states in the same form. {@code shield} is 3 after the turn a shield was raised and
  * counts down; {@code boosted} is 1 once the boost is used up. Every state is complete: headings are set.
  */
-@Internal
 public final class PodRaceSimulation extends SimulationLines {
 
     private static final int PODS = 4;

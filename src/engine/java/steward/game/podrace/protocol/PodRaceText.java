@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import steward.Internal;
 import steward.game.TextCodec;
 import steward.game.podrace.PodRace;
 import steward.game.podrace.PodRaceSettings;
@@ -26,7 +25,6 @@ import steward.text.TextFormat;
  * blanks between the words, and a blank behind Y. Where two blanks stand behind Y, what follows may be a message and
  * the thrust is full. Lines before a bad one take effect.
  */
-@Internal
 public final class PodRaceText implements TextCodec {
 
     private static final int FULL_TURN = 360;

@@ -1,8 +1,8 @@
 package steward.game.pokerchiprace.protocol;
 
-import steward.game.JsonNumbers;
 import steward.game.pokerchiprace.ChipTable;
 import steward.game.pokerchiprace.PokerChipRace;
+import steward.json.JsonNumbers;
 import steward.physics.Bodies;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.SerializableString;

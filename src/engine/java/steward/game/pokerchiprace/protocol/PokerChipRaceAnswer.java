@@ -1,8 +1,8 @@
 package steward.game.pokerchiprace.protocol;
 
-import steward.game.CommandsAnswer;
-import steward.game.JsonNumbers;
 import steward.game.pokerchiprace.ChipCommand;
+import steward.json.CommandsAnswer;
+import steward.json.JsonNumbers;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.JsonParser;
 

@@ -2,10 +2,10 @@ package steward.game.pokerchiprace.protocol;
 
 import java.util.List;
 import steward.game.Drawing;
-import steward.game.DrawingJson;
-import steward.game.WallJson;
 import steward.game.pokerchiprace.ChipTable;
 import steward.game.pokerchiprace.PokerChipRace;
+import steward.json.DrawingJson;
+import steward.json.WallJson;
 import steward.physics.Bodies;
 import steward.physics.Wall;
 import tools.jackson.core.JsonGenerator;

@@ -1,9 +1,9 @@
 package steward.game.pokerchiprace.protocol;
 
 import steward.game.BotFrames;
-import steward.game.DrawingJson;
 import steward.game.pokerchiprace.ChipTable;
 import steward.game.pokerchiprace.PokerChipRace;
+import steward.json.DrawingJson;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.io.SerializedString;
 

@@ -146,11 +146,8 @@ final class PokerChipRaceShown implements ServerView.Shown {
         if (turn == null) {
             return;
         }
-        out.writeArrayPropertyStart("scores");
-        for (int score : turn.scores) {
-            out.writeNumber(score);
-        }
-        out.writeEndArray();
+        out.writeName("scores");
+        out.writeArray(turn.scores, 0, turn.scores.length);
         out.writeObjectPropertyStart("state");
         writeChips(out, turn);
         out.writeEndObject();

@@ -1,10 +1,10 @@
 package steward.game.pokerchiprace.protocol;
 
 import steward.game.CommandListState;
-import steward.game.JsonNumbers;
 import steward.game.pokerchiprace.ChipCommand;
 import steward.game.pokerchiprace.ChipTable;
 import steward.game.pokerchiprace.PokerChipRace;
+import steward.json.JsonNumbers;
 import steward.physics.PassingPairs;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.io.SerializedString;
@@ -79,11 +79,7 @@ final class PokerChipRaceState extends CommandListState<ChipCommand> {
 
     @Override
     public void writeProgress(JsonGenerator out) {
-        out.writeArrayPropertyStart("scores");
-        for (int player = 0; player < game.players(); player++) {
-            out.writeNumber(game.score(player));
-        }
-        out.writeEndArray();
+        JsonNumbers.writeAll(out, "scores", game.players(), game::score);
         out.writeArrayPropertyStart("resources");
         ChipTable table = game.table();
         for (int player = 0; player < game.players(); player++) {

@@ -1,8 +1,8 @@
 package steward.game.searchrace.protocol;
 
-import steward.game.JsonAnswer;
 import steward.game.searchrace.SearchRace;
 import steward.game.searchrace.SearchRaceSettings;
+import steward.json.JsonAnswer;
 import tools.jackson.core.JsonParser;
 import tools.jackson.core.JsonToken;
 

@@ -1,8 +1,8 @@
 package steward.game.searchrace.protocol;
 
 import steward.game.Drawing;
-import steward.game.DrawingJson;
 import steward.game.searchrace.SearchRace;
+import steward.json.DrawingJson;
 import tools.jackson.core.JsonGenerator;
 
 /**

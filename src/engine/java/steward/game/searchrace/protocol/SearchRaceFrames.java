@@ -1,11 +1,11 @@
 package steward.game.searchrace.protocol;
 
 import steward.game.BotFrames;
-import steward.game.DrawingJson;
-import steward.game.JsonNumbers;
 import steward.game.searchrace.OfficialSearchRace;
 import steward.game.searchrace.SearchRace;
 import steward.game.searchrace.SearchRaceSettings;
+import steward.json.DrawingJson;
+import steward.json.JsonNumbers;
 import steward.scene.Scene;
 import tools.jackson.core.JsonGenerator;
 

@@ -1,9 +1,9 @@
 package steward.game.searchrace.protocol;
 
-import steward.game.DrawingJson;
-import steward.game.JsonNumbers;
 import steward.game.StateCodec;
 import steward.game.searchrace.SearchRace;
+import steward.json.DrawingJson;
+import steward.json.JsonNumbers;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.JsonParser;
 

@@ -2,7 +2,4 @@
  * Protocol of the search race: JSON frames and answers, CodinGame's lines; and {@link
  * steward.game.searchrace.protocol.SearchRaceType}, the game as the other rooms see it.
  */
-@Internal
 package steward.game.searchrace.protocol;
-
-import steward.Internal;

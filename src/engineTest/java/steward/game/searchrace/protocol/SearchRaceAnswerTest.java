@@ -9,9 +9,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import steward.game.FrameCodec;
-import steward.game.JsonObject;
 import steward.game.TextCodec;
 import steward.game.searchrace.SearchRace;
+import steward.json.JsonObject;
 
 /** Answers of bots in both protocols: what is taken, and what is said of the others. */
 class SearchRaceAnswerTest {

@@ -1,5 +1,2 @@
 /** Plain textbook implementations as a baseline; they share no code with the engine but sine and cosine. */
-@Internal
 package steward.lab.bench.textbook;
-
-import steward.Internal;

@@ -3,7 +3,7 @@ package steward.lab.cli.bench;
 import java.util.ArrayList;
 import java.util.List;
 import steward.bot.Bot;
-import steward.game.JsonNumbers;
+import steward.json.JsonNumbers;
 import tools.jackson.core.JsonParser;
 import tools.jackson.core.JsonToken;
 import tools.jackson.core.ObjectReadContext;

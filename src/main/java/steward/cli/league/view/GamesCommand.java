@@ -25,10 +25,10 @@ import steward.cli.shared.Streams;
 import steward.contest.Failure;
 import steward.files.InputException;
 import steward.files.OutputFiles;
-import steward.game.JsonNumbers;
+import steward.json.JsonNumbers;
 import steward.league.LeagueFolder;
-import steward.league.StoredGame.StoredSeat;
 import steward.league.StoredGame;
+import steward.league.StoredGame.StoredSeat;
 import steward.text.TextFormat;
 import tools.jackson.core.JsonGenerator;
 

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.Stream;
-import steward.game.JsonNumbers;
+import steward.json.JsonNumbers;
 import steward.league.StoredGame;
 import steward.league.rating.LeagueTable;
 import steward.text.TextFormat;

@@ -1,0 +1,79 @@
+package steward.json;
+
+import steward.physics.Bodies;
+import tools.jackson.core.JsonGenerator;
+
+/** The shapes of a drawing and of a state, for any game to write; walls are written by {@link WallJson}. */
+public final class DrawingJson {
+
+    private DrawingJson() {
+    }
+
+    /** The field {@code field}: the rectangle that is shown. */
+    public static void field(JsonGenerator out, double x, double y, double width, double height) {
+        out.writeObjectPropertyStart("field");
+        JsonNumbers.write(out, "x", x);
+        JsonNumbers.write(out, "y", y);
+        JsonNumbers.write(out, "width", width);
+        JsonNumbers.write(out, "height", height);
+        out.writeEndObject();
+    }
+
+    /** A place as an object, {@code {"x":..,"y":..}}. */
+    public static void place(JsonGenerator out, double x, double y) {
+        out.writeStartObject();
+        JsonNumbers.write(out, "x", x);
+        JsonNumbers.write(out, "y", y);
+        out.writeEndObject();
+    }
+
+    /** One of the {@code zones}: a circle that bodies pass over. */
+    public static void zone(JsonGenerator out, double x, double y, double radius, String label) {
+        out.writeStartObject();
+        JsonNumbers.write(out, "x", x);
+        JsonNumbers.write(out, "y", y);
+        JsonNumbers.write(out, "radius", radius);
+        out.writeStringProperty("label", label);
+        out.writeEndObject();
+    }
+
+    /** One of the {@code bodies} of a drawing that has an owner and can move: its places are in the states. */
+    public static void body(JsonGenerator out, int id, String kind, double radius, int owner, String label) {
+        out.writeStartObject();
+        out.writeNumberProperty("id", id);
+        out.writeStringProperty("kind", kind);
+        JsonNumbers.write(out, "radius", radius);
+        out.writeNumberProperty("owner", owner);
+        out.writeStringProperty("label", label);
+        out.writeEndObject();
+    }
+
+    /** One of the {@code bodies} of a drawing that belongs to no player and can move: its places are in the states. */
+    public static void freeBody(JsonGenerator out, int id, String kind, double radius) {
+        out.writeStartObject();
+        out.writeNumberProperty("id", id);
+        out.writeStringProperty("kind", kind);
+        JsonNumbers.write(out, "radius", radius);
+        out.writeEndObject();
+    }
+
+    /** One of the {@code bodies} of a drawing that never moves and belongs to no player. */
+    public static void fixedBody(JsonGenerator out, Bodies bodies, int body, String kind) {
+        out.writeStartObject();
+        out.writeNumberProperty("id", bodies.id(body));
+        out.writeStringProperty("kind", kind);
+        JsonNumbers.write(out, "radius", bodies.radius[body]);
+        JsonNumbers.write(out, "x", bodies.x[body]);
+        JsonNumbers.write(out, "y", bodies.y[body]);
+        out.writeEndObject();
+    }
+
+    /** The fields {@code id}, {@code x}, {@code y}, {@code vx}, {@code vy} of one of the {@code bodies} of a state. */
+    public static void motion(JsonGenerator out, Bodies bodies, int body) {
+        out.writeNumberProperty("id", bodies.id(body));
+        JsonNumbers.write(out, "x", bodies.x[body]);
+        JsonNumbers.write(out, "y", bodies.y[body]);
+        JsonNumbers.write(out, "vx", bodies.vx[body]);
+        JsonNumbers.write(out, "vy", bodies.vy[body]);
+    }
+}

@@ -1,0 +1,54 @@
+package steward.json;
+
+import java.io.ByteArrayOutputStream;
+import java.util.function.Consumer;
+import java.util.function.IntConsumer;
+import tools.jackson.core.JsonGenerator;
+import tools.jackson.core.ObjectWriteContext;
+
+/** Writes a JSON object from its first brace to its last. */
+public final class JsonObject {
+
+    private JsonObject() {
+    }
+
+    /** @param fields writes everything between the braces */
+    public static byte[] of(Consumer<JsonGenerator> fields) {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        try (JsonGenerator out = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(), bytes)) {
+            out.writeStartObject();
+            fields.accept(out);
+            out.writeEndObject();
+        }
+        return bytes.toByteArray();
+    }
+
+    /** Writes one field, an array of objects, each with the fields of an item. */
+    public static <T> void writeAll(JsonGenerator out, String name, Iterable<T> items, Consumer<T> fields) {
+        out.writeArrayPropertyStart(name);
+        for (T item : items) {
+            out.writeStartObject();
+            fields.accept(item);
+            out.writeEndObject();
+        }
+        out.writeEndArray();
+    }
+
+    /** Writes one field, an array of objects, each with the fields of an index from 0. */
+    public static void writeAll(JsonGenerator out, String name, int count, IntConsumer fields) {
+        out.writeArrayPropertyStart(name);
+        for (int k = 0; k < count; k++) {
+            out.writeStartObject();
+            fields.accept(k);
+            out.writeEndObject();
+        }
+        out.writeEndArray();
+    }
+
+    /** Writes one field, an array of texts. */
+    public static void writeTexts(JsonGenerator out, String name, Iterable<String> texts) {
+        out.writeArrayPropertyStart(name);
+        texts.forEach(out::writeString);
+        out.writeEndArray();
+    }
+}

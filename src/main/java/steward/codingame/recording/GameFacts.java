@@ -1,0 +1,62 @@
+package steward.codingame.recording;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import steward.game.ShownSeed;
+import tools.jackson.databind.JsonNode;
+
+/**
+ * Facts of a game beside its frames in the site's JSON.
+ *
+ * @param names   per player who it was: {@code agents[].codingamer.pseudo}, of a boss its nickname; {@code player N}
+ *                where that is not recorded
+ * @param seed    from {@code refereeInput}; 0 where it has none
+ * @param data    of the game: its number; empty if not recorded
+ * @param players per player: the number of the agent, and the league, as far as recorded
+ * @param scores  per player, as they stand there; empty if not recorded
+ */
+record GameFacts(List<String> names, long seed, Map<String, String> data, List<Map<String, String>> players,
+                 double[] scores) {
+
+    private static final int LONGEST_NAME = 60;
+
+    static GameFacts of(JsonNode result, int players) {
+        List<String> names = new ArrayList<>();
+        List<Map<String, String>> data = new ArrayList<>();
+        for (int player = 0; player < players; player++) {
+            names.add("player " + player);
+            data.add(new TreeMap<>());
+        }
+        for (JsonNode agent : result.path("agents")) {
+            int player = agent.path("index").asInt(-1);
+            if (player >= 0 && player < players) {
+                String pseudo = agent.path("codingamer").path("pseudo").asString("");
+                String name = pseudo.isBlank() ? agent.path("arenaboss").path("nickname").asString("") : pseudo;
+                if (!name.isBlank()) {
+                    names.set(player, name.substring(0, Math.min(LONGEST_NAME, name.length())));
+                }
+                put(data.get(player), "agent", agent.path("agentId"));
+                JsonNode league = agent.path("league");
+                put(data.get(player), "league", league.isObject() ? league.path("divisionIndex") : league);
+            }
+        }
+        Map<String, String> game = new TreeMap<>();
+        put(game, "game", result.path("gameId"));
+        List<Double> scores = new ArrayList<>();
+        for (JsonNode score : result.path("scores")) {
+            if (score.isNumber()) {
+                scores.add(score.asDouble());
+            }
+        }
+        return new GameFacts(names, ShownSeed.of(result.path("refereeInput").asString("")).orElse(0), game, data,
+            scores.stream().mapToDouble(score -> score).toArray());
+    }
+
+    private static void put(Map<String, String> data, String name, JsonNode value) {
+        if (value.isNumber() || value.isString()) {
+            data.put(name, value.asString());
+        }
+    }
+}

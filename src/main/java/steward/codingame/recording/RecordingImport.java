@@ -1,0 +1,68 @@
+package steward.codingame.recording;
+
+import java.io.OutputStream;
+import steward.game.GameTypes;
+import steward.game.podrace.RulesEdition;
+import tools.jackson.core.JacksonException;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
+
+/** A recording of a game that CodinGame's server has played, from which a replay of ours can be made. */
+@FunctionalInterface
+public interface RecordingImport {
+
+    /** How long a recording may be, in bytes: some fifty times what the longest games of the site take. */
+    int MOST_BYTES = 1 << 24;
+
+    /**
+     * Result of an import.
+     *
+     * @param turns  how many turns the replay has
+     * @param ending how the game ended by our rules, or {@code null} if the recording ends before
+     */
+    record Imported(int turns, String ending) {
+    }
+
+    /**
+     * Writes the replay.
+     *
+     * @throws DifferentGameException if the server has sent other lines than our rules give
+     */
+    Imported write(OutputStream out) throws InterruptedException;
+
+    /**
+     * Reads a recording: frames of the site's page, or the lines of the only player of a game.
+     *
+     * @param json   the text
+     * @param source its name, for errors
+     * @param types  the games that are known
+     * @throws IllegalArgumentException     if it is no recording of a game that is known; says where
+     * @throws steward.scene.json.SceneException if its map is none that can be played on
+     */
+    static RecordingImport of(String json, String source, GameTypes types) {
+        return of(json, source, types, null);
+    }
+
+    /**
+     * As above.
+     *
+     * @param rules edition of the rules by which a pod race was played; {@code null} for those of today
+     */
+    static RecordingImport of(String json, String source, GameTypes types, RulesEdition rules) {
+        JsonNode read = null;
+        try {
+            read = JsonMapper.shared().readTree(json);
+        } catch (JacksonException problem) {
+            // said below, with its place
+        }
+        RecordingImport other = read != null && read.has("stdin") && read.has("stdout")
+            ? LineRecordingImport.of(read, source, types)
+            : ServerGameImport.of(GameRecordingFile.gameResult(json, source), source, types);
+        if (other != null && rules != null) {
+            throw new IllegalArgumentException(source + ": found another game, expected a pod race where rules are "
+                + "named");
+        }
+        return other != null ? other
+            : GameRecordingImport.of(json, source, types, rules == null ? RulesEdition.LIVE : rules);
+    }
+}

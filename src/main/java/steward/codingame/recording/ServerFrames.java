@@ -1,0 +1,224 @@
+package steward.codingame.recording;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import steward.text.TextFormat;
+import steward.text.ViewLines;
+import tools.jackson.databind.JsonNode;
+
+/**
+ * Reads what the frames of CodinGame's JSON have in common in all games: frame 0 is the start; from then on, each frame
+ * is one player's answer, in the order of their numbers, and the key frame ends the turn. A player without a frame was
+ * not asked. Errors name the frame.
+ */
+final class ServerFrames {
+
+    /** The most players of any game of the site. */
+    private static final int MOST_PLAYERS = 8;
+    private static final int SHOWN = 60;
+
+    private final String source;
+    private final JsonNode result;
+    private final JsonNode frames;
+
+    /**
+     * One turn.
+     *
+     * @param said   per player its lines, possibly none; {@code null} for a player that was not asked
+     * @param view   of the frame that ends it
+     * @param frames the texts of all its frames
+     */
+    record Turn(List<List<String>> said, ViewLines view, List<ShownFrame> frames) {
+
+        boolean isSilent() {
+            return said.stream().allMatch(lines -> lines == null || lines.isEmpty());
+        }
+    }
+
+    /** @param result the object with the array {@code frames}, which is not empty */
+    ServerFrames(JsonNode result, String source) {
+        this.source = source;
+        this.result = result;
+        frames = result.get("frames");
+    }
+
+    /** The view of frame 0; without lines if it has none. */
+    ViewLines first() {
+        return view(0);
+    }
+
+    /** Checks that frame 0 is the referee's, and shows the start. */
+    void requireStart() {
+        if (agent(0) != -1) {
+            throw wrong(0, "agentId", Integer.toString(agent(0)), "-1: the first frame is the referee's");
+        }
+        if (!endsTurn(0)) {
+            throw wrong(0, "keyframe", "false", "true: the first frame shows the start");
+        }
+    }
+
+    /** The texts of frame 0. */
+    ShownFrame firstShown() {
+        return ShownFrame.of(frame(0));
+    }
+
+    /** Facts of the game beside its frames. */
+    GameFacts facts(int players) {
+        return GameFacts.of(result, players);
+    }
+
+    /** Returns the input of the server's referee, or "". */
+    String input() {
+        JsonNode input = result.get("refereeInput");
+        return input != null && input.isString() ? input.stringValue() : "";
+    }
+
+    /** As many as have answered in any frame. */
+    int players() {
+        int players = 0;
+        for (int k = 0; k < frames.size(); k++) {
+            players = Math.max(players, agent(k) + 1);
+        }
+        return players;
+    }
+
+    /** All turns; what is behind the last key frame is left out. */
+    List<Turn> turns(int players) {
+        List<Turn> turns = new ArrayList<>();
+        List<String>[] said = none(players);
+        List<ShownFrame> shown = new ArrayList<>();
+        int next = 0;
+        for (int k = 1; k < frames.size(); k++) {
+            int agent = agent(k);
+            ViewLines view = view(k);
+            shown.add(ShownFrame.of(frame(k)));
+            if (agent < 0 && !said(k).isEmpty()) {
+                throw wrong(k, "agentId", "-1", "the number of the player whose answer the frame has");
+            }
+            if (agent >= 0) {
+                if (agent < next) {
+                    throw wrong(k, "agentId", Integer.toString(agent),
+                        "a player behind " + (next - 1) + ", or a key frame before, which ends the turn");
+                }
+                said[agent] = said(k);
+                next = agent + 1;
+            }
+            boolean ends = endsTurn(k);
+            if (!ends && agent == players - 1) {
+                throw wrong(k, "keyframe", "false", "true, because all players have answered");
+            }
+            if (ends) {
+                turns.add(new Turn(Arrays.asList(said), view, List.copyOf(shown)));
+                shown.clear();
+                said = none(players);
+                next = 0;
+            }
+        }
+        return turns;
+    }
+
+    @SuppressWarnings("unchecked")
+    private static List<String>[] none(int players) {
+        return (List<String>[]) new List<?>[players];
+    }
+
+    /** The final scores; empty if not recorded. */
+    double[] scores(int players) {
+        return numbers("scores", players, "numbers");
+    }
+
+    /**
+     * The rank per player, 0 for the best; empty if not recorded. The server lists the players from the best to the
+     * worst, and does not say who has tied: equal scores have.
+     */
+    int[] ranks(int players) {
+        double[] order = numbers("ranks", players, "the numbers of the players, from the best to the worst");
+        double[] scores = scores(players);
+        int[] ranks = new int[order.length];
+        Arrays.fill(ranks, -1);
+        for (int place = 0; place < order.length; place++) {
+            int player = (int) order[place];
+            if (player != order[place] || player < 0 || player >= players || ranks[player] >= 0) {
+                throw new IllegalArgumentException(source + ": ranks[" + place + "]: found " + result.get("ranks")
+                    .get(place) + ", expected the number of a player 0.." + (players - 1) + ", each once");
+            }
+            int before = place == 0 ? -1 : (int) order[place - 1];
+            boolean ties = before >= 0 && scores.length > 0 && scores[before] == scores[player];
+            ranks[player] = ties ? ranks[before] : place;
+        }
+        return ranks;
+    }
+
+    private double[] numbers(String name, int players, String expected) {
+        JsonNode node = result.get(name);
+        if (node == null || node.isNull()) {
+            return new double[0];
+        }
+        double[] numbers = new double[node.isArray() ? node.size() : 0];
+        boolean all = numbers.length == players;
+        for (int k = 0; all && k < numbers.length; k++) {
+            all = node.get(k).isNumber();
+            numbers[k] = all ? node.get(k).asDouble() : 0;
+        }
+        if (!all) {
+            throw new IllegalArgumentException(source + ": " + name + ": found " + ViewLines.quote(node.toString())
+                + ", expected an array of " + players + ": " + expected);
+        }
+        return numbers;
+    }
+
+    /** The player of a frame, or -1 for the referee. */
+    private int agent(int frame) {
+        JsonNode agent = frame(frame).get("agentId");
+        if (agent == null || !agent.isInt() || agent.intValue() < -1 || agent.intValue() >= MOST_PLAYERS) {
+            throw wrong(frame, "agentId", agent == null ? "nothing" : agent.toString(),
+                "the number of a player 0.." + (MOST_PLAYERS - 1) + ", or -1");
+        }
+        return agent.intValue();
+    }
+
+    private boolean endsTurn(int frame) {
+        JsonNode key = frame(frame).get("keyframe");
+        if (key == null || !key.isBoolean()) {
+            throw wrong(frame, "keyframe", key == null ? "nothing" : key.toString(), "true or false");
+        }
+        return key.booleanValue();
+    }
+
+    private List<String> said(int frame) {
+        String stdout = text(frame, "stdout");
+        return stdout == null ? List.of() : stdout.strip().lines().toList();
+    }
+
+    private ViewLines view(int frame) {
+        ViewLines view = new ViewLines(source, frame, text(frame, "view"));
+        view.checkNumber();
+        return view;
+    }
+
+    private String text(int frame, String name) {
+        JsonNode text = frame(frame).get(name);
+        if (text == null || text.isNull()) {
+            return null;
+        }
+        if (!text.isString()) {
+            throw wrong(frame, name, text.toString(), "a text");
+        }
+        return text.stringValue();
+    }
+
+    private JsonNode frame(int frame) {
+        JsonNode node = frames.get(frame);
+        if (!node.isObject()) {
+            throw new IllegalArgumentException(source + ": frame " + frame + ": found "
+                + TextFormat.beginning(node.toString(), SHOWN) + ", expected an object");
+        }
+        return node;
+    }
+
+    private IllegalArgumentException wrong(int frame, String where, String found, String expected) {
+        return new IllegalArgumentException(source + ": frame " + frame + ", " + where + ": found "
+            + TextFormat.beginning(found, SHOWN) + ", expected " + expected);
+    }
+}

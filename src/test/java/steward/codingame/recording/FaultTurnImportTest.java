@@ -1,0 +1,94 @@
+package steward.codingame.recording;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.ByteArrayOutputStream;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
+import steward.bot.Bot;
+import steward.match.SeededBot;
+import steward.match.TestScenes;
+import steward.replay.verify.Difference;
+import tools.jackson.databind.node.ObjectNode;
+
+/** The last turn of a pod race that a fault has ended: the server plays it and shows it, so it is compared. */
+class FaultTurnImportTest {
+
+    /** Behind the line of number, the lines of four pods with their messages, and the counters. */
+    private static final int FIRST_IMPACT = 10;
+    private static final int IMPULSE = 8;
+
+    private final OfficialGame game = IntStream.range(5, 200).mapToObj(FaultTurnImportTest::endsByAFault)
+        .filter(each -> each.impactTurns().contains(each.turns())).findFirst().orElseThrow();
+
+    private static OfficialGame endsByAFault(int turn) {
+        return OfficialGame.play(TestScenes.open("mad-pod-racing"), 5, new SeededBot(5, 0.6), new Failing(turn));
+    }
+
+    /** Rams, and in one turn says what cannot be read. */
+    private static final class Failing implements Bot {
+
+        private final Bot rams = new SeededBot(6, 0.6);
+        private final int turn;
+        private int turns;
+
+        Failing(int turn) {
+            this.turn = turn;
+        }
+
+        @Override
+        public void setup(String line) {
+            rams.setup(line);
+        }
+
+        @Override
+        public String turn(String line) {
+            return ++turns == turn ? "left" : rams.turn(line);
+        }
+    }
+
+    private static Difference difference(ObjectNode result) {
+        ByteArrayOutputStream replay = new ByteArrayOutputStream();
+        try {
+            RecordingImport.of(result.toString(), "game.json", TestScenes.TYPES).write(replay);
+        } catch (InterruptedException nobodyDoes) {
+            throw new AssertionError(nobodyDoes);
+        }
+        return TextMatches.verify(replay.toByteArray()).difference();
+    }
+
+    private Difference changed(int line, int word, String to) {
+        ObjectNode result = game.gameResult();
+        ObjectNode frame = (ObjectNode) result.get("frames").get(OfficialGame.keyFrame(game.turns()));
+        List<String> lines = new ArrayList<>(frame.get("view").stringValue().lines().toList());
+        if (to == null) {
+            lines.subList(line, lines.size()).clear();
+        } else {
+            String[] words = lines.get(line).split(" ");
+            words[word] = to;
+            lines.set(line, String.join(" ", words));
+        }
+        frame.put("view", String.join("\n", lines) + "\n");
+        return difference(result);
+    }
+
+    @Test
+    void asItIsItVerifies() {
+        assertNull(difference(game.gameResult()));
+    }
+
+    @Test
+    void impulsePlaceAndMissingImpactsAreFound() {
+        for (Difference found : new Difference[] {changed(FIRST_IMPACT, IMPULSE, "1234.5"), changed(1, 0, "77"),
+            changed(3, 1, "78"), changed(FIRST_IMPACT, 0, null)}) {
+            assertNotNull(found);
+            assertEquals(game.turns(), found.turn(), found.toString());
+        }
+        assertTrue(game.turns() < 200, "a fault has ended it");
+    }
+}

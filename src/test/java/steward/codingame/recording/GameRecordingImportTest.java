@@ -1,0 +1,369 @@
+package steward.codingame.recording;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.ByteArrayOutputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.function.UnaryOperator;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
+import steward.codingame.recording.RecordingImport.Imported;
+import steward.match.TestScenes;
+import steward.replay.verify.Difference;
+import steward.replay.verify.Verification;
+import tools.jackson.databind.node.ArrayNode;
+import tools.jackson.databind.node.ObjectNode;
+
+/**
+ * Games played here, in the form of official recordings, imported: they verify, and every change in them is found in
+ * the turn that was changed.
+ */
+@Execution(ExecutionMode.CONCURRENT)
+class GameRecordingImportTest {
+
+    private static final OfficialGame GAME = OfficialGame.play(12);
+    /** Lines of a key frame's view: the first line, the pods, the counters. */
+    private static final int FIRST_IMPACT = 1 + 8 + 1;
+
+    private final ByteArrayOutputStream replay = new ByteArrayOutputStream();
+
+    private Imported imported(String json) {
+        replay.reset();
+        try {
+            return GameRecordingImport.of(json, "game.json", TestScenes.TYPES).write(replay);
+        } catch (InterruptedException nobodyDoes) {
+            throw new AssertionError(nobodyDoes);
+        }
+    }
+
+    private Verification verified(String json) {
+        imported(json);
+        return TextMatches.verify(replay.toByteArray());
+    }
+
+    private String text() {
+        return replay.toString(StandardCharsets.UTF_8);
+    }
+
+    /** The game with one line of a view changed. */
+    private static String spoilt(int frame, int line, UnaryOperator<String> change) {
+        ObjectNode game = GAME.gameResult();
+        ObjectNode spoiltFrame = (ObjectNode) game.get("frames").get(frame);
+        List<String> lines = new ArrayList<>(spoiltFrame.get("view").stringValue().lines().toList());
+        String before = lines.get(line);
+        String after = change.apply(before);
+        assertNotEquals(before, after, "nothing was spoilt");
+        if (after == null) {
+            lines.remove(line);
+        } else {
+            lines.set(line, after);
+        }
+        spoiltFrame.put("view", String.join("\n", lines) + "\n");
+        return game.toString();
+    }
+
+    private static UnaryOperator<String> word(int number, UnaryOperator<String> change) {
+        return line -> {
+            String[] words = line.split(" ");
+            words[number] = change.apply(words[number]);
+            return String.join(" ", words);
+        };
+    }
+
+    private static String plusOne(String number) {
+        return Long.toString((long) Double.parseDouble(number) + 1);
+    }
+
+    /** More than a unit in the last place of a sine or cosine can make. */
+    private static String farther(String number) {
+        return Double.toString(Double.parseDouble(number) * (1 + 0x1p-20));
+    }
+
+    private void assertFound(int turn, String field, String json) {
+        Difference difference = verified(json).difference();
+        assertNotNull(difference, field);
+        assertEquals(turn, difference.turn(), difference.toString());
+        assertEquals(field, difference.field(), difference.toString());
+    }
+
+    @Test
+    void aWholeGameVerifies() {
+        Verification verification = verified(GAME.json());
+        assertNull(verification.difference());
+        assertEquals(GAME.turns(), verification.turns());
+        assertNull(verification.warning());
+        assertTrue(GAME.impactTurns().size() > 10, "impacts are among it");
+        assertTrue(text().contains("\"shieldTimer\":4") && text().contains("\"boostLeft\":false"));
+        assertTrue(text().lines().findFirst().orElseThrow().contains("\"heading\":null"));
+        assertTrue(text().contains("\"imported\":true") && text().contains("\"messages\":[\"go | go\",\"go | go\"]"));
+    }
+
+    @Test
+    void textsThatTheRecordingLacksAreTold() {
+        List<String> all = verified(GAME.json()).views().notCompared();
+        ObjectNode game = GAME.gameResult();
+        ((ObjectNode) game.get("frames").get(4)).remove("summary");
+        ((ObjectNode) game.get("frames").get(5)).remove("view");
+        Verification verification = verified(game.toString());
+        assertNull(verification.difference());
+        List<String> more = new ArrayList<>(all);
+        more.add("2 texts of frames that the recording lacks");
+        assertEquals(more, verification.views().notCompared());
+    }
+
+    @Test
+    void severalGamesVerify() {
+        Set<String> endings = new TreeSet<>();
+        for (long seed = 11; seed < 17; seed++) {
+            OfficialGame game = OfficialGame.play(seed);
+            Imported imported = imported(game.json());
+            endings.add(imported.ending());
+            Verification verification = TextMatches.verify(replay.toByteArray());
+            assertNull(verification.difference());
+            assertEquals(game.turns(), verification.turns());
+        }
+        assertTrue(endings.contains("finished after 3 laps"), endings::toString);
+    }
+
+    @Test
+    void theInnerObjectsAloneAreTheSame() {
+        imported(GAME.json());
+        String whole = text();
+        imported(GAME.gameResult().toString());
+        assertEquals(whole, text());
+        imported("{\"gameResult\":" + GAME.gameResult() + "}");
+        assertEquals(whole, text());
+    }
+
+    @Test
+    void everyDigitOfAPodIsCompared() {
+        int frame = OfficialGame.keyFrame(40);
+        assertFound(40, "state.bodies[0].x", spoilt(frame, 1, word(0, GameRecordingImportTest::plusOne)));
+        assertFound(40, "state.bodies[1].y", spoilt(frame, 3, word(1, GameRecordingImportTest::plusOne)));
+        assertFound(40, "state.bodies[2].vx", spoilt(frame, 5, word(2, GameRecordingImportTest::plusOne)));
+        assertFound(40, "state.bodies[3].vy", spoilt(frame, 7, word(3, GameRecordingImportTest::plusOne)));
+        assertFound(40, "state.bodies[2].heading", spoilt(frame, 5, word(8, GameRecordingImportTest::farther)));
+        assertFound(40, "state.bodies[2].heading", spoilt(frame, 5, word(8, heading -> "null")));
+        assertFound(40, "state.bodies[0].shieldTimer", spoilt(frame, 1, word(9, up -> up.equals("0") ? "1" : "0")));
+        assertFound(40, "state.bodies[3].passed", spoilt(frame, 7, word(10, next -> next.equals("0") ? "1" : "0")));
+        assertFound(0, "start.state.bodies[3].x", spoilt(0, 5 + 6, word(0, GameRecordingImportTest::plusOne)));
+        assertFound(0, "start.state.bodies[0].heading", spoilt(0, 5, word(8, unset -> "0.5")));
+    }
+
+    /** By live rules the last frame shows 0 for the pod that has finished, which the count alone would not tell. */
+    @Test
+    void theNextCheckpointsOfTheLastFrameAreCompared() {
+        OfficialGame game = IntStream.range(11, 17).mapToObj(OfficialGame::play)
+            .filter(each -> imported(each.json()).ending().startsWith("finished")).findFirst().orElseThrow();
+        for (int pod = 0; pod < GameRecording.PODS; pod++) {
+            for (int other : new int[] {1, 2}) {
+                ObjectNode result = game.gameResult();
+                ObjectNode frame = (ObjectNode) result.get("frames").get(OfficialGame.keyFrame(game.turns()));
+                List<String> lines = new ArrayList<>(frame.get("view").stringValue().lines().toList());
+                int count = result.get("frames").get(0).get("view").stringValue().split("\n")[3].split(" ").length / 2;
+                lines.set(1 + 2 * pod, word(10, next -> Integer.toString((Integer.parseInt(next) + other) % count))
+                    .apply(lines.get(1 + 2 * pod)));
+                frame.put("view", String.join("\n", lines) + "\n");
+                assertNotNull(verified(result.toString()).difference(), "pod " + pod + ", " + other);
+            }
+        }
+    }
+
+    @Test
+    void everythingOfAnImpactIsCompared() {
+        int turn = GAME.impactTurns().get(3);
+        int frame = OfficialGame.keyFrame(turn);
+        assertFound(turn, "impacts[0].time", spoilt(frame, FIRST_IMPACT, word(1, GameRecordingImportTest::farther)));
+        assertFound(turn, "impacts[0].impulse", spoilt(frame, FIRST_IMPACT, word(8, GameRecordingImportTest::farther)));
+        assertFound(turn, "impacts[0].a", spoilt(frame, FIRST_IMPACT, word(2, a -> a.equals("3") ? "2" : "3")));
+        assertFound(turn, "impacts[0].b", spoilt(frame, FIRST_IMPACT, word(5, b -> b.equals("3") ? "2" : "3")));
+        assertFound(turn, "impacts[0].ax", spoilt(frame, FIRST_IMPACT, word(3, GameRecordingImportTest::plusOne)));
+        assertFound(turn, "impacts[0].ay", spoilt(frame, FIRST_IMPACT, word(4, GameRecordingImportTest::plusOne)));
+        assertFound(turn, "impacts[0].bx", spoilt(frame, FIRST_IMPACT, word(6, GameRecordingImportTest::plusOne)));
+        assertFound(turn, "impacts[0].by", spoilt(frame, FIRST_IMPACT, word(7, GameRecordingImportTest::plusOne)));
+        assertFound(turn, "impacts[0].meanVx", spoilt(frame, FIRST_IMPACT, word(9, GameRecordingImportTest::plusOne)));
+        assertFound(turn, "impacts[0].meanVy", spoilt(frame, FIRST_IMPACT, word(10, GameRecordingImportTest::plusOne)));
+    }
+
+    @Test
+    void theCountersOfBothPlayersAreCompared() {
+        int frame = OfficialGame.keyFrame(40);
+        int counters = FIRST_IMPACT - 1;
+        UnaryOperator<String> otherTurns = counter -> counter.substring(0, 2) + "77";
+        UnaryOperator<String> otherRank = counter -> (counter.charAt(0) == '1' ? '2' : '1') + counter.substring(1);
+        assertFound(40, "state.turnsLeft[0]", spoilt(frame, counters, word(0, otherTurns)));
+        assertFound(40, "state.turnsLeft[1]", spoilt(frame, counters, word(1, otherTurns)));
+        assertFound(40, "ranks[0]", spoilt(frame, counters, word(0, otherRank)));
+        assertFound(40, "ranks[1]", spoilt(frame, counters, word(1, otherRank)));
+        assertFound(0, "start.state.turnsLeft[1]", spoilt(0, 5 + 8, word(1, otherTurns)));
+    }
+
+    @Test
+    void aMissingAndAnAdditionalImpactAreFound() {
+        int turn = GAME.impactTurns().get(2);
+        int frame = OfficialGame.keyFrame(turn);
+        assertFound(turn, "impacts[" + (impactsOf(turn) - 1) + "]",
+            spoilt(frame, FIRST_IMPACT + impactsOf(turn) - 1, line -> null));
+        assertFound(turn, "impacts[" + impactsOf(turn) + "]",
+            spoilt(frame, FIRST_IMPACT + impactsOf(turn) - 1, line -> line + "\n" + line));
+        int quiet = turn + 1;
+        while (GAME.impactTurns().contains(quiet)) {
+            quiet++;
+        }
+        assertFound(quiet, "impacts", spoilt(OfficialGame.keyFrame(quiet), FIRST_IMPACT - 1,
+            line -> line + "\n0 0.5 1 0 0 0 0 0 240 0 0"));
+    }
+
+    private static int impactsOf(int turn) {
+        String view = GAME.gameResult().get("frames").get(OfficialGame.keyFrame(turn)).get("view").stringValue();
+        return (int) view.lines().count() - FIRST_IMPACT;
+    }
+
+    /** A view that goes on to its counters shows impacts: where none are, there was none. */
+    @Test
+    void impactsAreMissedBehindCountersAndNotInViewsThatEndBefore() {
+        ObjectNode game = GAME.gameResult();
+        for (int turn : GAME.impactTurns()) {
+            ObjectNode frame = (ObjectNode) game.get("frames").get(OfficialGame.keyFrame(turn));
+            frame.put("view", String.join("\n", frame.get("view").stringValue().lines().limit(FIRST_IMPACT).toList()));
+        }
+        assertFound(GAME.impactTurns().get(0), "impacts[0]", game.toString());
+        for (int k = 2; k < game.get("frames").size(); k += 2) {
+            ObjectNode frame = (ObjectNode) game.get("frames").get(k);
+            frame.put("view", String.join("\n", frame.get("view").stringValue().lines().limit(9).toList()));
+        }
+        assertNull(verified(game.toString()).difference());
+        assertFalse(text().contains("\"impacts\":["));
+        assertTrue(text().contains("\"bodies\""));
+    }
+
+    @Test
+    void missingPartsAreLeftOut() {
+        ObjectNode game = GAME.gameResult();
+        game.remove("ranks");
+        ArrayNode frames = (ArrayNode) game.get("frames");
+        for (int k = 0; k < frames.size(); k++) {
+            ObjectNode frame = (ObjectNode) frames.get(k);
+            frame.remove(k % 3 == 0 ? List.of("agentId", "keyframe") : List.of("agentId"));
+            if (k % 2 == 1 || k % 10 == 4) {
+                frame.remove(List.of("view", "summary"));
+            }
+        }
+        ObjectNode first = (ObjectNode) frames.get(0);
+        first.put("view", String.join("\r\n", first.get("view").stringValue().lines().limit(4).toList()));
+        Verification verification = verified(game.toString());
+        assertNull(verification.difference());
+        assertEquals(GAME.turns(), verification.turns());
+        assertTrue(text().contains("\"outcome\":{}"));
+    }
+
+    /** Keeps so many turns, and changes the frames of the last. */
+    private static ObjectNode cut(int turns, String stdout0, String stdout1) {
+        ObjectNode game = GAME.gameResult();
+        game.remove("scores");
+        ArrayNode frames = (ArrayNode) game.get("frames");
+        while (frames.size() > 1 + 2 * turns) {
+            frames.remove(frames.size() - 1);
+        }
+        for (int player = 0; player < 2; player++) {
+            ObjectNode frame = (ObjectNode) frames.get(2 * turns - 1 + player);
+            String stdout = player == 0 ? stdout0 : stdout1;
+            if (stdout == null) {
+                frame.remove("stdout");
+            } else if (!stdout.equals("as it was")) {
+                frame.put("stdout", stdout);
+            }
+            if (stdout == null || !stdout.equals("as it was")) {
+                ((ObjectNode) frames.get(2 * turns)).remove(List.of("view", "summary"));
+            }
+        }
+        return game;
+    }
+
+    private static ObjectNode ranks(ObjectNode game, int... ranks) {
+        ArrayNode array = game.putArray("ranks");
+        Arrays.stream(ranks).forEach(array::add);
+        return game;
+    }
+
+    @Test
+    void aPlayerThatStopsAnsweringEndsTheGame() {
+        assertEnds(ranks(cut(30, "as it was", null), 0, 1), "[null,\"no answer in the recording\"]");
+        assertEnds(ranks(cut(30, "as it was", "1 2 SHIELD\n"), 0, 1),
+            "[null,\"answered 1 of 2 lines in the recording\"]");
+        assertEnds(ranks(cut(30, null, "as it was"), 1, 0), "[\"no answer in the recording\",null]");
+        assertEnds(ranks(cut(30, null, null), 0, 0),
+            "[\"no answer in the recording\",\"no answer in the recording\"]");
+        assertEnds(ranks(cut(30, "as it was", "no idea\nwhat to say"), 0, 1), "[null,\"line 1 of 2: X: found");
+    }
+
+    private void assertEnds(ObjectNode game, String faults) {
+        Imported imported = imported(game.toString());
+        assertEquals(30, imported.turns());
+        assertEquals(faults.startsWith("[null") || faults.endsWith("null]") ? "all others are out" : "all are out",
+            imported.ending());
+        assertTrue(text().contains("\"faults\":" + faults), text().substring(text().length() - 2000));
+        Verification verification = TextMatches.verify(replay.toByteArray());
+        assertNull(verification.difference());
+        assertEquals(30, verification.turns());
+    }
+
+    /** The first player fails in a key frame of its own: the other one is not asked any more, and has not failed. */
+    @Test
+    void thePlayerBehindTheOneThatFailedHasNotFailed() {
+        ObjectNode game = ranks(cut(30, null, null), 1, 0);
+        ArrayNode frames = (ArrayNode) game.get("frames");
+        frames.remove(frames.size() - 1);
+        assertEnds(game, "[\"no answer in the recording\",null]");
+        assertTrue(text().contains("\"messages\":[null,\"not asked any more | not asked any more\"]"));
+        ((ObjectNode) frames.get(frames.size() - 1)).put("keyframe", true);
+        assertEnds(game, "[\"no answer in the recording\",null]");
+    }
+
+    @Test
+    void aRecordingThatWasCutOffVerifiesUpToTheCut() {
+        ObjectNode game = cut(30, "as it was", "as it was");
+        game.remove("ranks");
+        assertNull(imported(game.toString()).ending());
+        Verification verification = TextMatches.verify(replay.toByteArray());
+        assertNull(verification.difference());
+        assertEquals(30, verification.turns());
+        assertNotNull(verification.warning());
+        ArrayNode frames = (ArrayNode) game.get("frames");
+        frames.remove(frames.size() - 1);
+        assertEquals(29, imported(game.toString()).turns());
+    }
+
+    @Test
+    void aServerThatEndedEarlierOrLaterIsADifference() {
+        assertFound(30, "result", cut(30, "as it was", "as it was").toString());
+        ObjectNode game = GAME.gameResult();
+        ArrayNode frames = (ArrayNode) game.get("frames");
+        for (int more = 0; more < 2; more++) {
+            ObjectNode frame = ((ObjectNode) frames.get(frames.size() - 2)).deepCopy();
+            frame.put("view", frame.get("view").stringValue().replaceFirst("[0-9]+", "" + frames.size()));
+            frames.add(frame);
+        }
+        assertFound(GAME.turns(), "turns", game.toString());
+    }
+
+    @Test
+    void otherRanksAreADifference() {
+        ObjectNode game = GAME.gameResult();
+        int first = game.get("ranks").get(0).intValue();
+        ranks(game, 1 - first, first);
+        assertFound(GAME.turns(), "standing[0].rank", game.toString());
+    }
+}

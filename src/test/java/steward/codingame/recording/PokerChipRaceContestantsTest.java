@@ -1,0 +1,100 @@
+package steward.codingame.recording;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import javax.tools.JavaCompiler;
+import javax.tools.ToolProvider;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestReporter;
+import org.junit.jupiter.api.io.TempDir;
+import steward.game.GameSetup;
+import steward.match.Seat;
+import steward.match.TestScenes;
+import steward.match.TimeControl;
+
+/**
+ * Three Poker Chip Race bots as contestants write them, in three languages, on the site's lines with seats rotated;
+ * those whose language is not there leave their seat to the one in Java. More games: {@code -Dsteward.games=100}.
+ */
+@Tag("process")
+class PokerChipRaceContestantsTest {
+
+    private static final int MATCHES = Integer.getInteger("steward.games", 6);
+
+    @TempDir
+    private Path folder;
+
+    @Test
+    void theyPlayWithoutAFault(TestReporter report) throws IOException, InterruptedException {
+        JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
+        assumeTrue(compiler != null, "skipped: this Java has no compiler");
+        assertEquals(0, compiler.run(null, null, null, "-d", folder.toString(), source("Chaser.java").toString()));
+        List<String> java = List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+            "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC", "-cp", folder.toString(), "Player");
+        boolean python = isThere("python3", "-c", "import math, sys");
+        Path program = folder.resolve("centre");
+        boolean cpp = isThere("g++", "-O1", "-o", program.toString(), source("centre.cpp").toString());
+        List<List<String>> commands = List.of(java,
+            python ? List.of("python3", source("coward.py").toString()) : java,
+            cpp ? List.of(program.toString()) : java);
+        int[] won = new int[commands.size()];
+        int turns = 0;
+        for (int match = 0; match < MATCHES; match++) {
+            Seat[] seats = new Seat[commands.size()];
+            for (int seat = 0; seat < seats.length; seat++) {
+                int bot = (seat + match) % seats.length;
+                seats[seat] = TextMatches.program("bot " + bot, commands.get(bot));
+            }
+            GameSetup setup = TestScenes.changed("poker-chip-race", "\"players\": 2", "\"players\": 3");
+            TextMatches played = TextMatches.play(setup, match, TimeControl.UNLIMITED, seats);
+            for (int seat = 0; seat < seats.length; seat++) {
+                assertNull(played.player(seat).fault(), "seed " + match + ", seat " + seat);
+                assertEquals(0, played.player(seat).earlyTurns());
+                won[(seat + match) % seats.length] += played.result().winner() == seat ? 1 : 0;
+            }
+            if (match % 3 == 0) {
+                assertNull(played.verify().difference());
+            }
+            turns += played.result().turns();
+        }
+        List<Integer> wins = new ArrayList<>();
+        for (int each : won) {
+            wins.add(each);
+        }
+        report.publishEntry(MATCHES + " matches without a fault, " + turns + " turns; won " + wins
+            + " (Java, Python " + python + ", C++ " + cpp + ")");
+        assertTrue(turns > 0);
+    }
+
+    private Path source(String name) throws IOException {
+        Path file = folder.resolve(name);
+        try (InputStream in = PokerChipRaceContestantsTest.class.getResourceAsStream("/pokerchiprace/" + name)) {
+            assertNotNull(in, name);
+            Files.copy(in, file);
+        }
+        return file;
+    }
+
+    private static boolean isThere(String... command) throws InterruptedException {
+        try {
+            Process process = new ProcessBuilder(command).redirectErrorStream(true).start();
+            process.getOutputStream().close();
+            process.getInputStream().readAllBytes();
+            return process.waitFor(60, TimeUnit.SECONDS) && process.exitValue() == 0;
+        } catch (IOException notInstalled) {
+            return false;
+        }
+    }
+}

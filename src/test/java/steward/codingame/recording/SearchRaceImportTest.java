@@ -1,0 +1,114 @@
+package steward.codingame.recording;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.ByteArrayOutputStream;
+import org.junit.jupiter.api.Test;
+import steward.match.TestScenes;
+import steward.replay.verify.Verification;
+import tools.jackson.databind.node.ArrayNode;
+import tools.jackson.databind.node.ObjectNode;
+
+/** Search races in the form of the site's JSON, played here: their ends, and what the views must hold. */
+class SearchRaceImportTest {
+
+    private final ObjectNode game = ServerGame.searchRace();
+    private final ArrayNode frames = (ArrayNode) game.get("frames");
+    private final ByteArrayOutputStream replay = new ByteArrayOutputStream();
+
+    private Verification verified() {
+        replay.reset();
+        try {
+            RecordingImport.of(game.toString(), "g.json", TestScenes.TYPES).write(replay);
+        } catch (InterruptedException nobodyDoes) {
+            throw new AssertionError(nobodyDoes);
+        }
+        return TextMatches.verify(replay.toByteArray());
+    }
+
+    private void declare(String time) {
+        game.putArray("ranks").add(0);
+        game.putArray("scores").add(1.0);
+        String end = "{\"entitymodule\":\"\",\"endScreen\":[[" + time.split("\\.")[0] + "],\"image\",[\"" + time
+            + "\"]]}";
+        frames.addObject().put("agentId", 0).put("keyframe", true).put("view", " " + (frames.size() - 1) + "\n" + end);
+    }
+
+    private String time() {
+        verified();
+        return replay.toString().replaceFirst("(?s).*\"score\":([0-9.]+).*", "$1");
+    }
+
+    private void spoil(int frame, String from, String to) {
+        ObjectNode node = (ObjectNode) frames.get(frame);
+        String view = node.get("view").asString();
+        assertTrue(view.contains(from), view);
+        node.put("view", view.replace(from, to));
+    }
+
+    private String problem() {
+        return assertThrows(IllegalArgumentException.class,
+            () -> RecordingImport.of(game.toString(), "g.json", TestScenes.TYPES)).getMessage();
+    }
+
+    @Test
+    void aRaceToTheFinishVerifiesWithItsTime() {
+        int turns = frames.size() - 1;
+        declare(time());
+        Verification found = verified();
+        assertNull(found.difference());
+        assertTrue(found.verified());
+        assertEquals(turns, found.turns());
+        assertTrue(found.views().values() > 20 * turns, "views are compared");
+    }
+
+    @Test
+    void anotherTimeOfTheFinishIsFound() {
+        declare("7.25");
+        assertTrue(verified().difference().toString().contains("7.25"), verified().difference().toString());
+    }
+
+    @Test
+    void anAnswerThatCannotBeReadLosesTheRace() {
+        while (frames.size() > 8) {
+            frames.remove(frames.size() - 1);
+        }
+        game.putArray("ranks").add(0);
+        ObjectNode last = (ObjectNode) frames.get(7);
+        last.put("stdout", "left\n").put("summary", "Can't parse").put("view",
+            " 7\n{\"entitymodule\":\"\",\"debug\":[],\"endScreen\":[[1000],\"image\",[\"1000.0\"]]}\n");
+        assertNull(verified().difference());
+        spoil(7, "\"1000.0\"", "\"1000.5\"");
+        assertTrue(verified().difference().toString().contains("1000.5"));
+    }
+
+    @Test
+    void updatesInAnotherOrderAreTheSame() {
+        for (int k = 1; k < frames.size(); k++) {
+            String view = frames.get(k).get("view").asString();
+            String updates = view.replaceFirst("(?s).*\"U([^\"]*)\".*", "$1");
+            StringBuilder turned = new StringBuilder();
+            for (String update : updates.split(";")) {
+                turned.insert(0, turned.isEmpty() ? update : update + ";");
+            }
+            spoil(k, updates, turned + ";99 1 v 1 x 3 \u0393 y 4 \u0393 z 3");
+        }
+        assertNull(verified().difference());
+    }
+
+    @Test
+    void errorsNameTheFrame() {
+        spoil(3, "{", "<");
+        assertTrue(problem().startsWith("g.json: frame 3, view line 1: found \"<"), problem());
+    }
+
+    @Test
+    void aGameOfTheSameToolkitIsNamedByItsView() {
+        ((ObjectNode) frames.get(0)).put("view", " 0\n{\"global\":{},\"frame\":{\"entitymodule\":\"CS\"}}\n");
+        assertTrue(problem().matches("g.json: frame 0, view line 1: found \"\\{.global.*expected the name of a game "
+            + "that is known: CodersStrikeBack, .*Search Race.*"), problem());
+    }
+}

@@ -1,0 +1,93 @@
+package steward.codingame.recording;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import steward.match.TestScenes;
+import steward.replay.verify.Verification;
+
+/**
+ * The Poker Chip Race as the site's server shows it. The excerpt is the beginning of a real game, published by
+ * nmahoude/codingame: three turns in which all wait, and one with a push and a meal.
+ */
+class ServerChipsImportTest {
+
+    private static String excerpt() throws IOException {
+        try (InputStream in = ServerChipsImportTest.class.getResourceAsStream(
+            "/pokerchiprace/server-frames0-8.json")) {
+            return new String(in.readAllBytes(), StandardCharsets.UTF_8);
+        }
+    }
+
+    private static Verification verified(String json) {
+        ByteArrayOutputStream replay = new ByteArrayOutputStream();
+        try {
+            RecordingImport.of(json, "g.json", TestScenes.TYPES).write(replay);
+        } catch (InterruptedException problem) {
+            throw new AssertionError(problem);
+        }
+        return TextMatches.verify(replay.toByteArray());
+    }
+
+    private static String changed(String from, String to) throws IOException {
+        String json = excerpt();
+        int at = json.lastIndexOf(from);
+        assertTrue(at >= 0, "there is no " + from);
+        return json.substring(0, at) + to + json.substring(at + from.length());
+    }
+
+    @Test
+    void theExcerptVerifies() throws IOException {
+        Verification found = verified(excerpt());
+        assertNull(found.difference());
+        assertEquals(4, found.states());
+    }
+
+    /** The last view that holds the text is that of turn 4. */
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {
+        "21.00 711.13 | 21.00 711.14 | state.bodies[1].x",
+        "711.13 206.10 | 711.13 206.11 | state.bodies[1].y",
+        "1 21.00 711.13 | 1 21.01 711.13 | state.bodies[1].radius",
+        "2 -1 15.41 200.37 | 2 1 15.41 200.37 | state.bodies[2].player",
+        "1385 1385\\n\" | 1385 1386\\n\" | scores[1]"})
+    void aChangedValueIsFound(String from, String to, String field) throws IOException {
+        Verification found = verified(changed(from.strip(), to.strip()));
+        assertNotNull(found.difference());
+        assertEquals(field, found.difference().field());
+        assertEquals(4, found.difference().turn());
+    }
+
+    @Test
+    void aChangedPlaceOfTheStartIsFound() throws IOException {
+        String json = excerpt();
+        Verification found = verified(json.replaceFirst("359\\.68 27\\.89", "359.69 27.89"));
+        assertEquals(0, found.difference().turn());
+        assertEquals("start.state.bodies[0].x", found.difference().field());
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', quoteCharacter = '`', value = {
+        "seed=603873261\\n | sneed=1\\n | refereeInput: found \"sneed=1\", expected seed=NUMBER or a setting",
+        "seed=603873261\\n | symmetric=false\\n | refereeInput: found \"symmetric=false",
+        "2 800 515 300 | 2 800 515 | frame 0, view line 2: found \"2 800 515\", expected players, width",
+        "375.41 155.10 0.00 0 | 375.41 155.10 0.00 | frame 8, view line 6: found \"4 -1 24.78 375.41 155.10 0.00\", "
+            + "expected id owner radius",
+        "2 -1 15.41 200.37 | 2 7 15.41 200.37 | frame 8, view line 4: found \"7\", expected a whole number 0..1"})
+    void whatIsWrongIsToldWithItsPlace(String from, String to, String expected) throws IOException {
+        String json = changed(from, to);
+        String problem = assertThrows(IllegalArgumentException.class,
+            () -> RecordingImport.of(json, "g.json", TestScenes.TYPES)).getMessage();
+        assertTrue(problem.startsWith("g.json: " + expected), problem);
+    }
+}

@@ -1,0 +1,219 @@
+package steward.codingame.recording;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.ByteArrayOutputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import steward.match.TestScenes;
+import steward.replay.verify.Verification;
+import tools.jackson.databind.node.ArrayNode;
+import tools.jackson.databind.node.ObjectNode;
+
+/** Recordings of a game with views of its own, played here and by the server: they verify, and changes are found. */
+class ServerGameImportTest {
+
+    private static final ServerMeanMax GAME = ServerMeanMax.play(5, 300);
+    private static final ServerMeanMax SHORT = ServerMeanMax.play(5, 3);
+
+    private final ByteArrayOutputStream replay = new ByteArrayOutputStream();
+
+    private RecordingImport.Imported imported(String json) {
+        replay.reset();
+        try {
+            return RecordingImport.of(json, "g.json", TestScenes.TYPES).write(replay);
+        } catch (InterruptedException nobodyDoes) {
+            throw new AssertionError(nobodyDoes);
+        }
+    }
+
+    private Verification verified(String json) {
+        imported(json);
+        return TextMatches.verify(replay.toByteArray());
+    }
+
+    private static String problemOf(String json) {
+        return assertThrows(IllegalArgumentException.class,
+            () -> RecordingImport.of(json, "g.json", TestScenes.TYPES)).getMessage();
+    }
+
+    @Test
+    void aWholeGameVerifiesInAllThatIsShown() {
+        Verification found = verified(GAME.json());
+        assertNull(found.difference());
+        assertTrue(found.verified());
+        assertEquals(GAME.turns(), found.states());
+        assertEquals(GAME.impacts(), found.impacts().shown());
+        assertTrue(GAME.impacts() > 100 && GAME.sunk() > 3, "there is something to compare");
+    }
+
+    @Test
+    void aGameThatEndsEarlyIsImportedAsFarAsItGoes() {
+        assertEquals(new RecordingImport.Imported(3, null), imported(SHORT.json()));
+        Verification found = verified(SHORT.json());
+        assertTrue(found.agrees());
+        assertEquals(3, found.turns());
+    }
+
+    /** The lines of a key frame from the first score on, changed one at a time. */
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {
+        "1 | 7 | turn 20, scores[0]: recorded 7",
+        "4 | 299 | turn 20, resources[0].rage: recorded 299"})
+    void aChangedNumberOfAPlayerIsFound(int line, String to, String expected) {
+        assertTrue(verified(spoilt(20, line, to)).difference().toString().startsWith(expected), expected);
+    }
+
+    @Test
+    void aChangedPlaceIsFoundInEveryTurn() {
+        for (int turn = 1; turn <= GAME.turns(); turn += 13) {
+            String[] lines = view(turn).split("\n");
+            int line = Arrays.asList(lines).lastIndexOf("#1.00000");
+            while (!lines[line].startsWith("1 ")) {
+                line++;
+            }
+            String[] words = lines[line].split(" ");
+            words[1] = Long.toString(Long.parseLong(words[1]) + 1);
+            Verification found = verified(spoilt(turn, line, String.join(" ", words)));
+            assertNotNull(found.difference(), "turn " + turn);
+            assertEquals(turn, found.difference().turn());
+            assertEquals("state.bodies[1].x", found.difference().field());
+        }
+    }
+
+    @Test
+    void aChangedTimeAPlaceAndASpeedOfAnImpactAreFound() {
+        int turn = 1;
+        while (!view(turn).split("\n")[16].matches("#0\\.[1-8].*")) {
+            turn++;
+        }
+        String[] lines = view(turn).split("\n");
+        String time = lines[16].substring(0, 7) + (lines[16].endsWith("1") ? "2" : "1");
+        assertEquals("impacts[0].time", verified(spoilt(turn, 16, time)).difference().field());
+        String[] words = lines[17].split(" ");
+        String[] fields = {"a", "ax", "ay", "vax", "vay"};
+        for (int k = 1; k < fields.length; k++) {
+            String[] changed = words.clone();
+            changed[k] = Long.toString(Long.parseLong(changed[k]) - 1);
+            assertEquals("impacts[0]." + fields[k],
+                verified(spoilt(turn, 17, String.join(" ", changed))).difference().field());
+        }
+    }
+
+    @Test
+    void anImpactThatTheServerHasNotIsFound() {
+        int turn = 1;
+        while (!view(turn).split("\n")[16].startsWith("#0")) {
+            turn++;
+        }
+        String view = view(turn);
+        int from = view.indexOf("#0");
+        int to = view.indexOf('#', from + 1);
+        String difference = verified(spoilt(turn, view.substring(0, from) + view.substring(to))).difference()
+            .toString();
+        assertTrue(difference.startsWith("turn " + turn + ", impacts["), difference);
+    }
+
+    @Test
+    void aChangedResultIsFound() {
+        ObjectNode changed = GAME.gameResult();
+        ((ArrayNode) changed.get("scores")).set(1, 1000.0);
+        assertEquals("standing[1].score", verified(changed.toString()).difference().field());
+        changed = GAME.gameResult();
+        ArrayNode ranks = (ArrayNode) changed.get("ranks");
+        int first = ranks.get(0).intValue();
+        ranks.set(0, ranks.get(2).intValue()).set(2, first);
+        assertTrue(verified(changed.toString()).difference().field().endsWith(".rank"));
+    }
+
+    @Test
+    void aPlayerThatSaidNothingFailsThere() {
+        ObjectNode silent = SHORT.gameResult();
+        ((ObjectNode) silent.get("frames").get(5)).remove("stdout");
+        imported(silent.toString());
+        assertTrue(replay.toString(StandardCharsets.UTF_8).contains(
+            "\"faults\":[null,\"no answer in the recording\",null]"));
+    }
+
+    private static String view(int turn) {
+        return GAME.gameResult().get("frames").get(3 * turn).get("view").stringValue();
+    }
+
+    private static String spoilt(int turn, int line, String to) {
+        String[] lines = view(turn).split("\n");
+        lines[line] = to;
+        return spoilt(turn, String.join("\n", lines));
+    }
+
+    private static String spoilt(int turn, String view) {
+        ObjectNode changed = GAME.gameResult();
+        ((ObjectNode) changed.get("frames").get(3 * turn)).put("view", view);
+        return changed.toString();
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', quoteCharacter = '`', value = {
+        "meanmax | FantasticBits | frame 0, view line 1: found \"FantasticBits\", expected the name of a game that is "
+            + "known: CodersStrikeBack, Search Race, meanmax, Fantastic Bits",
+        "meanmax\\n3\\n | meanmax\\n2\\n | frame 0, view line 2: found \"2\", expected 3, the number of players",
+        "seed=5\\n | sneed=5 | refereeInput: found \"sneed=5\", expected a line seed=NUMBER",
+        "\"refereeInput\" | \"other\" | refereeInput: found nothing, expected a line seed=NUMBER",
+        "\" 4\\n\" | \" 5\\n\" | frame 4, view line 0: found \" 5\", expected the number of the frame, 4: frames are "
+            + "missing",
+        "\"agentId\":2 | \"agentId\":1 | frame 3, agentId: found 1, expected a player behind 1, or a key frame before",
+        "\"agentId\":2 | \"agentId\":-1 | frame 3, agentId: found -1, expected the number of the player whose answer",
+        "\"agentId\":2 | \"agentId\":3 | found answers of 4 players, expected 3 of mean-max",
+        "\"agentId\":2 | \"agentId\":\"2\" | frame 3, agentId: found \"2\", expected the number of a player "
+            + "0..7, or -1",
+        "\"keyframe\":true,\"agentId\":2 | \"keyframe\":1,\"agentId\":2 | frame 3, keyframe: found 1, expected true",
+        "\"stdout\":\"0 0 300 | \"stdout\":5,\"b\":\"0 0 300 | frame 1, stdout: found 5, expected a text",
+        "#1.00000 | #0.99999 | frame 0, view line 21: found \"#0.99999\", expected #1.00000, then all that is there",
+        "#1.00000\\n0 | #1.00000\\n0 1 x | frame 0, view line 22: found \"0 1 x",
+        "#1.00000\\n0 | #1.00000\\n77 1 2 3 4\\n0 | frame 0, view line 22: found \"77 1 2 3 4\", expected a unit that "
+            + "was there before, or with its kind and radius",
+        "#1.00000\\n0 | #1.00000\\n77\\n0 | frame 0, view line 22: found \"77\", expected an effect that was there",
+        "#1.00000\\n0 | #1.00000\\n77@3\\n0 | frame 0, view line 22: found \"77@3\", expected a wreck that was there",
+        "#1.00000\\n0 | #1.00000\\n77 d\\n0 | frame 0, view line 22: found \"77 d\", expected something that was there",
+        "#1.00000\\n0 | #1.00000\\n7 1 2 0 0 9 1000\\n0 | frame 0, view line 22: found \"9\", expected the type of a "
+            + "skill 5..7",
+        "\\n#1.00000 | \\n#2\\n#1.00000 | frame 0, view line 21: found \"#2\", expected a time 0..1 within the turn",
+        "\\n#1.00000 | \\n#0.5\\n#1.00000 | frame 0, view line 21: found \"#0.5\", expected one unit that met the wall",
+        "\\n3\\n0\\n | \\n3\\n-1\\n | frame 0, view line 6: found \"-1\", expected a whole number 0..1000000"})
+    void whatIsWrongIsToldWithItsFrameAndLine(String from, String to, String expected) {
+        String json = SHORT.json();
+        int at = json.indexOf(from);
+        assertTrue(at >= 0, "there is no " + from);
+        String problem = problemOf(json.substring(0, at) + to + json.substring(at + from.length()));
+        assertTrue(problem.startsWith("g.json: " + expected), problem);
+    }
+
+    @Test
+    void aFrameThatIsMissingAndAFileThatIsCutAreTold() {
+        ObjectNode missing = SHORT.gameResult();
+        ((ArrayNode) missing.get("frames")).remove(4);
+        String gap = problemOf(missing.toString());
+        assertTrue(gap.startsWith(
+            "g.json: frame 4, view line 0: found \" 5\", expected the number of the frame, 4: frames are missing"),
+            gap);
+        String json = SHORT.json();
+        String problem = problemOf(json.substring(0, json.length() / 2));
+        assertTrue(problem.contains("within the JSON") && problem.contains("expected all of it"), problem);
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {
+        "[0,1] | ranks: found \"[0,1]\", expected an array of 3",
+        "[0,1,1] | ranks[2]: found 1, expected the number of a player 0..2, each once",
+        "[0,1,3] | ranks[2]: found 3, expected the number of a player 0..2, each once"})
+    void ranksThatAreNone(String ranks, String expected) {
+        String json = SHORT.gameResult().put("x", 0).toString().replace("\"x\":0", "\"ranks\":" + ranks);
+        assertEquals("g.json: " + expected, problemOf(json).split(": the numbers")[0]);
+    }
+}
