@@ -1,7 +1,6 @@
 package steward.machines.broker;
 
 import java.util.Set;
-import java.util.function.BiPredicate;
 import javax.security.auth.Subject;
 import org.apache.activemq.artemis.core.remoting.impl.invm.InVMConnection;
 import org.apache.activemq.artemis.core.security.CheckType;
@@ -22,37 +21,45 @@ final class BrokerSecurity implements ActiveMQSecurityManager5 {
      * first session is made. Artemis has a client's id for that, but sends it only once it knows the broker's version.
      */
     static final String PROCESS = " ";
+    /** Beginning of a client's id, before the reason, for {@link WorkerSessions} to refuse it with. */
+    static final String REFUSED = "refused: ";
+    /** Parts of a password: the secret, the name of the process, and the secret of an invitation if there is one. */
+    private static final int PARTS = 3;
 
     private final String league;
     private final String secret;
-    private final BiPredicate<String, String> admits;
+    private final Admission admission;
 
     /**
-     * @param league the name of the league itself, which no worker can have
-     * @param secret its secret
-     * @param admits whether a worker of a name has a secret and may play
+     * @param league    the name of the league itself, which no worker can have
+     * @param secret    its secret
+     * @param admission of workers
      */
-    BrokerSecurity(String league, String secret, BiPredicate<String, String> admits) {
+    BrokerSecurity(String league, String secret, Admission admission) {
         this.league = league;
         this.secret = secret;
-        this.admits = admits;
+        this.admission = admission;
     }
 
     @Override
     public Subject authenticate(String user, String password, RemotingConnection connection, String domain)
             throws NoCacheLoginException {
         boolean inside = connection != null && connection.getTransportConnection() instanceof InVMConnection;
-        String[] parts = password == null ? new String[] {null} : password.split(PROCESS, 2);
+        String[] parts = password == null ? new String[] {null} : password.split(PROCESS, PARTS);
         boolean known = inside ? league.equals(user) && secret.equals(password)
-            : !league.equals(user) && admits.test(user, parts[0]);
-        if (!known) {
+            : !league.equals(user) && admission.admits(user, parts[0]);
+        boolean invited = !inside && !known && connection != null && parts.length == PARTS && user != null
+            && !league.equals(user);
+        if (!known && !invited) {
             throw new NoCacheLoginException("unknown, or revoked");
         }
+        // An exception here would not tell why: the reason goes to the session that is about to be made.
+        String refusal = invited ? admission.enrol(user, parts[0], parts[2]) : null;
         if (!inside && connection != null) {
-            connection.setClientID(parts.length > 1 ? parts[1] : "");
+            connection.setClientID(refusal != null ? REFUSED + refusal : parts.length > 1 ? parts[1] : "");
         }
         Subject subject = new Subject();
-        subject.getPrincipals().add(new UserPrincipal(user));
+        subject.getPrincipals().add(new UserPrincipal(refusal == null ? user : REFUSED));
         return subject;
     }
 

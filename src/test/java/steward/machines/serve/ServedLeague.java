@@ -187,7 +187,7 @@ abstract class ServedLeague {
         LeagueSettings settings = here.read();
         Contest contest = Contest.withoutBots(Games.open(here.scene(settings.scene())), 1);
         return new RemoteGames(here, Season.of(contest.setup(), settings), contest, settings, Games.types(),
-            new RemoteGames.Service(new InetSocketAddress("127.0.0.1", port), 0.05, Long.MAX_VALUE, "1"), teller);
+            new RemoteGames.Service(new InetSocketAddress("127.0.0.1", port), 0.05, Long.MAX_VALUE, "1", false), teller);
     }
 
     String refused(WorkerToken token) {
