@@ -131,9 +131,9 @@ public final class BrokerClient implements AutoCloseable {
     }
 
     private ClientSession session(boolean alone) throws ActiveMQException {
-        return factory.createSession(token.worker(), token.secret() + BrokerSecurity.PROCESS + process
-            + (token.invitation() == null ? "" : BrokerSecurity.PROCESS + token.invitation()), false, alone, alone,
-            false, 0);
+        return factory.createSession(token.worker(), token.secret() + BrokerSecurity.MARK
+            + (token.invitation() == null ? "" : token.invitation()) + BrokerSecurity.MARK + process, false, alone,
+            alone, false, 0);
     }
 
     private static BrokenException broken(ActiveMQException problem) {

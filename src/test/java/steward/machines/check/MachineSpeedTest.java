@@ -13,7 +13,7 @@ class MachineSpeedTest {
         assertEquals(2.5, MachineSpeed.scale(1000, 400));
         assertEquals(0.33, MachineSpeed.scale(1000, 3000));
         assertEquals(8, MachineSpeed.scale(1000, 1), "a worker may say anything");
-        assertEquals(0.13, MachineSpeed.scale(1, 1000));
+        assertEquals(0.12, MachineSpeed.scale(1, 1000));
         assertEquals(1, MachineSpeed.scale(1000, 0), "a worker that says nothing");
     }
 
