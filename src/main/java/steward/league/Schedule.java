@@ -213,6 +213,11 @@ public final class Schedule {
         return first;
     }
 
+    /** Returns how many decisions have been made since the first one of which a game is not over. */
+    public int ahead() {
+        return next - firstOpen();
+    }
+
     /**
      * True if games have been decided on that are not begun.
      *

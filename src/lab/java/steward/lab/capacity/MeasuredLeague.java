@@ -162,7 +162,7 @@ public final class MeasuredLeague {
             effort.slots(), Long.MAX_VALUE, Long.MAX_VALUE, () -> Isolation.OFF, league.path().resolve("bundles"),
             "measured", "this process", paced), bots.types(), told::add);
         try (RemoteGames far = new RemoteGames(league, Season.of(contest.setup(), settings), contest, settings,
-                bots.types(), new RemoteGames.Service(address, SHARE, Long.MAX_VALUE, "measured"), told::add)) {
+                bots.types(), new RemoteGames.Service(address, SHARE, Long.MAX_VALUE, "measured", false), told::add)) {
             start("worker of the measurement", worker::play, told::add);
             try {
                 return play(league, settings, contest, far, effort, told);

@@ -1,6 +1,7 @@
 package steward.cli.machines;
 
 import java.nio.file.Path;
+import java.time.Instant;
 import java.util.List;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
@@ -12,37 +13,54 @@ import steward.cli.shared.Streams;
 import steward.files.OutputFiles;
 import steward.league.LeagueFolder;
 import steward.machines.token.BrokerKey;
+import steward.machines.token.Invitation;
 import steward.machines.token.WorkerList;
+import steward.text.TextFormat;
 
 /** {@code steward league worker}: who may play for a league. */
-@Command(name = "worker", description = "Says which workers may play for a league: add, revoke, pardon, list; renew "
-    + "the broker's certificate.",
+@Command(name = "worker", description = "Says which workers may play for a league: add, invite, revoke, pardon, list; "
+    + "renew the broker's certificate.",
     footer = {"",
         "add makes a token, a file that belongs to one worker; keep it as you would a",
         "password. revoke ends what it allows, also while the league is played; with",
         "--set-aside the worker's games do not count and are played again. pardon lets a",
         "revoked worker play again with the token that it has; add gives it a new one.",
+        "invite makes one file for many machines: each makes a key of its own with it, and",
+        "is a worker from then on, called like its host. revoke ends an invitation, too;",
+        "the workers that came with it stay, and are revoked one by one.",
         "renew makes a new certificate for the broker's key, which workers go on trusting.",
         "", "Examples:",
         "  steward league worker add night attic",
+        "  steward league worker invite night --count 40 --until 2030-12-24",
         "  steward league worker revoke night attic"})
 final class LeagueWorkerCommand implements Callable<Integer> {
+
+    private static final List<String> ACTIONS = List.of("add", "invite", "revoke", "pardon", "list", "renew");
 
     private final Streams streams;
     private final CallCheck check = CallCheck.withHelp();
 
-    @Parameters(index = "0", paramLabel = "ACTION", description = "add, revoke, pardon, list or renew.")
+    @Parameters(index = "0", paramLabel = "ACTION", description = "add, invite, revoke, pardon, list or "
+        + "renew.")
     private String action;
 
     @Parameters(index = "1", paramLabel = "DIR", description = "The folder of the league.")
     private String folder;
 
     @Parameters(index = "2", arity = "0..1", paramLabel = "NAME", description = "The worker, for add, revoke "
-        + "and pardon.")
+        + "and pardon; the invitation, for invite (default: invitation) and revoke.")
     private String name;
 
-    @Option(names = "--out", paramLabel = "FILE", description = "With add: where the token goes (default: NAME.token).")
+    @Option(names = "--out", paramLabel = "FILE", description = "With add and invite: where the token "
+        + "or invitation goes (default: NAME.token).")
     private String out;
+
+    @Option(names = "--count", paramLabel = "N", description = "With invite: so many machines may use it.")
+    private Integer count;
+
+    @Option(names = "--until", paramLabel = "DATE", description = "With invite: the last day on which a machine may use "
+        + "it, such as 2030-12-24, or a moment, such as 2030-12-24T18:00.")
+    private String until;
 
     @Option(names = "--set-aside", description = "With revoke: the worker's games do not count, and 'league run "
         + "--serve' plays them again.")
@@ -54,13 +72,19 @@ final class LeagueWorkerCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
+        check.that(ACTIONS.contains(action), "found '" + action + "', expected add, invite, revoke, pardon, list or "
+            + "renew");
         boolean named = List.of("add", "revoke", "pardon").contains(action);
-        check.that(named || action.equals("list") || action.equals("renew"), "found '" + action
-            + "', expected add, revoke, pardon, list or renew");
-        check.that(named == (name != null), named ? "found no NAME, expected that of a worker"
+        boolean invites = action.equals("invite");
+        check.that(invites || named == (name != null), named ? "found no NAME, expected that of a worker"
             : "found the name '" + name + "', expected none with " + action);
-        check.that(out == null || action.equals("add"), "--out is for add, expected none with " + action);
+        check.that(out == null || action.equals("add") || invites, "--out is for add and invite, expected none with "
+            + action);
         check.that(!aside || action.equals("revoke"), "--set-aside is for revoke, expected none with " + action);
+        check.that(invites == (count != null) && invites == (until != null), invites
+            ? "found no --count or no --until, expected both with invite"
+            : "--count and --until are for invite, expected none with " + action);
+        check.range("--count", count, 1, WorkerList.MOST);
         Path path = OutputFiles.path(folder);
         LeagueFolder league = action.equals("list") ? LeagueFolder.open(path)
             : LeagueFolder.openToWrite(path, streams::warn);
@@ -70,6 +94,15 @@ final class LeagueWorkerCommand implements Callable<Integer> {
                 WorkerList.add(league, name, token);
                 streams.out().println(token + ": the token of " + name + "; on its machine:");
                 streams.out().println("  steward worker --join HOST:PORT --token-file " + token);
+            }
+            case "invite" -> {
+                String invitation = name == null ? "invitation" : name;
+                Path file = OutputFiles.path(out == null ? invitation + ".token" : out);
+                Instant end = Invitation.until(until, Instant.now());
+                WorkerList.invite(league, invitation, count, end, file);
+                streams.out().println(file + ": an invitation for " + TextFormat.count(count, "machine") + " until "
+                    + end + "; on each of them:");
+                streams.out().println("  steward worker --join HOST:PORT --token-file " + file);
             }
             case "revoke" -> {
                 WorkerList.revoke(league, name, "by hand", aside);
@@ -85,9 +118,17 @@ final class LeagueWorkerCommand implements Callable<Integer> {
                 key.renew();
                 streams.out().println("A new certificate for the key " + key.fingerprint());
             }
-            default -> WorkerList.read(league).workers().forEach(worker -> streams.out().println(worker.name()
-                + (worker.revoked() == null ? "" : " (revoked: " + worker.revoked() + ")")));
+            default -> list(WorkerList.read(league));
         }
         return ExitStatus.DONE;
+    }
+
+    private void list(WorkerList list) {
+        list.workers().forEach(worker -> streams.out().println(worker.name()
+            + (worker.invited() == null ? "" : " (by " + worker.invited() + ")")
+            + (worker.revoked() == null ? "" : " (revoked: " + worker.revoked() + ")")));
+        list.invitations().forEach(each -> streams.out().println(each.name() + ": an invitation until " + each.until()
+            + ", used by " + list.used(each) + " of " + TextFormat.count(each.count(), "machine")
+            + (each.revoked() ? " (revoked)" : "")));
     }
 }

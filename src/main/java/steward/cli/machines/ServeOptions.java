@@ -12,6 +12,7 @@ import steward.contest.Contest;
 import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
 import steward.league.Season;
+import steward.machines.serve.RemoteGames;
 
 /** The options of {@code league run} that let workers play. */
 final class ServeOptions implements Serving {
@@ -35,6 +36,10 @@ final class ServeOptions implements Serving {
         + "has go to others (default: 10m).")
     private String lease;
 
+    @Option(names = "--scale-time", description = "With --serve: multiplies the time limits of a worker by how much "
+        + "slower its processor is than this machine's, as both measure it; noted with each game.")
+    private boolean scaled;
+
     @Override
     public boolean isServed() {
         return address != null;
@@ -45,11 +50,13 @@ final class ServeOptions implements Serving {
                          Consumer<String> teller) {
         CallCheck check = CallCheck.withHelp();
         check.that(again == null || address != null, "--again is for --serve, expected both");
+        check.that(!scaled || address != null, "--scale-time is for --serve, expected both");
         check.that(lease == null || address != null, "--lease is for --serve, expected both");
         check.range("--again", again, 0, 100);
         long nanos = RunCommand.nanos("--lease", lease == null ? "10m" : lease);
         return address == null ? null : new ServedGames(folder, season, contest, settings,
-            address(check, "--serve", address), again == null ? 0.05 : again / 100.0, nanos, teller);
+            new RemoteGames.Service(address(check, "--serve", address), again == null ? 0.05 : again / 100.0, nanos,
+                ProgramVersion.text(), scaled), teller);
     }
 
     /** An address as it was typed, its name looked up. */

@@ -1,6 +1,5 @@
 package steward.cli.machines;
 
-import java.net.InetSocketAddress;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
@@ -28,11 +27,10 @@ final class ServedGames extends ForwardedGames implements Serving.Service {
     private volatile WorkerBook book = new WorkerBook(Integer::toString);
 
     ServedGames(LeagueFolder folder, Season season, Contest contest, LeagueSettings settings,
-                InetSocketAddress address, double share, long leaseNanos, Consumer<String> teller) {
-        super(new RemoteGames(folder, season, contest, settings, Games.types(), new RemoteGames.Service(address,
-            share, leaseNanos, ProgramVersion.text()), teller));
+                RemoteGames.Service service, Consumer<String> teller) {
+        super(new RemoteGames(folder, season, contest, settings, Games.types(), service, teller));
         this.teller = teller;
-        teller.accept("workers can join at " + address.getHostString() + ":" + address.getPort());
+        teller.accept("workers can join at " + service.address().getHostString() + ":" + service.address().getPort());
     }
 
     @Override
@@ -51,6 +49,11 @@ final class ServedGames extends ForwardedGames implements Serving.Service {
         games().stored(game);
         book.add(game).forEach(doubt ->
             teller.accept("worker " + WorkerBook.worker(game.machine()) + " is doubtful: " + doubt));
+    }
+
+    @Override
+    public int waiting() {
+        return games().waiting();
     }
 
     @Override

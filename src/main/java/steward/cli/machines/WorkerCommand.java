@@ -1,9 +1,10 @@
 package steward.cli.machines;
 
+import java.net.InetAddress;
 import java.net.InetSocketAddress;
+import java.net.UnknownHostException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.time.Instant;
 import java.util.concurrent.Callable;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Supplier;
@@ -16,12 +17,12 @@ import steward.cli.options.CallCheck;
 import steward.cli.options.SandboxOptions;
 import steward.cli.options.ThreadsOption;
 import steward.cli.shared.ExitStatus;
-import steward.cli.shared.FailedException;
 import steward.cli.shared.Games;
 import steward.cli.shared.Interruption;
-import steward.cli.shared.Json;
 import steward.cli.shared.Streams;
+import steward.files.InputException;
 import steward.files.OutputFiles;
+import steward.machines.token.Invitation;
 import steward.machines.token.PrivateFile;
 import steward.machines.token.WorkerToken;
 import steward.machines.worker.Worker;
@@ -30,26 +31,35 @@ import steward.text.TextFormat;
 /** {@code steward worker}: plays games of a league that is on another machine. */
 @Command(name = "worker", description = "Plays games of a league that runs elsewhere with 'league run --serve'.",
     footer = {"",
-        "The token comes from 'steward league worker add'; without --token-file it is",
+        "The token comes from 'steward league worker add' or 'invite'; without --token-file it is",
         "the text in the variable STEWARD_TOKEN. Bots are kept apart strictly unless",
         "told otherwise: they are programs of whoever keeps the league. After Ctrl-C the",
         "games that are under way are finished, and no others begun.",
         "", "Example:", "  steward worker --join attic.example:7161 --token-file mine.token",
-        "", "Exit status: 0 told to end; 1 the league refuses the worker; 2 the call or a",
-        "file is unusable; 130 interrupted, 143 terminated."})
+        "", "Exit status: 0 told to end; 1 broken: what the league says cannot be used; 2 the",
+        "call or a file is unusable; 3 refused: the token, the program's version or the",
+        "league is another than expected; 130 interrupted, 143 terminated."})
 public final class WorkerCommand implements Callable<Integer> {
 
     private static final String VARIABLE = "STEWARD_TOKEN";
+    /** Digits of the broker's key in the name of a file, so that a machine may play for several leagues. */
+    private static final int BROKER_DIGITS = 8;
 
     private final Streams streams;
+    /** The streams with a log; set when the command is called. */
+    private Streams log;
     private final CallCheck check = CallCheck.withHelp();
 
     @Option(names = "--join", required = true, paramLabel = "HOST:PORT", description = "Where the league listens.")
     private String address;
 
-    @Option(names = "--token-file", paramLabel = "FILE", description = "The worker's token (default: the text in the "
-        + "variable " + VARIABLE + ").")
+    @Option(names = "--token-file", paramLabel = "FILE", description = "The worker's token, or an invitation (default: "
+        + "the text in the variable " + VARIABLE + ").")
     private String tokenFile;
+
+    @Option(names = "--key-file", paramLabel = "FILE", description = "With an invitation as the token: where this "
+        + "machine's own key is kept (default: HOST.token in steward/keys in the user's state folder).")
+    private String keyFile;
 
     @Mixin
     private final ThreadsOption threads = new ThreadsOption();
@@ -84,6 +94,7 @@ public final class WorkerCommand implements Callable<Integer> {
     @Override
     public Integer call() throws InterruptedException {
         threads.check();
+        log = streams.logging(json);
         check.range("--games", games, 1, Integer.MAX_VALUE);
         InetSocketAddress found = ServeOptions.address(check, "--join", address);
         long nanos = RunCommand.nanos(time);
@@ -94,22 +105,9 @@ public final class WorkerCommand implements Callable<Integer> {
         Worker worker = new Worker(new Worker.Options(found.getHostString(), found.getPort(), token,
             threads.count(streams), games == null ? Long.MAX_VALUE : games, nanos, isolation, folder(),
             ProgramVersion.text(), RunCommand.machine(isolation.get().level().word())), Games.types(),
-            this::tell);
+            what -> log.err().println("steward: " + TextFormat.plain(what)));
         watch(worker, idleNanos, stopFile == null ? null : OutputFiles.path(stopFile));
         return play(worker);
-    }
-
-    /** Prints an event, one line each. */
-    private synchronized void tell(String what) {
-        String line = TextFormat.plain(what);
-        if (json) {
-            Json.print(streams.err(), out -> {
-                out.writeStringProperty("time", Instant.now().toString());
-                out.writeStringProperty("event", line);
-            });
-        } else {
-            streams.err().println("steward: " + line);
-        }
     }
 
     /** Ends a worker that has been idle for too long, or is told to by a file. */
@@ -135,18 +133,19 @@ public final class WorkerCommand implements Callable<Integer> {
     private int play(Worker worker) throws InterruptedException {
         Thread playing = Thread.currentThread();
         AtomicBoolean over = new AtomicBoolean();
-        try (Interruption interruption = new Interruption(streams, () -> {
+        try (Interruption interruption = new Interruption(log, () -> {
             if (over.get()) {
                 return null;
             }
             worker.drain();
-            streams.err().println("steward: the games that are under way are finished, no others begun");
+            log.err().println("steward: the games that are under way are finished, no others begun");
             join(playing, over);
             return TextFormat.count(worker.played(), "game") + " played";
         })) {
             worker.play();
-        } catch (Worker.RefusedException refused) {
-            throw new FailedException(refused.getMessage());
+        } catch (Worker.RefusedException | InputException end) {
+            log.err().println("steward: " + TextFormat.plain(end.getMessage()));
+            return end instanceof InputException ? ExitStatus.FAILED : ExitStatus.REFUSED;
         } finally {
             over.set(true);
         }
@@ -165,27 +164,43 @@ public final class WorkerCommand implements Callable<Integer> {
     }
 
     private WorkerToken token() {
-        if (tokenFile != null) {
-            Path file = OutputFiles.path(tokenFile);
-            WorkerToken token = WorkerToken.read(file);
-            String warning = PrivateFile.warning(file);
-            if (warning != null) {
-                streams.warn(warning);
-            }
-            return token;
-        }
+        Path file = tokenFile == null ? null : OutputFiles.path(tokenFile);
         String text = System.getenv(VARIABLE);
-        check.that(text != null, "found no --token-file, and no variable " + VARIABLE + ", expected one of them");
-        return WorkerToken.parse(text, VARIABLE);
+        check.that(file != null || text != null, "found no --token-file, and no variable " + VARIABLE
+            + ", expected one of them");
+        Invitation.Letter letter = file == null ? Invitation.letter(text, VARIABLE) : Invitation.letter(file);
+        check.that(letter != null || keyFile == null, "--key-file is for an invitation, expected a token of this "
+            + "worker without it");
+        String warning = file == null ? null : PrivateFile.warning(file);
+        if (warning != null) {
+            log.warn(warning);
+        }
+        if (letter == null) {
+            return file == null ? WorkerToken.parse(text, VARIABLE) : WorkerToken.read(file);
+        }
+        String host = host();
+        return WorkerToken.invited(letter, keyFile != null ? OutputFiles.path(keyFile)
+            : user("XDG_STATE_HOME", ".local/state").resolve("keys").resolve(letter.broker().substring(0, BROKER_DIGITS)
+                + "-" + host + ".token"), host);
+    }
+
+    private static String host() {
+        try {
+            return InetAddress.getLocalHost().getHostName().replace('/', '-');
+        } catch (UnknownHostException unnamed) {
+            return "worker";
+        }
     }
 
     private Path folder() {
-        if (bundles != null) {
-            return OutputFiles.path(bundles);
-        }
-        String given = System.getenv("XDG_CACHE_HOME");
+        return bundles != null ? OutputFiles.path(bundles) : user("XDG_CACHE_HOME", ".cache").resolve("bundles");
+    }
+
+    /** Returns the folder of this program in one of the user's folders. */
+    private static Path user(String variable, String usual) {
+        String given = System.getenv(variable);
         Path base = given != null && !given.isEmpty() ? Path.of(given)
-            : Path.of(System.getProperty("user.home"), ".cache");
-        return base.resolve("steward").resolve("bundles");
+            : Path.of(System.getProperty("user.home"), usual);
+        return base.resolve("steward");
     }
 }

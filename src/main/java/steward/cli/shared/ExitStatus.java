@@ -10,6 +10,9 @@ public final class ExitStatus {
     /** The call or an input cannot be used. */
     public static final int UNUSABLE = 2;
 
+    /** Refused by another program: a league does not take a worker. */
+    public static final int REFUSED = 3;
+
     private ExitStatus() {
     }
 }

@@ -13,6 +13,7 @@ import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Instant;
 import steward.text.TerminalOutputStream;
 import steward.text.TextFormat;
 
@@ -51,6 +52,22 @@ public final class Streams {
         this.err = new PrintStream(errTerminal ? new TerminalOutputStream(err) : err, true, StandardCharsets.UTF_8);
         this.outTerminal = outTerminal;
         this.errTerminal = errTerminal;
+    }
+
+    private Streams(Streams from, PrintStream err) {
+        in = from.in;
+        inTerminal = from.inTerminal;
+        watched = from.watched;
+        out = from.out;
+        outTerminal = from.outTerminal;
+        this.err = err;
+        errTerminal = false;
+    }
+
+    /** Returns these streams with a log for errors: each line has its time, and is an object of JSON if so wanted. */
+    public Streams logging(boolean json) {
+        return new Streams(this, new PrintStream(new EventStream(err, json, Instant::now), true,
+            StandardCharsets.UTF_8));
     }
 
     /** The streams of the process. */

@@ -37,6 +37,9 @@ public interface Elsewhere {
      */
     List<List<StoredGame>> play(List<Game> games) throws InterruptedException;
 
+    /** Says that a thread has nothing to play before games under way end: those that take long may be given back. */
+    void hurry();
+
     /**
      * True if there may be one machine where all of these bots run; asked before games are taken that go together.
      *

@@ -357,6 +357,9 @@ public final class LeagueRun {
             if (task != null || underWay == 0 && !watch.isPaused() && !schedule.isLeft(limits.games())) {
                 return task;
             }
+            if (elsewhere != null && underWay > 0) {
+                elsewhere.hurry();
+            }
             wait(WAIT_MS);
         }
     }
@@ -458,6 +461,16 @@ public final class LeagueRun {
     /** Returns how many games the schedule has had, in this run and before. */
     public synchronized long games() {
         return schedule.games() - underWay;
+    }
+
+    /** Returns how many games are under way, here and elsewhere. */
+    public synchronized int underWay() {
+        return underWay;
+    }
+
+    /** Returns how many decisions the schedule is ahead of its first game that is not over; its lag is the most. */
+    public synchronized int ahead() {
+        return schedule.ahead();
     }
 
     /** Returns how many have been stored in this run, attempts included. */

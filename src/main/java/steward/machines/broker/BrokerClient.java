@@ -49,7 +49,8 @@ public final class BrokerClient implements AutoCloseable {
 
         private final boolean refused;
 
-        BrokenException(String message, boolean refused) {
+        /** @param refused see {@link #isRefused} */
+        public BrokenException(String message, boolean refused) {
             super(message);
             this.refused = refused;
         }
@@ -130,7 +131,8 @@ public final class BrokerClient implements AutoCloseable {
     }
 
     private ClientSession session(boolean alone) throws ActiveMQException {
-        return factory.createSession(token.worker(), token.secret() + BrokerSecurity.PROCESS + process, false, alone,
+        return factory.createSession(token.worker(), token.secret() + BrokerSecurity.MARK
+            + (token.invitation() == null ? "" : token.invitation()) + BrokerSecurity.MARK + process, false, alone,
             alone, false, 0);
     }
 
@@ -149,7 +151,6 @@ public final class BrokerClient implements AutoCloseable {
             case OBJECT_CLOSED, NOT_CONNECTED, DISCONNECTED, CONNECTION_TIMEDOUT, UNBLOCKED ->
                 "the connection is closed";
             case ADDRESS_FULL -> "too much waits at the league";
-            case SESSION_CREATION_REJECTED -> "another worker plays with this token, expected one at a time";
             case MAX_CONSUMER_LIMIT_EXCEEDED -> "the league still holds the connection before this one";
             default -> String.valueOf(problem.getMessage()).replaceFirst("^AMQ[0-9]+: *", "");
         };

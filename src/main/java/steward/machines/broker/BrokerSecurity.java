@@ -1,7 +1,6 @@
 package steward.machines.broker;
 
 import java.util.Set;
-import java.util.function.BiPredicate;
 import javax.security.auth.Subject;
 import org.apache.activemq.artemis.core.remoting.impl.invm.InVMConnection;
 import org.apache.activemq.artemis.core.security.CheckType;
@@ -18,41 +17,48 @@ import org.apache.activemq.artemis.spi.core.security.jaas.UserPrincipal;
 final class BrokerSecurity implements ActiveMQSecurityManager5 {
 
     /**
-     * Mark between a worker's secret and the name of its process in a password, so that the process is known when the
-     * first session is made. Artemis has a client's id for that, but sends it only once it knows the broker's version.
+     * Mark in a password: between a worker's secret, the secret of an invitation, which may be empty, and the name of its
+     * process, so that the process is known when the first session is made. Artemis has a client's id for that, but sends it only once it knows the broker's version.
      */
-    static final String PROCESS = " ";
+    static final String MARK = " ";
+    /** Beginning of a client's id, before the reason, for {@link WorkerSessions} to refuse it with. */
+    static final String REFUSED = "refused: ";
+    private static final int PARTS = 3;
 
     private final String league;
     private final String secret;
-    private final BiPredicate<String, String> admits;
+    private final Admission admission;
 
     /**
-     * @param league the name of the league itself, which no worker can have
-     * @param secret its secret
-     * @param admits whether a worker of a name has a secret and may play
+     * @param league    the name of the league itself, which no worker can have
+     * @param secret    its secret
+     * @param admission of workers
      */
-    BrokerSecurity(String league, String secret, BiPredicate<String, String> admits) {
+    BrokerSecurity(String league, String secret, Admission admission) {
         this.league = league;
         this.secret = secret;
-        this.admits = admits;
+        this.admission = admission;
     }
 
     @Override
     public Subject authenticate(String user, String password, RemotingConnection connection, String domain)
             throws NoCacheLoginException {
         boolean inside = connection != null && connection.getTransportConnection() instanceof InVMConnection;
-        String[] parts = password == null ? new String[] {null} : password.split(PROCESS, 2);
+        String[] parts = password == null ? new String[] {null} : password.split(MARK, PARTS);
         boolean known = inside ? league.equals(user) && secret.equals(password)
-            : !league.equals(user) && admits.test(user, parts[0]);
-        if (!known) {
+            : !league.equals(user) && admission.admits(user, parts[0]);
+        boolean invited = !inside && !known && connection != null && parts.length == PARTS && user != null
+            && !parts[1].isEmpty() && !league.equals(user);
+        if (!known && !invited) {
             throw new NoCacheLoginException("unknown, or revoked");
         }
+        // An exception here would not tell why: the reason goes to the session that is about to be made.
+        String refusal = invited ? admission.enrol(user, parts[0], parts[1]) : null;
         if (!inside && connection != null) {
-            connection.setClientID(parts.length > 1 ? parts[1] : "");
+            connection.setClientID(refusal != null ? REFUSED + refusal : parts.length == PARTS ? parts[2] : "");
         }
         Subject subject = new Subject();
-        subject.getPrincipals().add(new UserPrincipal(user));
+        subject.getPrincipals().add(new UserPrincipal(refusal == null ? user : REFUSED));
         return subject;
     }
 

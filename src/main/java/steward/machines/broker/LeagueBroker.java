@@ -11,7 +11,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
-import java.util.function.BiPredicate;
 import org.apache.activemq.artemis.api.core.ActiveMQException;
 import org.apache.activemq.artemis.api.core.Message;
 import org.apache.activemq.artemis.api.core.QueueConfiguration;
@@ -81,15 +80,15 @@ public final class LeagueBroker implements AutoCloseable {
     /**
      * Starts.
      *
-     * @param address to listen at
-     * @param key     of the broker
-     * @param workers whom there may be a queue for
-     * @param admits  whether a worker of a name has a secret and may play
-     * @param gate    who may be handed jobs
+     * @param address   to listen at
+     * @param key       of the broker
+     * @param workers   whom there may be a queue for
+     * @param admission of them, and of others that come with an invitation
+     * @param gate      who may be handed jobs
      * @throws InputException if the port is taken, or nothing can listen there
      */
     public LeagueBroker(InetSocketAddress address, BrokerKey key, Iterable<String> workers,
-                        BiPredicate<String, String> admits, Gate gate) {
+                        Admission admission, Gate gate) {
         refuseTaken(address);
         leases = new LeasePlugin(gate);
         byte[] random = new byte[32];
@@ -97,7 +96,7 @@ public final class LeagueBroker implements AutoCloseable {
         String secret = HexFormat.of().formatHex(random);
         int id = new SecureRandom().nextInt(Integer.MAX_VALUE);
         server = new ActiveMQServerImpl(configuration(address, key, id), null,
-            new BrokerSecurity(LEAGUE, secret, admits));
+            new BrokerSecurity(LEAGUE, secret, opening(admission)));
         server.registerBrokerPlugin(leases);
         server.registerBrokerPlugin(sessions);
         try {
@@ -125,6 +124,25 @@ public final class LeagueBroker implements AutoCloseable {
             stop();
             throw new InputException("--serve: the broker cannot be started: " + problem.getMessage());
         }
+    }
+
+    /** Returns an admission that makes the queue of a worker that has just been taken in. */
+    private Admission opening(Admission admission) {
+        return new Admission() {
+            @Override
+            public boolean admits(String worker, String secret) {
+                return admission.admits(worker, secret);
+            }
+
+            @Override
+            public String enrol(String worker, String secret, String invitation) {
+                String refusal = admission.enrol(worker, secret, invitation);
+                if (refusal == null) {
+                    open(worker);
+                }
+                return refusal;
+            }
+        };
     }
 
     /** Artemis would only log that. */

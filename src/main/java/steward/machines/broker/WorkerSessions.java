@@ -72,6 +72,9 @@ final class WorkerSessions implements ActiveMQServerPlugin {
         if (isLeague(connection)) {
             return;
         }
+        if (String.valueOf(connection.getClientID()).startsWith(BrokerSecurity.REFUSED)) {
+            throw rejected(connection.getClientID().substring(BrokerSecurity.REFUSED.length()));
+        }
         State state = state(worker);
         RemotingConnection old;
         synchronized (state) {
@@ -83,7 +86,7 @@ final class WorkerSessions implements ActiveMQServerPlugin {
             }
             String process = connection.getClientID();
             if (state.connection != null && state.replaced.contains(process)) {
-                throw rejected("a newer worker plays with this token, expected one at a time");
+                throw rejected("another worker plays with this token, expected one at a time");
             }
             if (!process.equals(state.process)) {
                 state.replaced.add(state.process);

@@ -36,6 +36,11 @@ public abstract class ForwardedGames implements Elsewhere {
     }
 
     @Override
+    public final void hurry() {
+        games.hurry();
+    }
+
+    @Override
     public final boolean canPlay(List<Member> members) {
         return games.canPlay(members);
     }

@@ -18,6 +18,8 @@ final class GamePace {
     private static final long START_NANOS = TimeUnit.SECONDS.toNanos(10);
     /** How much slower a worker may be than the games before. */
     private static final double SLOWER = 8;
+    /** Part of the patience that is left when a thread of the league has nothing else to play. */
+    private static final double HURRY = 0.25;
     /** Share of the difference by which a game moves a bot's mean. */
     private static final double MOVE = 0.125;
 
@@ -40,8 +42,12 @@ final class GamePace {
         ended.remove(game.seed());
     }
 
-    /** Returns how long a worker may keep these games, in nanoseconds: the lease if a bot has not played yet. */
-    synchronized long patience(List<Elsewhere.Game> games) {
+    /**
+     * Returns how long a worker may keep these games, in nanoseconds: the lease if a bot has not played yet.
+     *
+     * @param hurry true for the time after which somebody else plays them who has nothing else to play
+     */
+    synchronized long patience(List<Elsewhere.Game> games, boolean hurry) {
         double sum = 0;
         int doublings = 0;
         for (Elsewhere.Game game : games) {
@@ -49,7 +55,7 @@ final class GamePace {
                 means.getOrDefault(member.version().id(), Double.POSITIVE_INFINITY)).sum();
             doublings = Math.max(doublings, ended.getOrDefault(game.task().seed(), 0));
         }
-        return (long) Math.min(lease, (START_NANOS + SLOWER * sum) * (1L << doublings));
+        return (long) Math.min(lease, (hurry ? HURRY : 1) * (START_NANOS + SLOWER * sum) * (1L << doublings));
     }
 
     /** Notes that these games were taken away. */

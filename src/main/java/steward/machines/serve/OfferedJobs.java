@@ -15,7 +15,6 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.function.BiConsumer;
 import java.util.function.BooleanSupplier;
-import java.util.function.LongSupplier;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import steward.machines.broker.LeagueBroker;
@@ -30,6 +29,8 @@ final class OfferedJobs {
     private static final int BOTS_SIZE = WireMessage.LONGEST_HEADER / 2;
     /** How often it is looked whether a job has to go to others, in milliseconds. */
     private static final long LOOK_MS = 1000;
+    /** Time for which it counts that somebody had nothing else to play, in nanoseconds. */
+    private static final long HURRY_NANOS = TimeUnit.SECONDS.toNanos(2);
     /** How long an offered job waits for a worker when none is connected, in nanoseconds. */
     private static final long ALONE_NANOS = TimeUnit.SECONDS.toNanos(5);
 
@@ -38,6 +39,10 @@ final class OfferedJobs {
     private final Predicate<Collection<String>> canPlay;
     private final BiConsumer<String, String> ended;
     private final SecureRandom random = new SecureRandom();
+    /** Jobs that others play while the worker may still finish them, and until when, as {@link System#nanoTime}. */
+    private final Map<String, Long> recalled = new ConcurrentHashMap<>();
+    /** Last time that somebody had nothing else to play, or one that does not count any more. */
+    private volatile long hurried = System.nanoTime() - HURRY_NANOS;
     private final Map<String, Offer> offers = new ConcurrentHashMap<>();
     private volatile boolean closed;
 
@@ -45,8 +50,14 @@ final class OfferedJobs {
     private long jobs;
     private long games;
 
+    /** Time for which a worker may keep a job. */
+    interface Patience {
+        /** Returns it in nanoseconds, as of now: what is known grows. @param hurry true if others have nothing to play */
+        long nanos(boolean hurry);
+    }
+
     /** A job, the bundles that it needs, and what comes of it: {@code null} if somebody else has to play it. */
-    private record Offer(Set<String> needs, CompletableFuture<Told> told) {
+    private record Offer(Set<String> needs, int games, CompletableFuture<Told> told) {
     }
 
     /**
@@ -72,6 +83,12 @@ final class OfferedJobs {
         this.ended = ended;
     }
 
+    /** Returns how many games nobody has taken yet. */
+    int waiting() {
+        return offers.entrySet().stream().filter(each -> broker.holder(each.getKey()) == null)
+            .mapToInt(each -> each.getValue().games()).sum();
+    }
+
     /** Returns how many have gone together, on average; 1 if none have. */
     synchronized double perJob() {
         return jobs == 0 ? 1 : (double) games / jobs;
@@ -80,10 +97,10 @@ final class OfferedJobs {
     /**
      * Offers games, as many as fit into a message.
      *
-     * @param lease after how many nanoseconds they are taken away from a worker, as of now: what is known grows
+     * @param patience after which they are taken away from a worker
      * @return {@code null} if somebody else has to play them
      */
-    Told play(List<GameJob.Game> wanted, LongSupplier lease) throws InterruptedException {
+    Told play(List<GameJob.Game> wanted, Patience patience) throws InterruptedException {
         byte[] id = new byte[16];
         random.nextBytes(id);
         String job = HexFormat.of().formatHex(id);
@@ -100,11 +117,11 @@ final class OfferedJobs {
             games += asked.size();
         }
         Offer offer = new Offer(bots.stream().map(GameJob.Seat::bundle).collect(Collectors.toSet()),
-            new CompletableFuture<>());
+            asked.size(), new CompletableFuture<>());
         offers.put(job, offer);
         try {
             broker.offer(job, offer.needs(), new GameJob(job, asked).bytes());
-            Told told = await(job, offer, lease);
+            Told told = await(job, offer, patience);
             if (told == null) {
                 broker.withdraw(job);
                 return null;
@@ -113,8 +130,36 @@ final class OfferedJobs {
                 : new Told(told.worker(), told.games().subList(0, asked.size()), told.nanos());
         } finally {
             offers.remove(job);
-            broker.forget(job);
+            if (!recalled.containsKey(job)) {
+                broker.forget(job);
+            }
         }
+    }
+
+    /** Notes that somebody has nothing to play before jobs end. */
+    void hurry() {
+        hurried = System.nanoTime();
+    }
+
+    /** Complains of recalled jobs that were not finished in time either. A worker has no others meanwhile. */
+    void lookAfterRecalled() {
+        recalled.forEach((job, until) -> {
+            String holder = broker.holder(job);
+            if (holder == null) {
+                broker.withdraw(job);                  // its worker has gone
+            } else if (System.nanoTime() - until < 0) {
+                return;
+            } else {
+                complain(job);
+            }
+            recalled.remove(job);
+            broker.forget(job);
+        });
+    }
+
+    private void complain(String job) {
+        ended.accept(broker.holder(job), "it has not finished its games within "
+            + TimeUnit.NANOSECONDS.toSeconds(broker.heldNanos(job)) + " s, and they go to others");
     }
 
     /** Returns how many characters a bot takes in a header, at most. */
@@ -122,7 +167,7 @@ final class OfferedJobs {
         return 6 * bot.name().length() + 200;
     }
 
-    private Told await(String job, Offer offer, LongSupplier lease) throws InterruptedException {
+    private Told await(String job, Offer offer, Patience patience) throws InterruptedException {
         long alone = 0;
         while (!closed) {
             try {
@@ -135,9 +180,14 @@ final class OfferedJobs {
                 if (!canPlay.test(offer.needs())) {
                     return null;
                 }
-                if (broker.heldNanos(job) > lease.getAsLong()) {
-                    ended.accept(broker.holder(job), "it has not finished its games within "
-                        + TimeUnit.NANOSECONDS.toSeconds(broker.heldNanos(job)) + " s, and they go to others");
+                long held = broker.heldNanos(job);
+                long most = patience.nanos(false);
+                if (held > most) {
+                    complain(job);
+                    return null;
+                }
+                if (held > patience.nanos(true) && System.nanoTime() - hurried < HURRY_NANOS) {
+                    recalled.put(job, System.nanoTime() + most - held);
                     return null;
                 }
             } catch (ExecutionException impossible) {
@@ -150,7 +200,12 @@ final class OfferedJobs {
     /** Takes a worker's result of a job; of no consequence if it is not the worker's, or not any more. */
     void told(String worker, WorkerWord.Result result) {
         Offer offer = offers.get(result.job());
-        if (offer == null || !worker.equals(broker.holder(result.job()))) {
+        if (!worker.equals(broker.holder(result.job()))) {
+            return;
+        }
+        if (offer == null) {
+            recalled.remove(result.job());             // too late, and no reason to complain
+            broker.forget(result.job());
             return;
         }
         offer.told().complete(new Told(worker, result.games(), broker.heldNanos(result.job())));

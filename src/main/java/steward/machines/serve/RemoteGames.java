@@ -6,7 +6,6 @@ import java.security.SecureRandom;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Collections;
-import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -28,9 +27,11 @@ import steward.machines.broker.LeagueBroker;
 import steward.machines.bundle.Bundle;
 import steward.machines.check.DisprovedException;
 import steward.machines.check.GameJar;
+import steward.machines.check.MachineSpeed;
 import steward.machines.check.RulesFingerprint;
 import steward.machines.check.WorkerBook;
 import steward.machines.token.BrokerKey;
+import steward.machines.token.KeptPauses;
 import steward.machines.token.WorkerList;
 import steward.machines.wire.GameJob;
 import steward.machines.wire.HeaderText;
@@ -69,12 +70,14 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
     private final SecureRandom random = new SecureRandom();
     private final OfferedJobs offered;
     private final GamePace pace;
-    private final WorkerPauses pauses = new WorkerPauses(System::nanoTime);
-    private final WorkerGate gate = new WorkerGate(pauses);
+    private final WorkerPauses pauses;
+    private final WorkerGate gate;
     private final JobSize size = new JobSize();
     private final OfferedBundles bundles = new OfferedBundles();
     private final Thread listening = new Thread(this::listen, "what workers say");
-    private volatile WorkerList list;
+    private final WorkerDoor door;
+    /** Speed of this machine, to scale time limits; 0 if they are not scaled. */
+    private final int speed;
     private volatile boolean closed;
     /** Why no game can be kept any more, or {@code null}. */
     private volatile InputException unusable;
@@ -85,7 +88,6 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
     /** Guarded by this. */
     private final Map<String, WorkerState> workers = new TreeMap<>();
     private int taken;
-    private String stamp;
 
     /**
      * Service to workers: its address and its rules.
@@ -94,8 +96,9 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
      * @param share      of the games whose bots are asked again, 0..1
      * @param leaseNanos after which a job is offered again that a worker has
      * @param version    of this program
+     * @param scaled     true if the time limits of a worker are scaled by the speed that it has measured
      */
-    public record Service(InetSocketAddress address, double share, long leaseNanos, String version) {
+    public record Service(InetSocketAddress address, double share, long leaseNanos, String version, boolean scaled) {
     }
 
     /**
@@ -116,13 +119,16 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
         rules = RulesFingerprint.of(contest.setup());
         jar = JarFolder.digestOf(contest.setup());
         reported = new ReportedGames(folder, season, contest, types, teller);
-        stamp = WorkerList.stamp(folder);
-        list = WorkerList.read(folder);
+        door = new WorkerDoor(folder, teller);
+        speed = service.scaled() ? MachineSpeed.measure() : 0;
         settings.active().forEach(Bundle::of);         // what cannot be sent is said before any game is played
         BrokerKey key = new BrokerKey(folder);
         key.make();
-        broker = new LeagueBroker(service.address(), key, list.workers().stream().map(WorkerList.Worker::name).toList(),
-            (name, secret) -> list.admits(name, secret), gate);
+        KeptPauses kept = new KeptPauses(folder);
+        pauses = new WorkerPauses(System::currentTimeMillis, kept.read(), kept::write);
+        gate = new WorkerGate(pauses);
+        broker = new LeagueBroker(service.address(), key, door.workers().stream().map(WorkerList.Worker::name).toList(),
+            door, gate);
         pace = new GamePace(service.leaseNanos());
         offered = new OfferedJobs(broker, () -> anyConnected, this::canPlay, (worker, why) ->
             unplayed(state(worker), why));
@@ -133,7 +139,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
     /** Says how games are set aside, and has it done for workers revoked before; before any are played. */
     public void onCaught(SettingAside how) throws InterruptedException {
         setter = how;
-        for (WorkerList.Worker worker : list.workers()) {
+        for (WorkerList.Worker worker : door.workers()) {
             setAside(worker);
         }
     }
@@ -190,6 +196,11 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
         notifyAll();
     }
 
+    /** Returns how many games wait for a worker. */
+    public int waiting() {
+        return offered.waiting();
+    }
+
     /** Returns how many games have gone together, on average. */
     public double perJob() {
         return offered.perJob();
@@ -201,7 +212,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
             throw unusable;
         }
         OfferedJobs.Told told = offered.play(games.stream().map(game -> new GameJob.Game(game.task().seed(),
-            game.members().stream().map(bundles::seat).toList())).toList(), () -> pace.patience(games));
+            game.members().stream().map(bundles::seat).toList())).toList(), hurry -> pace.patience(games, hurry));
         List<List<StoredGame>> played = new ArrayList<>(Collections.nCopies(games.size(), null));
         int begun = told == null ? 0 : told.games().size();
         int believed = 0;
@@ -222,6 +233,11 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
             throw unusable;
         }
         return played;
+    }
+
+    @Override
+    public void hurry() {
+        offered.hurry();
     }
 
     @Override
@@ -247,20 +263,22 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
         boolean believed = false;
         try {
             String machine;
+            double scale;
             synchronized (this) {
                 if (state.caught) {
                     return null;
                 }
                 machine = WorkerState.machine(state.name) + state.machine;
+                scale = state.scale;
             }
-            attempts = reported.attempts(game, played, machine, told.nanos());
+            attempts = reported.attempts(game, played, machine, scale, told.nanos());
             boolean again;
             synchronized (this) {
                 again = share > 0 && (state.checked < FIRST || random.nextDouble() < share);
                 state.checked += again ? 1 : 0;
             }
             if (again) {
-                reported.askAgain(game, state.name, played.transcripts().get(attempts.size() - 1));
+                reported.askAgain(game, state.name, scale, played.transcripts().get(attempts.size() - 1));
             }
             synchronized (this) {
                 if (state.caught) {
@@ -308,17 +326,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
             state.caught = true;
             state.slots = 0;
         }
-        boolean interrupted = Thread.interrupted();    // which would keep the list from being written
-        try {
-            WorkerList.revoke(folder, state.name, "caught: " + shown(why), true);
-        } catch (InputException gone) {
-            say(gone.getMessage());
-        } finally {
-            if (interrupted) {
-                Thread.currentThread().interrupt();
-            }
-        }
-        list = WorkerList.read(folder);
+        door.revoke(state.name, "caught: " + shown(why));
         broker.disconnect(state.name);
         int games = setAside(state);
         say("worker " + state.name + " is caught and revoked: " + why + "; " + games
@@ -360,24 +368,17 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
     private void look() throws InterruptedException {
         Set<String> connected = broker.connected();
         broker.offerAgain();
+        offered.lookAfterRecalled();
         synchronized (this) {
             workers.values().forEach(worker -> worker.slots = connected.contains(worker.name) ? worker.slots : 0);
             workers.values().stream().filter(worker -> worker.slots == 0).forEach(worker -> size.forget(worker.name));
             anyConnected = workers.values().stream().anyMatch(worker -> worker.slots > 0);
             notifyAll();
         }
-        String now = WorkerList.stamp(folder);
-        if (now.equals(stamp)) {
+        if (!door.isChanged()) {
             return;
         }
-        stamp = now;
-        try {
-            list = WorkerList.read(folder);
-        } catch (InputException problem) {
-            say(problem.getMessage() + "; the workers stay as they were");
-            return;
-        }
-        for (WorkerList.Worker worker : list.workers()) {
+        for (WorkerList.Worker worker : door.workers()) {
             if (worker.revoked() == null) {
                 broker.open(worker.name());
             } else if (connected.contains(worker.name())) {
@@ -439,15 +440,16 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
             gate.joined(state.name, slots);
             state.unfit.clear();                       // it may be another machine by now; it says them again
             state.version = shown(hello.version());
-            state.machine = shown(hello.machine());
+            state.scale = speed == 0 ? 1 : MachineSpeed.scale(speed, hello.speed());
+            state.machine = shown(hello.machine()) + (speed == 0 ? "" : ", time limits times " + state.scale);
             state.began = state.began == 0 ? System.nanoTime() : state.began;
             anyConnected = true;
             notifyAll();
         }
         say("worker " + state.name + " plays " + slots + (slots == 1 ? " game" : " games") + " at a time: "
-            + shown(hello.machine()));
+            + state.machine);
         HeaderText welcome = new HeaderText().put("type", "welcome").put("version", version)
-            .put("rules", rules).put("jar", jar).put("factor", Double.toString(settings.factor()))
+            .put("rules", rules).put("jar", jar).put("factor", Double.toString(settings.factor() * state.scale))
             .put("basis", settings.basis().word()).put("hiccups", settings.hiccups().word())
             .put("hold", settings.hold().word());
         broker.tell(state.name, WireMessage.bytes(welcome,
@@ -481,12 +483,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
     /** All workers that have said anything. */
     public synchronized List<WorkerSeen> seen() {
         List<WorkerSeen> seen = new ArrayList<>();
-        for (WorkerState worker : new HashMap<>(workers).values()) {
-            double seconds = Math.max(1, System.nanoTime() - worker.began) / 1e9;
-            seen.add(new WorkerSeen(worker.name, worker.slots, worker.games / seconds, worker.version,
-                System.currentTimeMillis() - worker.lastWord, worker.caught, reported.doubts(worker.name)));
-        }
-        seen.sort((one, other) -> one.name().compareTo(other.name()));
+        workers.values().forEach(worker -> seen.add(worker.seen(reported.doubts(worker.name))));
         return seen;
     }
 

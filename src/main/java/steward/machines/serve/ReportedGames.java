@@ -3,6 +3,8 @@ package steward.machines.serve;
 import java.util.ArrayList;
 import java.util.HexFormat;
 import java.util.List;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.Semaphore;
 import java.util.function.Consumer;
 import steward.bot.FaultMessages;
@@ -37,7 +39,9 @@ final class ReportedGames {
 
     private final LeagueFolder folder;
     private final Season season;
-    private final TranscriptCheck transcripts;
+    private final Contest contest;
+    /** Checks by the factor of a worker's time limits besides the league's own, in steps of a hundredth. */
+    private final Map<Double, TranscriptCheck> transcripts = new ConcurrentHashMap<>();
     private final AnswerCheck answers;
     private final AskedAgain askedAgain;
     private final KeptGames keeper;
@@ -49,27 +53,33 @@ final class ReportedGames {
                   Consumer<String> teller) {
         this.folder = folder;
         this.season = season;
-        transcripts = new TranscriptCheck(contest);
+        this.contest = contest;
         answers = new AnswerCheck(contest, types);
         askedAgain = new AskedAgain(teller);
         keeper = new KeptGames(folder);
+    }
+
+    private TranscriptCheck transcripts(double scale) {
+        return transcripts.computeIfAbsent(scale, by -> new TranscriptCheck(by == 1 ? contest
+            : Contest.withoutBots(contest.setup(), by * contest.timeFactor()).limitedBy(contest.time().basis())));
     }
 
     /**
      * The attempts at a game as their transcripts tell them.
      *
      * @param machine where they were played
+     * @param scale   of the worker's time limits, besides the league's own
      * @param nanos   that the worker had the game, at most
      * @throws DisprovedException if it was not so
      */
-    List<StoredGame> attempts(Elsewhere.Game game, WorkerWord.Played played, String machine, long nanos)
-            throws DisprovedException, InterruptedException {
+    List<StoredGame> attempts(Elsewhere.Game game, WorkerWord.Played played, String machine, double scale,
+                              long nanos) throws DisprovedException, InterruptedException {
         List<StoredGame> attempts = new ArrayList<>();
         long[] left = {nanos};
         room.acquire();
         try {
             for (int k = 0; k < played.transcripts().size(); k++) {
-                attempts.add(attempt(game, played, machine, k, left));
+                attempts.add(attempt(game, played, machine, transcripts(scale), k, left));
             }
         } catch (DisprovedException wrong) {
             attempts.forEach(attempt -> KeptGames.remove(folder, attempt));
@@ -80,15 +90,15 @@ final class ReportedGames {
         return attempts;
     }
 
-    private StoredGame attempt(Elsewhere.Game game, WorkerWord.Played played, String machine, int k,
-                               long... left) throws DisprovedException {
+    private StoredGame attempt(Elsewhere.Game game, WorkerWord.Played played, String machine,
+                               TranscriptCheck check, int k, long... left) throws DisprovedException {
         Schedule.Task task = game.task();
         List<Member> members = game.members();
         byte[] sent = played.transcripts().get(k);
         byte[] name = GameName.of(season, task.seed(),
             members.stream().map(member -> member.version().identity()).toList(), k + 1);
         String source = "game " + HexFormat.of().formatHex(name);
-        CheckedGame outcome = transcripts.check(source, sent, expected(game));
+        CheckedGame outcome = check.check(source, sent, expected(game));
         left[0] -= outcome.nanos();
         if (left[0] < 0) {
             throw new DisprovedException(source + ": found answers that took " + outcome.nanos() / 1000
@@ -118,7 +128,7 @@ final class ReportedGames {
         String file = null;
         List<String> names = members.stream().map(member -> member.bot().name()).toList();
         if (KeptGames.keeps(game.settings(), true, seats, names)) {
-            file = keeper.take(name, transcripts.replay(source, sent, expected(game)), true);
+            file = keeper.take(name, check.replay(source, sent, expected(game)), true);
         }
         return new StoredGame(0, name, task.decision(), task.seed(), k + 1, last && !discarded,
             outcome.turns(), discarded ? RemoteGames.shown(played.discarded()) : null,
@@ -135,14 +145,16 @@ final class ReportedGames {
      * Asks bots again what they were asked, those that do not draw by lot.
      *
      * @param worker that has played the game
+     * @param scale  of its time limits
      * @param sent   the transcript of the last attempt, compressed
      */
-    void askAgain(Elsewhere.Game game, String worker, byte[] sent) throws DisprovedException, InterruptedException {
+    void askAgain(Elsewhere.Game game, String worker, double scale, byte[] sent)
+            throws DisprovedException, InterruptedException {
         String source = "game of seed " + game.task().seed();
         RecordedMatch match;
         room.acquire();
         try {
-            match = transcripts.match(source, sent, expected(game));
+            match = transcripts(scale).match(source, sent, expected(game));
         } finally {
             room.release();
         }

@@ -1,9 +1,13 @@
 package steward.machines.serve;
 
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.Map;
+import java.util.Set;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
 import java.util.function.LongSupplier;
+import steward.machines.token.KeptPauses.Pause;
 
 /**
  * Pauses of workers that cannot play: a second after the first failure, twice as long after each further one. When a
@@ -11,21 +15,26 @@ import java.util.function.LongSupplier;
  */
 final class WorkerPauses {
 
-    private static final long FIRST_NANOS = TimeUnit.SECONDS.toNanos(1);
-    private static final long LONGEST_NANOS = TimeUnit.MINUTES.toNanos(10);
+    private static final long FIRST_MS = TimeUnit.SECONDS.toMillis(1);
+    private static final long LONGEST_MS = TimeUnit.MINUTES.toMillis(10);
 
     private final LongSupplier clock;
-    private final Map<String, Pause> pauses = new HashMap<>();
+    private final Consumer<Map<String, Pause>> keeper;
+    private final Map<String, Pause> pauses;
+    /** Workers that have been given their test. */
+    private final Set<String> tested = new HashSet<>();
 
-    private static final class Pause {
-        private long length;
-        private long began;
-        private boolean tested;
-    }
-
-    /** @param clock as {@link System#nanoTime} */
-    WorkerPauses(LongSupplier clock) {
+    /**
+     * Goes on with the pauses of earlier runs.
+     *
+     * @param clock  milliseconds since 1970
+     * @param before the pauses by worker
+     * @param keeper is given all pauses when they have changed
+     */
+    WorkerPauses(LongSupplier clock, Map<String, Pause> before, Consumer<Map<String, Pause>> keeper) {
         this.clock = clock;
+        this.keeper = keeper;
+        pauses = new HashMap<>(before);
     }
 
     /**
@@ -33,24 +42,35 @@ final class WorkerPauses {
      *
      * @return true if the worker was not paused before
      */
-    synchronized boolean failed(String worker) {
-        Pause pause = pauses.get(worker);
-        boolean isNew = pause == null;
-        if (isNew) {
-            pause = new Pause();
-            pauses.put(worker, pause);
+    boolean failed(String worker) {
+        Map<String, Pause> changed;
+        boolean isNew;
+        synchronized (this) {
+            Pause pause = pauses.get(worker);
+            isNew = pause == null;
+            if (!isNew && !isDue(pause)) {
+                return false;
+            }
+            pauses.put(worker, new Pause(isNew ? FIRST_MS : Math.min(LONGEST_MS, 2 * pause.length()),
+                clock.getAsLong()));
+            tested.remove(worker);
+            changed = Map.copyOf(pauses);
         }
-        if (isNew || isDue(pause)) {
-            pause.length = isNew ? FIRST_NANOS : Math.min(LONGEST_NANOS, 2 * pause.length);
-            pause.began = clock.getAsLong();
-            pause.tested = false;
-        }
+        keeper.accept(changed);                        // a file; the broker's threads do not wait for it
         return isNew;
     }
 
     /** Ends a pause. @return true if there was one */
-    synchronized boolean played(String worker) {
-        return pauses.remove(worker) != null;
+    boolean played(String worker) {
+        Map<String, Pause> changed;
+        synchronized (this) {
+            if (pauses.remove(worker) == null) {
+                return false;
+            }
+            changed = Map.copyOf(pauses);
+        }
+        keeper.accept(changed);
+        return true;
     }
 
     /** Returns how many jobs a worker may have at the same time, of so many without a pause. */
@@ -62,26 +82,24 @@ final class WorkerPauses {
     /** True if a job may be handed to a worker: it is not paused, or is to be tested. */
     synchronized boolean mayTake(String worker) {
         Pause pause = pauses.get(worker);
-        return pause == null || isDue(pause) && !pause.tested;
+        return pause == null || isDue(pause) && !tested.contains(worker);
     }
 
     /** Notes that a worker has joined anew: a test that it was given before is void. */
     synchronized void joined(String worker) {
-        Pause pause = pauses.get(worker);
-        if (pause != null) {
-            pause.tested = false;
-        }
+        tested.remove(worker);
     }
 
     /** Notes that a worker has been handed a job. */
     synchronized void took(String worker) {
-        Pause pause = pauses.get(worker);
-        if (pause != null) {
-            pause.tested = true;
+        if (pauses.containsKey(worker)) {
+            tested.add(worker);
         }
     }
 
+    /** True if a pause is over, also when the clock was set back meanwhile. */
     private boolean isDue(Pause pause) {
-        return clock.getAsLong() - pause.began >= pause.length;
+        long now = clock.getAsLong();
+        return now - pause.began() >= pause.length() || now < pause.began();
     }
 }

@@ -1,6 +1,7 @@
 package steward.machines.serve;
 
 import java.util.HashSet;
+import java.util.List;
 import java.util.Set;
 
 /** State of a worker, as the league knows it. Guarded by {@link RemoteGames}. */
@@ -10,6 +11,8 @@ final class WorkerState {
     int slots;
     String version = "";
     String machine = "";
+    /** Factor of its time limits besides the league's own. */
+    double scale = 1;
     long games;
     long checked;
     long began;
@@ -20,6 +23,12 @@ final class WorkerState {
 
     WorkerState(String name) {
         this.name = name;
+    }
+
+    /** Returns what is shown of it. @param doubts a sentence each */
+    WorkerSeen seen(List<String> doubts) {
+        return new WorkerSeen(name, slots, games / (Math.max(1, System.nanoTime() - began) / 1e9), version,
+            System.currentTimeMillis() - lastWord, caught, doubts);
     }
 
     /** Describes the difference between two programs that do not compute the same. */

@@ -6,14 +6,15 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.BasicFileAttributes;
 import java.security.MessageDigest;
-import java.security.SecureRandom;
+import java.time.Instant;
 import java.util.ArrayList;
-import java.util.Base64;
-import java.util.HexFormat;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Predicate;
 import java.util.function.UnaryOperator;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import steward.files.InputException;
 import steward.league.LeagueFolder;
 import steward.scene.json.Block;
@@ -22,19 +23,20 @@ import steward.scene.json.SceneException;
 
 /**
  * The workers of a league, in the private file {@code machines/workers.json}: of each its name, a hash of its secret,
- * and whether it is revoked, with the reason, and whether its games are to be set aside.
+ * and whether it is revoked, with the reason, and whether its games are to be set aside; and the invitations with which
+ * machines become workers by themselves.
  *
- * @param workers in the order in which they were added
+ * @param workers     in the order in which they were added
+ * @param invitations in the order in which they were made
  */
-public record WorkerList(List<Worker> workers) {
+public record WorkerList(List<Worker> workers, List<Invitation> invitations) {
 
     /** Form of a worker's name. */
     public static final Pattern NAME = Pattern.compile("[A-Za-z0-9_-]{1,40}");
     /** How many there may be. */
     public static final int MOST = 1000;
 
-    private static final Pattern HASH = Pattern.compile("[0-9a-f]{64}");
-    private static final int SECRET_BYTES = 32;
+    static final Pattern HASH = Pattern.compile("[0-9a-f]{64}");
 
     /**
      * A worker.
@@ -43,13 +45,15 @@ public record WorkerList(List<Worker> workers) {
      * @param hash    SHA-256 of its secret
      * @param revoked why it may play no more, or {@code null}
      * @param aside   true if its games are not to count
+     * @param invited name of the invitation with which it came, or {@code null}
      */
-    public record Worker(String name, String hash, String revoked, boolean aside) {
+    public record Worker(String name, String hash, String revoked, boolean aside, String invited) {
     }
 
-    /** Copies the list. */
+    /** Copies the lists. */
     public WorkerList {
         workers = List.copyOf(workers);
+        invitations = List.copyOf(invitations);
     }
 
     /** The folder of what is private to a league's broker. */
@@ -65,7 +69,7 @@ public record WorkerList(List<Worker> workers) {
     public static WorkerList read(LeagueFolder folder) {
         Path file = file(folder);
         if (Files.notExists(file)) {
-            return new WorkerList(List.of());
+            return new WorkerList(List.of(), List.of());
         }
         try {
             String source = file.toString();
@@ -74,11 +78,16 @@ public record WorkerList(List<Worker> workers) {
             List<Worker> workers = new ArrayList<>();
             for (Block each : block.blocks("workers")) {
                 workers.add(new Worker(WorkerToken.pattern(each, "name", NAME), WorkerToken.pattern(each, "hash", HASH),
-                    each.has("revoked") ? each.text("revoked") : null, each.flag("aside", false)));
+                    each.has("revoked") ? each.text("revoked") : null, each.flag("aside", false),
+                    each.has("invited") ? WorkerToken.pattern(each, "invited", NAME) : null));
                 each.done();
             }
+            List<Invitation> invitations = new ArrayList<>();
+            if (block.has("invitations")) {
+                block.blocks("invitations").forEach(each -> invitations.add(Invitation.read(each)));
+            }
             block.done();
-            return new WorkerList(workers);
+            return new WorkerList(workers, invitations);
         } catch (SceneException problem) {
             throw new InputException(problem.getMessage());
         }
@@ -104,9 +113,14 @@ public record WorkerList(List<Worker> workers) {
                 text.append(", \"revoked\": \"").append(worker.revoked().replaceAll("[^ -!#-\\[\\]-~]", "?"))
                     .append('"').append(worker.aside() ? ", \"aside\": true" : "");
             }
-            text.append(" }");
+            text.append(worker.invited() == null ? "" : ", \"invited\": \"" + worker.invited() + "\"").append(" }");
         }
-        PrivateFile.write(file(folder), text + "\n] }\n", true);
+        text.append("\n]");
+        if (!invitations.isEmpty()) {
+            text.append(", \"invitations\": [\n  ").append(invitations.stream().map(Invitation::text)
+                .collect(Collectors.joining(",\n  "))).append("\n]");
+        }
+        PrivateFile.write(file(folder), text + " }\n", true);
         return this;
     }
 
@@ -126,38 +140,114 @@ public record WorkerList(List<Worker> workers) {
     }
 
     private static WorkerList added(LeagueFolder folder, String name, Path token) {
+        WorkerList list = read(folder).without(name);
+        BrokerKey key = new BrokerKey(folder);
+        key.make();
+        String secret = WorkerToken.newSecret();
+        PrivateFile.write(token, new WorkerToken(name, secret, key.fingerprint()).text(), false);
+        return list.with(new Worker(name, WorkerToken.hash(secret), null, false, null)).write(folder);
+    }
+
+    /** @throws InputException if a worker or an invitation cannot have this name, or has it */
+    private void checkNew(String name) {
         if (!NAME.matcher(name).matches()) {
             throw new InputException("found the name '" + name + "', expected 1 to 40 letters, digits, underscores and "
                 + "hyphens");
         }
-        WorkerList list = read(folder);
-        List<Worker> workers = new ArrayList<>(list.workers());
-        workers.removeIf(worker -> worker.name().equals(name) && worker.revoked() != null);
-        if (new WorkerList(workers).of(name).isPresent()) {
-            throw new InputException("found a worker '" + name + "' already, expected another name");
+        if (of(name).isPresent() || invitation(name).isPresent()) {
+            throw new InputException("found " + (of(name).isPresent() ? "a worker" : "an invitation") + " '" + name
+                + "' already, expected another name");
         }
-        if (workers.size() == MOST) {
+    }
+
+    /** Returns this without a revoked worker of a name. @throws InputException if no worker of the name can be added */
+    private WorkerList without(String name) {
+        List<Worker> others = new ArrayList<>(workers);
+        others.removeIf(worker -> worker.name().equals(name) && worker.revoked() != null);
+        new WorkerList(others, invitations).checkNew(name);
+        if (others.size() == MOST) {
             throw new InputException("found " + MOST + " workers, expected fewer before one is added");
         }
-        BrokerKey key = new BrokerKey(folder);
-        key.make();
-        byte[] random = new byte[SECRET_BYTES];
-        new SecureRandom().nextBytes(random);
-        String secret = Base64.getUrlEncoder().withoutPadding().encodeToString(random);
-        PrivateFile.write(token, new WorkerToken(name, secret, key.fingerprint()).text(), false);
-        workers.add(new Worker(name, hash(secret), null, false));
-        return new WorkerList(workers).write(folder);
+        return new WorkerList(others, invitations);
+    }
+
+    private WorkerList with(Worker worker) {
+        return new WorkerList(Stream.concat(workers.stream(), Stream.of(worker)).toList(), invitations);
+    }
+
+    /** The invitation of a name. */
+    public Optional<Invitation> invitation(String name) {
+        return invitations.stream().filter(invitation -> invitation.name().equals(name)).findFirst();
+    }
+
+    /** Returns how many machines have used an invitation. */
+    public long used(Invitation invitation) {
+        return workers.stream().filter(worker -> invitation.name().equals(worker.invited())).count();
     }
 
     /**
-     * Revokes a worker: a broker that runs closes its connection.
+     * Makes an invitation, and a key for the broker if there is none.
+     *
+     * @param name of the invitation
+     * @param file where it is written
+     * @throws InputException if the name is taken, or the file cannot be written
+     */
+    public static void invite(LeagueFolder folder, String name, int count, Instant until, Path file) {
+        PrivateFile.alone(folder(folder), () -> {
+            WorkerList list = read(folder);
+            list.checkNew(name);
+            BrokerKey key = new BrokerKey(folder);
+            key.make();
+            String secret = WorkerToken.newSecret();
+            PrivateFile.write(file, new Invitation.Letter(name, secret, key.fingerprint()).text(), false);
+            return new WorkerList(list.workers(), Stream.concat(list.invitations().stream(), Stream.of(
+                new Invitation(name, WorkerToken.hash(secret), count, until, false))).toList()).write(folder);
+        });
+    }
+
+    /**
+     * Takes a machine in with an invitation, under a name and with a key of its own.
+     *
+     * @return why not, or {@code null} if it is a worker now
+     */
+    public static String enrol(LeagueFolder folder, String name, String secret, String invitation, Instant now) {
+        String[] refusal = {"the invitation is unknown"};
+        Predicate<Invitation> isThis = each -> MessageDigest.isEqual(each.hash().getBytes(StandardCharsets.UTF_8),
+            WorkerToken.hash(invitation).getBytes(StandardCharsets.UTF_8));
+        if (read(folder).invitations().stream().noneMatch(isThis)) {
+            return refusal[0];                         // strangers take no lock
+        }
+        PrivateFile.alone(folder(folder), () -> {
+            WorkerList list = read(folder);
+            Invitation found = list.invitations().stream().filter(isThis).findFirst().orElseThrow();
+            refusal[0] = list.of(name).isPresent() || list.invitation(name).isPresent()
+                ? "the key of " + name + " is revoked, or another machine has this name"
+                : !NAME.matcher(name).matches() ? "the name of the machine is none of a worker"
+                : list.workers().size() == MOST ? "the league has " + MOST + " workers, the most there may be"
+                : found.refusal(list.used(found), now);
+            return refusal[0] != null ? list
+                : list.with(new Worker(name, WorkerToken.hash(secret), null, false, found.name())).write(folder);
+        });
+        return refusal[0];
+    }
+
+    /**
+     * Revokes a worker: a broker that runs closes its connection. Or an invitation: the workers that came with it stay.
      *
      * @param aside true if its games are not to count
      * @throws InputException if there is none of the name
      */
     public static void revoke(LeagueFolder folder, String name, String why, boolean aside) {
-        PrivateFile.alone(folder(folder), () -> changed(folder, name, worker -> new Worker(name, worker.hash(),
-            worker.revoked() == null ? why : worker.revoked(), aside || worker.aside())));
+        PrivateFile.alone(folder(folder), () -> {
+            WorkerList list = read(folder);
+            if (list.invitation(name).isPresent()) {
+                return new WorkerList(list.workers(), list.invitations().stream().map(each ->
+                    new Invitation(each.name(), each.hash(), each.count(), each.until(),
+                        each.revoked() || each.name().equals(name))).toList()).write(folder);
+            }
+            return changed(folder, name, worker -> new Worker(name, worker.hash(), worker.revoked() == null ? why
+                : worker.revoked(), aside || worker.aside(), worker.invited()));
+        });
     }
 
     /**
@@ -170,7 +260,7 @@ public record WorkerList(List<Worker> workers) {
             if (worker.revoked() == null) {
                 throw new InputException("found the worker '" + name + "', who may play, expected one that is revoked");
             }
-            return new Worker(name, worker.hash(), null, false);
+            return new Worker(name, worker.hash(), null, false, worker.invited());
         }));
     }
 
@@ -182,17 +272,13 @@ public record WorkerList(List<Worker> workers) {
                     list.workers().stream().map(Worker::name).toList())));
         }
         return new WorkerList(list.workers().stream().map(worker ->
-            worker.name().equals(name) ? change.apply(worker) : worker).toList()).write(folder);
-    }
-
-    private static String hash(String secret) {
-        return HexFormat.of().formatHex(BrokerKey.sha256(secret.getBytes(StandardCharsets.UTF_8)));
+            worker.name().equals(name) ? change.apply(worker) : worker).toList(), list.invitations()).write(folder);
     }
 
     /** True if this is the secret of a worker that may play. */
     public boolean admits(String name, String secret) {
         return name != null && secret != null && of(name).filter(worker -> worker.revoked() == null
             && MessageDigest.isEqual(worker.hash().getBytes(StandardCharsets.UTF_8),
-                hash(secret).getBytes(StandardCharsets.UTF_8))).isPresent();
+                WorkerToken.hash(secret).getBytes(StandardCharsets.UTF_8))).isPresent();
     }
 }

@@ -1,6 +1,11 @@
 package steward.machines.token;
 
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.security.SecureRandom;
+import java.util.Base64;
+import java.util.HexFormat;
 import java.util.regex.Pattern;
 import steward.files.InputException;
 import steward.scene.json.Block;
@@ -11,15 +16,60 @@ import steward.scene.json.SceneException;
  * Token with which a worker joins a league: its name and secret, and the fingerprint of the key that the broker has to
  * have.
  *
- * @param worker its name
- * @param secret 43 characters of base64url: 256 bits by lot
- * @param broker see {@link BrokerKey#fingerprint()}
+ * @param worker     its name
+ * @param secret     43 characters of base64url: 256 bits by lot
+ * @param broker     see {@link BrokerKey#fingerprint()}
+ * @param invitation secret with which the league takes in a worker that it does not know yet; {@code null} without one,
+ *                   and never in the file
  */
-public record WorkerToken(String worker, String secret, String broker) {
+public record WorkerToken(String worker, String secret, String broker, String invitation) {
 
-    private static final String EXPECTED = "a token, as 'steward league worker add' makes it";
-    private static final Pattern SECRET = Pattern.compile("[A-Za-z0-9_-]{43}");
-    private static final Pattern BROKER = Pattern.compile("[0-9a-f]{64}");
+    static final String EXPECTED = "a token, as 'steward league worker add' or 'invite' makes it";
+    static final Pattern SECRET = Pattern.compile("[A-Za-z0-9_-]{43}");
+    static final Pattern BROKER = Pattern.compile("[0-9a-f]{64}");
+    private static final int SECRET_BYTES = 32;
+    private static final int LONGEST_HOST = 30;
+    private static final int NAME_DIGITS = 6;
+
+    /** Token of a worker that the league knows. */
+    public WorkerToken(String worker, String secret, String broker) {
+        this(worker, secret, broker, null);
+    }
+
+    /** Returns a new secret. */
+    static String newSecret() {
+        byte[] random = new byte[SECRET_BYTES];
+        new SecureRandom().nextBytes(random);
+        return Base64.getUrlEncoder().withoutPadding().encodeToString(random);
+    }
+
+    /** Returns the SHA-256 of a secret, as lists keep it. */
+    static String hash(String secret) {
+        return HexFormat.of().formatHex(BrokerKey.sha256(secret.getBytes(StandardCharsets.UTF_8)));
+    }
+
+    /**
+     * Returns the token of this machine for an invitation: the one in a file, or a new one that is written there. Its
+     * name is the host's, with the first digits of the hash of its key, so that hosts of the same name differ.
+     *
+     * @throws InputException if the file is the token of another league, or cannot be read or written
+     */
+    public static WorkerToken invited(Invitation.Letter letter, Path file, String host) {
+        if (Files.notExists(file)) {
+            String secret = newSecret();
+            String name = host.replaceAll("\\..*", "").replaceAll("[^A-Za-z0-9_-]", "-");
+            String worker = (name.isEmpty() ? "worker" : name.substring(0, Math.min(LONGEST_HOST, name.length())))
+                + "-" + hash(secret).substring(0, NAME_DIGITS);
+            PrivateFile.folder(file.toAbsolutePath().getParent());
+            PrivateFile.write(file, new WorkerToken(worker, secret, letter.broker()).text(), false);
+        }
+        WorkerToken own = read(file);
+        if (!own.broker().equals(letter.broker())) {
+            throw new InputException(file + ": found the key for another league, expected that for the league of the "
+                + "invitation " + letter.name() + ", or another file");
+        }
+        return new WorkerToken(own.worker(), own.secret(), own.broker(), letter.secret());
+    }
 
     /**
      * Reads the file of a token.

@@ -21,8 +21,9 @@ public interface WorkerWord {
      * @param bits    what that computes: the keys of the laws of all rungs, or one key for all
      * @param machine what it plays on
      * @param slots   games at the same time
+     * @param speed   of its machine, 0 if it does not say
      */
-    record Hello(String version, String bits, String machine, int slots) implements WorkerWord {
+    record Hello(String version, String bits, String machine, int slots, int speed) implements WorkerWord {
     }
 
     /**
@@ -119,7 +120,8 @@ public interface WorkerWord {
         String type = header.text("type");
         WorkerWord word = switch (type) {
             case "hello" -> new Hello(header.text("version"), header.text("bits"), header.text("machine"),
-                header.integer("slots", 1, MOST_SLOTS));
+                header.integer("slots", 1, MOST_SLOTS),
+                header.has("speed") ? header.integer("speed", 1, Integer.MAX_VALUE) : 0);
             case "fetch" -> new Fetch(header.text("bundle"), header.integer("from", 0, most));
             case "result" -> result(header, message.payload());
             case "unfit" -> new Unfit(header.text("bundle"), header.text("reason"));

@@ -19,6 +19,7 @@ import steward.game.GameTypes;
 import steward.machines.broker.BrokerClient;
 import steward.machines.broker.BrokerClient.BrokenException;
 import steward.machines.bundle.Bundle;
+import steward.machines.check.MachineSpeed;
 import steward.machines.token.WorkerToken;
 import steward.machines.wire.GameJob;
 import steward.machines.wire.HeaderText;
@@ -43,11 +44,14 @@ public final class Worker {
     private final GameTypes types;
     private final Consumer<String> teller;
     private final long end;
+    private final int speed = MachineSpeed.measure();
     private final String process = UUID.randomUUID().toString();
     private final AtomicLong begun = new AtomicLong();
     private final AtomicLong played = new AtomicLong();
     /** Bundles that do not run here, and why. */
     private final Map<String, String> unfit = new ConcurrentSkipListMap<>();
+    /** Time before the next connection, in milliseconds: twice as long after each one that the league does not take. */
+    private long wait = SHORTEST_WAIT_MS;
     private volatile boolean draining;
     private volatile long lastJob = System.nanoTime();
 
@@ -122,7 +126,6 @@ public final class Worker {
      * @throws InputException   if what the league says cannot be used
      */
     public void play() throws InterruptedException {
-        long wait = SHORTEST_WAIT_MS;
         String told = "";
         while (!isOver()) {
             long before = played.get();
@@ -139,18 +142,20 @@ public final class Worker {
                 }
                 told = what;
             }
-            wait = played.get() > before ? SHORTEST_WAIT_MS : Math.min(LONGEST_WAIT_MS, wait * 2);
             for (long slept = 0; slept < wait && !isOver(); slept += SHORTEST_WAIT_MS) {
                 TimeUnit.MILLISECONDS.sleep(SHORTEST_WAIT_MS);
             }
+            wait = Math.min(LONGEST_WAIT_MS, wait * 2);
         }
     }
 
     /** Plays over one connection. */
     private void session(BrokerClient client) throws BrokenException, InterruptedException {
         client.say(WireMessage.bytes(new HeaderText().put("type", "hello").put("version", options.version())
-            .put("bits", RungLaw.keys()).put("machine", options.machine()).put("slots", options.slots())));
+            .put("bits", RungLaw.keys()).put("machine", options.machine()).put("slots", options.slots())
+            .put("speed", speed)));
         JobPlay jobs = welcome(client);
+        wait = SHORTEST_WAIT_MS;
         for (String bundle : unfit.keySet()) {
             sayUnfit(client, bundle);
         }
@@ -199,8 +204,7 @@ public final class Worker {
                 return jobs(client, welcome);
             }
         }
-        throw new InputException(options.host() + ":" + options.port() + ": the league does not answer, expected a "
-            + "league that is played");
+        throw new BrokenException(options.host() + ":" + options.port() + ": the league does not answer", false);
     }
 
     private JobPlay jobs(BrokerClient client, LeagueWord.Welcome welcome) throws BrokenException {
@@ -300,6 +304,6 @@ public final class Worker {
                 return piece.bytes();
             }
         }
-        throw new InputException("the league does not send the bundle " + hash);
+        throw new BrokenException("the league does not send the bundle " + hash, false);
     }
 }

@@ -111,7 +111,7 @@ class BrokerLoadingTest {
         try (ServerSocket free = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
             port = free.getLocalPort();
         }
-        String joining = run(1, true, "worker", "--join", "no-such-host.invalid:" + port, "--token-file", "attic.token",
+        String joining = run(3, true, "worker", "--join", "no-such-host.invalid:" + port, "--token-file", "attic.token",
             "--sandbox", "off");
         assertTrue(joining.contains(BROKER), "a worker does: the test would see it");
         assertTrue(read(folder.resolve("err.txt")).contains("found an unknown host"), read(folder.resolve("err.txt")));

@@ -189,7 +189,7 @@ class WorkerProcessTest {
         done("worker", "revoke", folder.resolve("night").toString(), "gone");
         Cli cli = Cli.run("worker", "--join", "127.0.0.1:" + port, "--token-file", token("gone").toString(),
             "--sandbox", "off");
-        assertEquals(1, cli.status(), cli.err());
+        assertEquals(3, cli.status(), cli.err());
         assertTrue(cli.err().contains("the league refuses the token: it is wrong or revoked"), cli.err());
         assertTrue(league.get(200, TimeUnit.SECONDS).startsWith("24 games of duel\n"));
         assertEquals(0, end(idle, league), () -> read("idle.err"));
@@ -213,9 +213,9 @@ class WorkerProcessTest {
         String said = league.get(200, TimeUnit.SECONDS);
         assertTrue(said.contains("8 games of duel\n"), said);
         assertEquals(0, stored("small"));
-        assertTrue(read("small.err").matches("(?s).*steward: fast: \\S.*: the bundle cannot be unpacked: [^\n]*\n.*"),
+        assertTrue(read("small.err").matches("(?s).*steward: \\S+ fast: \\S.*: the bundle cannot be unpacked: [^\n]*\n.*"),
             read("small.err"));
-        assertTrue(said.contains("steward: worker small cannot play a bot: fast: "), said);
+        assertTrue(said.contains("Z worker small cannot play a bot: fast: "), said);
         assertTrue(small.isAlive() && other.isAlive(), "it waits for games that it can play");
         try (Stream<Path> left = Files.list(folder.resolve("bundles small"))) {
             assertFalse(left.anyMatch(path -> path.getFileName().toString().startsWith("unpacking")));
@@ -228,7 +228,7 @@ class WorkerProcessTest {
         Files.setPosixFilePermissions(token("open"), PosixFilePermissions.fromString("rw-r--r--"));
         Cli cli = Cli.run("worker", "--join", "no-such-host.invalid:1", "--token-file", token("open").toString(),
             "--sandbox", "off");
-        assertEquals(1, cli.status(), cli.err());
+        assertEquals(3, cli.status(), cli.err());
         assertTrue(cli.err().contains("expected a file of yours alone: chmod 600 " + token("open")), cli.err());
         assertTrue(cli.err().contains("no-such-host.invalid:1: found an unknown host"), cli.err());
     }

@@ -4,13 +4,24 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.Map;
+import java.util.TreeMap;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
+import steward.machines.token.KeptPauses.Pause;
 
 class WorkerPausesTest {
 
     private long seconds;
-    private final WorkerPauses pauses = new WorkerPauses(() -> TimeUnit.SECONDS.toNanos(seconds));
+    private final Map<String, Pause> kept = new TreeMap<>();
+    private final WorkerPauses pauses = pauses();
+
+    private WorkerPauses pauses() {
+        return new WorkerPauses(() -> TimeUnit.SECONDS.toMillis(seconds), kept, all -> {
+            kept.clear();
+            kept.putAll(all);
+        });
+    }
 
     @Test
     void pausesDoubleUntilATestIsPassed() {
@@ -41,6 +52,31 @@ class WorkerPausesTest {
         pauses.took("a");
         assertFalse(pauses.mayTake("a"));
         pauses.joined("a");
+        assertTrue(pauses.mayTake("a"));
+    }
+
+    @Test
+    void theNextRunGoesOnWithThem() {
+        pauses.failed("a");
+        seconds += 1;
+        pauses.failed("a");
+        WorkerPauses next = pauses();
+        assertFalse(next.mayTake("a"), "for 2 s");
+        seconds += 2;
+        assertTrue(next.mayTake("a"), "its test");
+        next.took("a");
+        assertFalse(next.failed("a"));
+        assertEquals(4000, kept.get("a").length());
+        seconds += 4;
+        assertTrue(next.played("a"));
+        assertEquals(Map.of(), kept);
+    }
+
+    @Test
+    void aClockThatIsSetBackEndsAPause() {
+        seconds = 1000;
+        pauses.failed("a");
+        seconds = 0;
         assertTrue(pauses.mayTake("a"));
     }
 }

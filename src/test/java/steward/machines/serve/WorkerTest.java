@@ -21,6 +21,7 @@ import steward.machines.broker.BrokerClient;
 import steward.machines.broker.BrokerClient.BrokenException;
 import steward.machines.bundle.Bundle;
 import steward.machines.token.BrokerKey;
+import steward.machines.token.Invitation;
 import steward.machines.token.WorkerToken;
 import steward.machines.wire.GameJob;
 import steward.machines.wire.HeaderText;
@@ -223,5 +224,67 @@ class WorkerTest extends ServedLeague {
                 + "Steward 1 (results "), told::toString);
             assertEquals(0, games.seen().get(0).slots(), "it is given no games");
         }
+    }
+
+    @Test
+    void machinesJoinWithAnInvitationAndAreRevokedOneByOne() throws Exception {
+        make("many");
+        done("worker", "invite", "TMP/many", "--count", "2", "--until", "2999-12-24", "--out", "TMP/letter");
+        Invitation.Letter letter = Invitation.letter(folder.resolve("letter"));
+        List<String> told = new CopyOnWriteArrayList<>();
+        try (RemoteGames games = served("many", told::add)) {
+            List<WorkerToken> tokens = new ArrayList<>();
+            for (String host : List.of("attic", "cellar", "shed")) {
+                tokens.add(WorkerToken.invited(letter, folder.resolve("keys").resolve(host), host));
+            }
+            for (WorkerToken token : tokens.subList(0, 2)) {
+                try (BrokerClient client = client(token)) {
+                    hello(client, token.worker());
+                    assertEquals("welcome", WireMessage.read(listen(client), "the league").header().text("type"));
+                }
+            }
+            client(tokens.get(0)).close();             // a second time, with its own key
+            assertEquals("the invitation invitation is used up: 2 of 2 machines have joined with it",
+                refused(tokens.get(2)));
+            String one = tokens.get(0).worker();
+            assertTrue(told.contains("worker " + one + " has come with the invitation invitation"), told::toString);
+            assertTrue(done("worker", "list", "TMP/many").matches("(?s)" + one + " \\(by invitation\\)\n.*"
+                + "invitation: an invitation until 2999-.*, used by 2 of 2 machines\n"));
+            done("worker", "revoke", "TMP/many", one);
+            while (!told.contains("worker " + one + " is revoked") && !refusedNow(tokens.get(0))) {
+                TimeUnit.MILLISECONDS.sleep(50);
+            }
+            assertEquals("the key of " + one + " is revoked, or another machine has this name", refused(tokens.get(0)));
+            client(tokens.get(1)).close();
+        }
+    }
+
+    private boolean refusedNow(WorkerToken token) {
+        try {
+            new BrokerClient("127.0.0.1", port, token, "p").close();
+            return false;
+        } catch (BrokenException refused) {
+            return refused.isRefused();
+        }
+    }
+
+    /** A worker that is slower than anything: its limits are eight times the league's, which is the most. */
+    @Test
+    void timeLimitsAreScaledByTheSpeedOfAMachine() throws Exception {
+        make("many");
+        WorkerToken token = token("many", "slow");
+        List<String> told = new CopyOnWriteArrayList<>();
+        try (RemoteGames games = served("many", true, told::add); BrokerClient client = client(token)) {
+            assertTrue(games.seen().isEmpty());
+            client.say(WireMessage.bytes(new HeaderText().put("type", "hello").put("version", "1")
+                .put("bits", RungLaw.keys()).put("machine", "a snail").put("slots", 1).put("speed", 1)));
+            assertEquals("8.0", WireMessage.read(listen(client), "the league").header().text("factor"));
+            assertEquals(List.of("worker slow plays 1 game at a time: a snail, time limits times 8.0"), told);
+        }
+        CompletableFuture<String> run = serve("many", 20, "--threads", "0", "--scale-time");
+        play(worker(token, 1, Long.MAX_VALUE));
+        String said = run.get(200, TimeUnit.SECONDS);
+        assertTrue(games("many").stream().allMatch(row -> row.machine().matches(
+            "worker slow: a machine of the test, time limits times [0-9.]+")), said);
     }
 }

@@ -114,8 +114,7 @@ final class LeagueWatch implements AutoCloseable {
 
     private byte[] page(String address) {
         if (address.equals("metrics")) {
-            return LeagueMetrics.text(run.games(), run.stored(), progress.rate(),
-                machines == null ? List.of() : machines.workers()).getBytes(StandardCharsets.UTF_8);
+            return LeagueMetrics.text(run, progress.rate(), machines).getBytes(StandardCharsets.UTF_8);
         }
         Matcher matcher = REPLAY.matcher(address);
         if (!matcher.matches()) {

@@ -55,13 +55,14 @@ import steward.text.TextFormat;
         "  steward league run night --threads auto --for 8h",
         "  steward league run night --games 1000 --watch --open",
         "  steward league run night --until-ranked --equal 5",
-        "", "Exit status: 0 an end was reached; 1 games could not be stored; 2 the call or",
-        "the league is unusable; 130 interrupted."})
+        "", "Exit status: 0 an end was reached; 1 broken: games could not be stored; 2 the",
+        "call or the league is unusable; 130 interrupted, 143 terminated."})
 public final class RunCommand implements Callable<Integer> {
 
     private static final Pattern TIME = Pattern.compile("([0-9]{1,9})([smhd])");
 
-    private final Streams streams;
+    /** With a log instead of plain errors once the command is called, where that is wanted. */
+    private Streams streams;
     private final CallCheck check = CallCheck.withHelp();
 
     @Mixin
@@ -111,6 +112,10 @@ public final class RunCommand implements Callable<Integer> {
     @Option(names = "--quiet", description = "Prints no table at the end, and none while it plays.")
     private boolean quiet;
 
+    @Option(names = "--json", description = "Prints each event as a line of JSON with its time, and no table while it "
+        + "plays.")
+    private boolean json;
+
     /** @param serving an object with options that let other machines play */
     public RunCommand(Streams streams, Serving serving) {
         this.streams = streams;
@@ -120,6 +125,8 @@ public final class RunCommand implements Callable<Integer> {
     @Override
     @SuppressWarnings("try")                           // the lock is only closed, never used
     public Integer call() throws InterruptedException {
+        // A terminal has a table that is written over; what a service prints is a log.
+        streams = json || serving.isServed() && !streams.errTerminal() ? streams.logging(json) : streams;
         threads.check(serving.isServed() ? 0 : 1);      // a league with workers may play nothing itself
         watch.check(check);
         check.that(watch.watch() || !open, "--open is for --watch, expected both");

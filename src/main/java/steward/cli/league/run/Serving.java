@@ -30,6 +30,9 @@ public interface Serving {
         /** A game that is handed over to be stored, by any thread. */
         void stored(StoredGame game);
 
+        /** Returns how many games wait for a worker. */
+        int waiting();
+
         /** Returns the workers' rows to show. */
         List<WorkerRow> workers();
 

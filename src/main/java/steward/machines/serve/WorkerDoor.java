@@ -1,0 +1,84 @@
+package steward.machines.serve;
+
+import java.time.Instant;
+import java.util.List;
+import java.util.function.Consumer;
+import steward.files.InputException;
+import steward.league.LeagueFolder;
+import steward.machines.broker.Admission;
+import steward.machines.token.WorkerList;
+
+/** Admission of workers by the league's list, which is read anew when its file has changed. Thread-safe. */
+final class WorkerDoor implements Admission {
+
+    private final LeagueFolder folder;
+    private final Consumer<String> teller;
+    private volatile WorkerList list;
+    /** Used by one thread. */
+    private String stamp;
+
+    /** @param teller is told who comes with an invitation, and when the list cannot be read */
+    WorkerDoor(LeagueFolder folder, Consumer<String> teller) {
+        this.folder = folder;
+        this.teller = teller;
+        stamp = WorkerList.stamp(folder);
+        list = WorkerList.read(folder);
+    }
+
+    @Override
+    public boolean admits(String worker, String secret) {
+        return list.admits(worker, secret);
+    }
+
+    @Override
+    public String enrol(String worker, String secret, String invitation) {
+        try {
+            String refusal = WorkerList.enrol(folder, worker, secret, invitation, Instant.now());
+            if (refusal == null) {
+                list = WorkerList.read(folder);
+                teller.accept("worker " + worker + " has come with the invitation "
+                    + list.of(worker).map(WorkerList.Worker::invited).orElse(""));
+            }
+            return refusal;
+        } catch (InputException problem) {
+            teller.accept(problem.getMessage());
+            return "the league cannot change its list of workers";
+        }
+    }
+
+    /** Returns the workers of the list. */
+    List<WorkerList.Worker> workers() {
+        return list.workers();
+    }
+
+    /** Reads the list if its file has changed. @return false if it has not, or cannot be read */
+    boolean isChanged() {
+        String now = WorkerList.stamp(folder);
+        if (now.equals(stamp)) {
+            return false;
+        }
+        stamp = now;
+        try {
+            list = WorkerList.read(folder);
+            return true;
+        } catch (InputException problem) {
+            teller.accept(problem.getMessage() + "; the workers stay as they were");
+            return false;
+        }
+    }
+
+    /** Revokes a worker that was caught; its games are to be set aside. */
+    void revoke(String worker, String why) {
+        boolean interrupted = Thread.interrupted();    // which would keep the list from being written
+        try {
+            WorkerList.revoke(folder, worker, why, true);
+        } catch (InputException gone) {
+            teller.accept(gone.getMessage());
+        } finally {
+            if (interrupted) {
+                Thread.currentThread().interrupt();
+            }
+        }
+        list = WorkerList.read(folder);
+    }
+}
