@@ -65,6 +65,15 @@ class LauncherTest {
         assertEquals(-1, started("17.0.1", folder + "/no/such/file").indexOf(VFORK));
     }
 
+    /** The broker's queues use what newer Java warns of on the standard error; older Java refuses the word. */
+    @Test
+    void unsafeMemoryIsAllowedFromJava23() throws IOException, InterruptedException {
+        assertTrue(started("25.0.3", LINUX).contains("--sun-misc-unsafe-memory-access=allow\n"));
+        assertTrue(started("23", LINUX).contains("--sun-misc-unsafe-memory-access=allow\n"));
+        assertFalse(started("22", LINUX).contains("--sun-misc-unsafe"));
+        assertFalse(started("17.0.1", LINUX).contains("--sun-misc-unsafe"));
+    }
+
     /** A longer class path slows down every start. */
     @Test
     void theLabStandsLastAndOnlyWhereItIsNeeded() throws IOException, InterruptedException {
