@@ -1,7 +1,7 @@
 // The clock of the page: where in the match it stands and how fast it goes.
 
-import { firstAfter, momentAt } from './match.js';
 import { remember, remembered } from './theme.js';
+import { firstAfter, momentAt } from './times.js';
 
 const TURNS_PER_SECOND = 5;
 export const SPEEDS = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20];
