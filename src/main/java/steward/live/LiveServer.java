@@ -1,11 +1,11 @@
 package steward.live;
 
-import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.net.URI;
 import java.util.concurrent.TimeUnit;
+import steward.replay.page.PageExtras;
 import steward.replay.page.ReplayPage;
 
 /**
@@ -43,20 +43,21 @@ public final class LiveServer implements AutoCloseable {
      * @param most      how many viewers are admitted at the same time
      * @param title     of the page, plain text
      * @param recording the recording that the match is written to
+     * @param extras    what the copy of the match has besides it
      * @throws IOException if the host is not known or the port is taken
      */
-    public static LiveServer start(String host, int port, int most, String title, LiveRecording recording)
-            throws IOException {
-        return start(host, port, most, title, recording, SILENT_NANOS);
+    public static LiveServer start(String host, int port, int most, String title, LiveRecording recording,
+                                   PageExtras extras) throws IOException {
+        return start(host, port, most, title, recording, extras, SILENT_NANOS);
     }
 
-    static LiveServer start(String host, int port, int most, String title, LiveRecording recording, long silentNanos)
-            throws IOException {
+    static LiveServer start(String host, int port, int most, String title, LiveRecording recording, PageExtras extras,
+                            long silentNanos) throws IOException {
         Viewers viewers = new Viewers(most);
         ByteArrayOutputStream front = new ByteArrayOutputStream();
         ReplayPage.writeLive(front, title, Site.FEED, COPY);
         return new LiveServer(HttpService.start(host, port, new MatchSite(front.toByteArray(), title, recording,
-            viewers), viewers, silentNanos), viewers);
+            extras, viewers), viewers, silentNanos), viewers);
     }
 
     /** The pages of a match. */
@@ -65,14 +66,16 @@ public final class LiveServer implements AutoCloseable {
         private final byte[] front;
         private final String title;
         private final LiveRecording recording;
+        private final PageExtras extras;
         private final Viewers viewers;
         /** The copy of the whole match, which all who have seen its end fetch. */
         private volatile byte[] whole;
 
-        MatchSite(byte[] front, String title, LiveRecording recording, Viewers viewers) {
+        MatchSite(byte[] front, String title, LiveRecording recording, PageExtras extras, Viewers viewers) {
             this.front = front;
             this.title = title;
             this.recording = recording;
+            this.extras = extras;
             this.viewers = viewers;
         }
 
@@ -101,7 +104,7 @@ public final class LiveServer implements AutoCloseable {
             }
             ByteArrayOutputStream html = new ByteArrayOutputStream();
             try {
-                ReplayPage.write(new ByteArrayInputStream(replay), "match", html, title);
+                ReplayPage.write(replay, "match", html, title, extras);
             } catch (IOException inMemory) {
                 throw new UncheckedIOException(inMemory);
             }

@@ -3,8 +3,9 @@
 
 import { bound, find, fixed, make, nameCell, plusMinus, signed, state, thousands } from './words.js';
 
-const MOST_BESIDE = 12;         // up to so many bots both tables stand beside each other
 const SMALL = 16;               // from so many bots on cells are small
+const CELL_PIXELS = 40;         // both tables stand beside each other where they are whole then
+const NAME_PIXELS = 220;
 
 const sorted = { cross: -1, better: -1 };
 
@@ -15,7 +16,7 @@ function drawMatrix(table, value, title, mark, onChoose) {
   const order = bots.map((_, k) => k);
   if (by >= 0) order.sort((one, other) => (value(other, by) ?? -1) - (value(one, by) ?? -1));
   table.classList.toggle('small', bots.length >= SMALL);
-  table.closest('.card').classList.toggle('whole', bots.length > MOST_BESIDE);
+  table.closest('.card').classList.toggle('whole', 2 * (NAME_PIXELS + CELL_PIXELS * bots.length) > innerWidth);
   const head = make(emptied(table.tHead), 'tr');
   make(head, 'td', '', 'name');
   bots.forEach((bot, k) => {

@@ -91,7 +91,11 @@ connectMatrix(find('better'));
 let resized = 0;
 addEventListener('resize', () => {
   cancelAnimationFrame(resized);
-  resized = requestAnimationFrame(() => state.league && drawRatings());
+  resized = requestAnimationFrame(() => {
+    if (!state.league) return;
+    drawRatings();
+    drawCross(choose);
+  });
 });
 
 const data = find('data').textContent;

@@ -40,7 +40,7 @@ export const fixed = (value, decimals) => value === null || value === undefined 
 export const signed = value => (Math.round(value) > 0 ? '+' : Math.round(value) < 0 ? '−' : '±') + Math.abs(Math.round(value));
 /** A bar with one end: of a bot that has won or lost nearly everything. */
 export const bounded = bot => bot.bound !== null && bot.bound !== undefined;
-export const bound = (value, end) => `${value > 0 ? '>' : '<'} ${Math.round(end)}`;
+export const bound = (value, end) => `${value > 0 ? '>' : '<'} ${Math.round(end)}`.replace('-', '−');
 export const plusMinus = bar => bar === null || bar === undefined ? '' : ` ± ${Math.round(bar)}`;
 export const thousands = value => value.toLocaleString('en-US').replaceAll(',', '\u2009');
 

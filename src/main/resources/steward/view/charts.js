@@ -42,7 +42,7 @@ class Chart {
       cursor: { sync: { key: 'turns' }, y: false, points: { show: false }, drag: { x: false, y: false } },
       scales: { x: { time: false }, y: this.isLog ? { distr: 3 } : { range: fromZero } },
       axes: [{ ...axis, size: 18, gap: 2, space: 60, incrs: WHOLE },
-        { ...axis, size: 40, gap: 3, space: 26, values: (_, splits) => splits.map(value =>
+        { ...axis, size: 40, gap: 3, space: 26, ...this.isLog ? { splits: powersOfTen } : {}, values: (_, splits) => splits.map(value =>
           (value === null ? '' : this.isLog ? log(value) : short(value))) }],
       series: [{}, ...match.players.map((_, player) =>
         ({ stroke: theme.team(player), width: 1.4, spanGaps: true, points: { show: false } })),
@@ -78,6 +78,11 @@ const WHOLE = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000];       // s
 
 function fromZero(_, low, high) {
   return [Math.min(0, low), high > 0 ? high * 1.05 : 1];
+}
+
+function powersOfTen(_, __, low, high) {
+  const [from, to] = [Math.floor(Math.log10(low)), Math.ceil(Math.log10(high))];
+  return Array.from({ length: to - from + 1 }, (___, k) => 10 ** (from + k));
 }
 
 function short(value) {

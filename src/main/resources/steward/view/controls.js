@@ -2,7 +2,6 @@
 
 import { SPEEDS } from './playback.js';
 
-const TAP_PIXELS = 8;
 const ZOOM_STEP = 260;          // of a key, in pixels of a wheel
 
 const control = id => document.getElementById(id);
@@ -21,15 +20,15 @@ function actionsOf(page) {
     Home: () => playback.seek(0),
     End: () => playback.toEnd(),
     l: () => playback.live && playback.followLive(),
-    f: () => page.nextFollow(),
+    f: () => page.pointer.nextFollow(),
     v: () => toggleShown(page, 'vectors'),
     s: () => page.share.link(),
     p: () => page.share.picture(),
     r: () => page.share.clip(),
     '+': () => zoomMiddle(page, -ZOOM_STEP),
     '-': () => zoomMiddle(page, ZOOM_STEP),
-    0: () => page.follow('field'),
-    Escape: () => page.select(null),
+    0: () => page.pointer.follow('field'),
+    Escape: () => page.pointer.select(null),
     '?': () => control('help').showModal(),
   };
 }
@@ -43,7 +42,7 @@ function toggleShown(page, name) {
 function zoomMiddle(page, pixels) {
   const { view } = page.stage;
   view.zoom(view.width / 2, view.height / 2, pixels);
-  page.cameraMoved();
+  page.pointer.cameraMoved();
 }
 
 export function connectControls(page) {
@@ -65,7 +64,7 @@ export function connectControls(page) {
     });
   });
   connectMenus();
-  connectField(control('field'), page);
+  page.pointer.connect(control('field'));
   addEventListener('hashchange', () => page.followLink());
 }
 
@@ -100,46 +99,3 @@ function connectMenus() {
     if (event.key === 'Escape') document.querySelectorAll('details.menu[open]').forEach(menu => menu.removeAttribute('open'));
   });
 }
-
-/** A tap selects a body, or plays and pauses; the wheel zooms, dragging moves, a double click goes back. */
-function connectField(field, page) {
-  let down = null;
-  let last = null;
-  const placeOf = event => {
-    const { left, top } = field.getBoundingClientRect();
-    return [event.clientX - left, event.clientY - top];
-  };
-  field.addEventListener('pointerdown', event => {
-    down = last = event;
-    if (event.pointerType === 'mouse') field.setPointerCapture(event.pointerId);
-  });
-  field.addEventListener('pointermove', event => {
-    if (!page.stage) return;
-    const isDrag = down && Math.hypot(event.clientX - down.clientX, event.clientY - down.clientY) >= TAP_PIXELS;
-    if (isDrag && (event.pointerType === 'mouse' || page.stage.view.isMoved)) {
-      page.stage.view.pan(event.clientX - last.clientX, event.clientY - last.clientY);
-      page.cameraMoved();
-    } else if (!down && event.pointerType === 'mouse') page.hover(...placeOf(event));
-    if (down) last = event;
-  });
-  field.addEventListener('pointerup', event => {
-    const isTap = down && Math.hypot(event.clientX - down.clientX, event.clientY - down.clientY) < TAP_PIXELS;
-    down = null;
-    if (isTap && page.stage) page.tap(...placeOf(event));
-  });
-  field.addEventListener('pointercancel', () => (down = null));
-  field.addEventListener('pointerleave', () => page.stage && page.hover(-1e6, -1e6));
-  field.addEventListener('dblclick', () => page.stage && page.follow('field'));
-  field.addEventListener('wheel', event => {
-    if (!page.stage || inFrame() && !event.ctrlKey && !page.stage.view.isHeld) return;   // a notebook goes on scrolling
-    event.preventDefault();
-    page.stage.view.zoom(...placeOf(event), event.deltaY);
-    page.cameraMoved();
-  }, { passive: false });
-}
-
-/** True if the page is shown inside another. */
-export function inFrame() {
-  return window.parent !== window;
-}
-

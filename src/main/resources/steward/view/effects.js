@@ -3,9 +3,9 @@
 
 import { captionSize, circle, hash01, sprites, TAU, write } from './draw.js';
 import { paintGlow } from './hulls.js';
-import { within } from './match.js';
 import { MOST_WORDS } from './notes.js';
 import { grouped, shorten, withNames } from './text.js';
+import { within } from './times.js';
 
 const FLASH_TURNS = 1.6;        // how long an impact stays in view
 const FLASH_SECONDS = 0.15;     // and at least this long when turns fly by
@@ -24,7 +24,7 @@ export function contactOf(match, { impact, turn }) {
 
 /** A flash in units of the field: the stronger the impulse, the larger, against the strongest of the match. */
 export function flashRadius(match, { impact, turn }) {
-  const radius = match.describeIn(impact.a, turn).radius;
+  const radius = Math.min(match.describeIn(impact.a, turn).radius, match.usualRadius);
   return radius * (0.65 + 2.25 * Math.sqrt(strengthOf(match, impact)));
 }
 
@@ -53,7 +53,7 @@ function drawFlash(scene, met, age) {
   const fade = (1 - age) ** 1.5;
   const spread = theme.isCalm ? 1 : 0.35 + 0.65 * Math.sqrt(age);
   ctx.globalAlpha = fade;
-  sprites.put(scene, 'flash', x, y, full * 0.8, 0, 1, (to, r) => paintGlow(to, r, paint.flash, 1));
+  sprites.put(scene, 'flash', x, y, full * 0.8, 0, 1, (to, r) => paintGlow(to, r, theme.isDark ? paint.flash : paint.core, 1));
   ctx.strokeStyle = paint.flash;
   ctx.lineWidth = Math.max(1, 3 * (1 - age));
   circle(ctx, x, y, full * spread);

@@ -1,9 +1,9 @@
 // What happened around the moment shown: impacts, events and faults, each a button that goes there.
 
-import { firstAfter } from './match.js';
 import { element, grouped, nameOf, shorten, withNames } from './text.js';
 import { inTeamColour } from './theme.js';
 import { pairOf } from './timeline.js';
+import { firstAfter } from './times.js';
 
 const MOST_SHOWN = 9;
 const BEFORE = 5;               // of them, so many have happened

@@ -36,15 +36,14 @@ export function hookOf(page) {
     play: () => page.playback.play(),
     pause: () => page.playback.pause(),
     addTurn: line => page.addLine(line),
-    /** Milliseconds of script that one frame takes at a time of the match. */
-    frameMs(time) {
-      page.playback.time = time;
-      const start = performance.now();
-      page.draw();
-      return performance.now() - start;
+    /** Calls take(ms of script, turn) for each frame. */
+    onFrame(take) {
+      page.onFrame = take;
     },
-    setPlaying(playing) {
-      page.playback.playing = playing;
+    /** Leaves out a part of the drawing, such as drawBody. */
+    hide(part) {
+      page.stage.look = { ...page.stage.look, [part]() {} };
+      page.theme.read();
     },
     ready: false,
   };

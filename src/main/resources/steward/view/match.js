@@ -1,13 +1,8 @@
 // The recorded match: what the lines of a replay say, and where every body is at any time.
-//
-// Time is counted in turns: turn n fills the time from n - 1 to n, and time 0 is the start. Whatever is shown "at turn
-// n" belongs to line n of the replay: its commands, what the players said, and the state it ended with.
 
-/** A moment of the match: its time, the turn it belongs to, how far into it, and the last turn that is complete. */
-export function momentAt(time) {
-  const turn = Math.ceil(time);
-  return { time, turn, fraction: turn === 0 ? 1 : time - (turn - 1), settled: Math.floor(time) };
-}
+import { cornersOf, placeOn } from './paths.js';
+
+const USUAL_RADIUS = 0.03;      // of the field's longer side
 
 export class Match {
   header = null;
@@ -23,10 +18,15 @@ export class Match {
   start = null;
   descriptions = new Map();
   sent = null;                    // lines that each player was sent, by turn; null where they are not known
-  podsOfPlayers = null;
 
   get lastTurn() {
     return this.turns.length;
+  }
+
+  /** The largest radius for which effects are drawn in full: a large body shall not hide the field. */
+  get usualRadius() {
+    const field = this.header.drawing.field;
+    return field ? USUAL_RADIUS * Math.max(field.width, field.height) : Infinity;
   }
 
   get players() {
@@ -232,48 +232,8 @@ export class Match {
   #extent = { turns: 0, left: Infinity, top: Infinity, right: -Infinity, bottom: -Infinity };
 }
 
-/** The elements of a list sorted by time with from < time <= to. */
-export function within(list, from, to) {
-  return list.slice(firstAfter(list, from), firstAfter(list, to));
-}
-
-/** Index of the first element after a time. */
-export function firstAfter(list, time) {
-  let low = 0;
-  let high = list.length;
-  while (low < high) {
-    const middle = (low + high) >> 1;
-    if (list[middle].time > time) high = middle;
-    else low = middle + 1;
-  }
-  return low;
-}
-
 const NO_STATE = {};
 
 function byId(bodies) {
   return new Map(bodies.map(body => [body.id, body]));
-}
-
-/** The corners of bodies' ways where only impacts are told, as in an imported turn. */
-function cornersOf(impacts) {
-  const corners = new Map();
-  const add = (id, corner) => corners.set(id, [...corners.get(id) ?? [], corner]);
-  for (const { time, a, b, ax, ay, bx, by } of impacts ?? []) {
-    add(a, [time, ax, ay]);
-    if (b !== undefined) add(b, [time, bx, by]);
-  }
-  return corners;
-}
-
-/** The point of a path at a time 0..1; of several corners at that time the last counts. Null before and after it. */
-export function placeOn(path, t) {
-  if (!path.length || t < path[0][0]) return null;
-  let k = path.length - 1;
-  while (k > 0 && path[k][0] > t) k--;
-  const from = path[k];
-  const to = path[k + 1];
-  if (!to) return t <= from[0] ? { x: from[1], y: from[2] } : null;
-  const share = (t - from[0]) / (to[0] - from[0]);
-  return { x: from[1] + (to[1] - from[1]) * share, y: from[2] + (to[2] - from[2]) * share };
 }

@@ -1,16 +1,15 @@
 // The look of Mean Max: the arena with its water, wrecks and skill effects; looters whose outline tells the team and
 // whose sign tells the kind; tankers with their water.
 
-import { captionSize, circle, directionLine, hash01, polygon, sprites, TAU, write } from './draw.js';
+import { circle, directionLine, polygon, sprites, write } from './draw.js';
 import { paintGlow, traceBadge } from './hulls.js';
 import { addLook, ranksOf, scoresOf, writeOut } from './looks.js';
+import { castsOf, drawEffect, LOOTERS_EACH, SKILL_OF } from './meanmaxskills.js';
 import { plainNumber } from './text.js';
 import { withAlpha } from './theme.js';
 
-const SKILL_RADIUS = 1000;
 const LOOTER_RADIUS = 400;
 const RADIUS_BY_SIZE = 50;
-const SKILL_OF = ['tar', 'grenade', 'oil'];
 const LOOTER_NAMES = ['reaper', 'destroyer', 'doof'];
 const TEXT_PIXELS = 9;          // things drawn smaller than this have no words
 
@@ -49,7 +48,7 @@ addLook('mean-max', {
   standing(match, number) {
     const { scores, rages } = match.turn(number).state;
     const ranks = ranksOf(scores);
-    return scores.map((score, player) => ({ rank: ranks[player], body: player * LOOTER_NAMES.length,
+    return scores.map((score, player) => ({ rank: ranks[player], body: player * LOOTERS_EACH,
       big: `${score} water`, small: `${rages[player]} rage`, warning: '' }));
   },
 
@@ -70,22 +69,6 @@ function looterWords(order, k) {
   if (order.wait) return 'WAIT';
   const place = `(${plainNumber(order.x)}, ${plainNumber(order.y)})`;
   return order.skill ? `${SKILL_OF[k].toUpperCase()} ${place}` : `${place} power ${plainNumber(order.power)}`;
-}
-
-/** The skills that were really cast in the turn shown: those that cost rage leave an effect, or are a grenade. */
-function castsOf(match, moment) {
-  const turn = match.turn(moment.turn);
-  const casts = [];
-  (turn.commands ?? []).forEach((command, player) => (command ?? []).forEach((order, k) => {
-    if (!order?.skill) return;
-    const before = match.turn(moment.turn - 1);
-    const caster = before.bodies.get(player * LOOTER_NAMES.length + k);
-    const inRange = caster && Math.hypot(order.x - caster.x, order.y - caster.y) <= 2 * SKILL_RADIUS;
-    if (inRange && before.state.rages[player] >= (k === 1 ? 60 : 30)) {
-      casts.push({ skill: SKILL_OF[k], x: order.x, y: order.y });
-    }
-  }));
-  return casts;
 }
 
 /** The arena and its middle, where tankers fill. */
@@ -126,59 +109,6 @@ function drawWreck(scene, wreck) {
     }
   });
   write({ ctx, paint }, `${wreck.water ?? '?'}`, x, y, Math.max(11, Math.min(22, radius * 0.6)), paint.ink, '800');
-}
-
-/** Tar is a dark pool, oil has slanting bands, a grenade is a burst; each has its name. */
-function drawEffect(scene, skill, x, y, strength) {
-  const { ctx, view, paint } = scene;
-  const [atX, atY, radius] = [view.x(x), view.y(y), SKILL_RADIUS * view.scale];
-  ctx.globalAlpha = strength;
-  sprites.put(scene, `skill ${skill}`, atX, atY, radius, 0, 1.1, (to, r) => paintSkill(to, r, skill, paint));
-  write({ ctx, paint }, skill.toUpperCase(), atX, atY - radius + 10, captionSize(view), paint.ink, '800');
-  ctx.globalAlpha = 1;
-}
-
-function paintSkill(ctx, r, skill, paint) {
-  circle(ctx, 0, 0, r);
-  ctx.save();
-  ctx.clip();
-  if (skill === 'tar') {
-    ctx.fillStyle = withAlpha(paint.hull, 0.55);
-    ctx.fill();
-    ctx.fillStyle = withAlpha(paint.muted, 0.5);
-    for (let k = 0; k < 40; k++) {
-      const [angle, far] = [TAU * hash01(k, 11), r * Math.sqrt(hash01(k, 12))];
-      circle(ctx, far * Math.cos(angle), far * Math.sin(angle), r * (0.02 + 0.05 * hash01(k, 13)));
-      ctx.fill();
-    }
-  } else if (skill === 'oil') {
-    ctx.strokeStyle = withAlpha(paint.shield, 0.4);
-    ctx.lineWidth = r * 0.07;
-    for (let k = -2; k <= 2; k += 0.25) {
-      ctx.beginPath();
-      ctx.moveTo((k - 1) * r, -r);
-      ctx.lineTo((k + 1) * r, r);
-      ctx.stroke();
-    }
-  } else {
-    paintGlow(ctx, r, paint.flash, 0.75);
-    ctx.strokeStyle = withAlpha(paint.flash, 0.7);
-    ctx.lineWidth = 2;
-    for (let k = 0; k < 16; k++) {
-      const angle = k * TAU / 16;
-      ctx.beginPath();
-      ctx.moveTo(0.35 * r * Math.cos(angle), 0.35 * r * Math.sin(angle));
-      ctx.lineTo(0.92 * r * Math.cos(angle), 0.92 * r * Math.sin(angle));
-      ctx.stroke();
-    }
-  }
-  ctx.restore();
-  circle(ctx, 0, 0, r);
-  ctx.strokeStyle = skill === 'oil' ? paint.shield : skill === 'tar' ? paint.muted : paint.flash;
-  ctx.lineWidth = 2;
-  ctx.setLineDash(skill === 'oil' ? [2, 4] : skill === 'tar' ? [9, 5] : []);
-  ctx.stroke();
-  ctx.setLineDash([]);
 }
 
 // Unit outlines of the signs of the kinds.

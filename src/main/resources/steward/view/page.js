@@ -1,6 +1,5 @@
 // Puts the page together: reads the embedded replay or follows a live match, and connects clock, drawing and controls.
 
-import { FOLLOW_MODES } from './camera.js';
 import { Charts } from './charts.js';
 import { connectControls } from './controls.js';
 import { embeddedLines, followFeed } from './feed.js';
@@ -9,11 +8,11 @@ import { lookOf } from './looks.js';
 import { Match } from './match.js';
 import { BodyList, Cards, StateTable } from './panels.js';
 import { Playback } from './playback.js';
+import { Pointer } from './pointer.js';
 import { Ending, Scores } from './scores.js';
 import { Series } from './series.js';
 import { Share } from './share.js';
 import { Stage } from './stage.js';
-import { grouped, nameOf } from './text.js';
 import { Theme } from './theme.js';
 import { Timeline } from './timeline.js';
 import './podrace.js';
@@ -35,13 +34,14 @@ export class Page {
   theme = new Theme(() => this.redrawAll());
   playback = new Playback(this.match, () => this.changed());
   share = new Share(this);
+  pointer = new Pointer(this);
   #lastFrame = 0;
   #lastPanels = 0;
   #lastLink = 0;
   #isAsked = false;
   #wasPlaying = false;
   #grown = false;
-  look; series; stage; timeline; charts; scores; cards; bodies; happened; table; ending; isLinkKept;
+  look; series; stage; timeline; charts; scores; cards; bodies; happened; table; ending; isLinkKept; onFrame;
 
   /** Takes one line of a replay: from the page itself or as it is played. */
   addLine(line) {
@@ -64,7 +64,7 @@ export class Page {
     this.charts = new Charts(find('charts'), match, theme, this.series, look, seek);
     this.scores = new Scores(find('scores'), match, look, this.series);
     this.cards = new Cards(find('cards'), match, look);
-    this.bodies = new BodyList(find('bodies'), match, look, id => this.select(id === this.stage.selected ? null : id));
+    this.bodies = new BodyList(find('bodies'), match, look, id => this.pointer.choose(id));
     this.happened = new Happened(find('happened'), match, this.timeline, seek);
     this.table = new StateTable(find('state'), find('state-when'), match, look);
     this.ending = new Ending(find('ending'), match);
@@ -97,6 +97,7 @@ export class Page {
   }
 
   #frame(now) {
+    const start = performance.now();
     const seconds = Math.min(LONGEST_FRAME, (now - this.#lastFrame) / 1000);
     this.#lastFrame = now;
     this.playback.isCalm = this.theme.isCalm;
@@ -107,6 +108,7 @@ export class Page {
     const isMoving = this.stage.advance(this.playback.moment, seconds || 0.016);
     this.draw();
     if (this.playback.playing || isMoving) this.changed();
+    this.onFrame?.(performance.now() - start, this.playback.moment.turn);
   }
 
   /** More turns than before. */
@@ -114,6 +116,12 @@ export class Page {
     this.#grown = false;
     this.#resizeStage();
     this.timeline.draw();
+  }
+
+  /** Something was chosen: draw all of it with the next frame. */
+  refresh() {
+    this.#lastPanels = 0;
+    this.changed();
   }
 
   /** Draws the present moment. */
@@ -166,65 +174,6 @@ export class Page {
     if (named && Math.abs(Number(named[1]) - this.playback.time) > 0.005) this.playback.seek(Number(named[1]));
     return Boolean(named);
   }
-
-  // ---- selecting and the camera ----
-
-  select(id) {
-    this.stage.selected = id;
-    if (id === null && this.stage.view.follow === 'selected') this.follow('field');
-    this.#lastPanels = 0;
-    this.changed();
-  }
-
-  tap(x, y) {
-    const body = this.stage.bodyAt(this.playback.moment, x, y);
-    if (body) this.select(body.id === this.stage.selected ? null : body.id);
-    else this.playback.toggle();
-  }
-
-  /** Says of the body at a place who it is, how fast and how heavy, and its command. */
-  hover(x, y) {
-    const moment = this.playback.moment;
-    const body = this.stage.bodyAt(moment, x, y);
-    const box = find('body-tip');
-    box.hidden = !body;
-    if (this.stage.hovered !== (body?.id ?? null)) {
-      this.stage.hovered = body?.id ?? null;
-      this.changed();
-    }
-    if (!body) return;
-    const { vx, vy, mass } = body.after;
-    const lines = [`${body.owner === null ? '' : `${nameOf(this.match, body.owner)} · `}${body.kind} ${body.id}`];
-    if (vx !== undefined) lines.push(`${grouped(Math.hypot(vx, vy))} u a turn`);
-    if (mass !== undefined) lines.push(`mass ${grouped(mass)}`);
-    const command = this.look.commandOf(body, this.match, moment.turn);
-    if (command) lines.push(command);
-    box.textContent = lines.join('\n');
-    box.style.left = `${Math.max(4, Math.min(x + 16, this.stage.view.width - box.offsetWidth - 4))}px`;
-    box.style.top = `${Math.max(4, Math.min(y + 16, this.stage.view.height - box.offsetHeight - 4))}px`;
-  }
-
-  nextFollow() {
-    const modes = FOLLOW_MODES.filter(mode => mode !== 'selected' || this.stage.selected !== null);
-    const { isHeld, follow } = this.stage.view;
-    this.follow(isHeld ? 'field' : modes[(modes.indexOf(follow) + 1) % modes.length]);
-  }
-
-  follow(mode) {
-    this.stage.view.setFollow(mode);
-    this.tell({ field: 'The whole field', leader: 'Following the leader', selected: 'Following the selected one',
-      all: 'Following all' }[mode]);
-    this.cameraMoved();
-  }
-
-  cameraMoved() {
-    const { isMoved, isHeld, follow } = this.stage.view;
-    find('follow').setAttribute('aria-pressed', String(isMoved));
-    find('follow-mode').textContent = isHeld ? 'free' : follow;
-    this.changed();
-  }
-
-  // ---- words ----
 
   /** A short word that goes by itself. */
   tell(words) {

@@ -1,13 +1,13 @@
 // The clock of the page: where in the match it stands and how fast it goes.
 
-import { firstAfter, momentAt } from './match.js';
 import { remember, remembered } from './theme.js';
+import { firstAfter, momentAt } from './times.js';
 
 const TURNS_PER_SECOND = 5;
 export const SPEEDS = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20];
 const LIVE_BACKLOG = 1;         // turns that a live match may run ahead before playback hurries
-const HURRY = 8;                // times a second that the backlog is made up
-const LIVE_MOST = 2;            // turns that a follower is behind at most
+const HURRY = 16;               // times a second that the backlog is made up
+const LIVE_MOST = 1.5;          // turns that a follower is behind at most when a frame is drawn; more may come meanwhile
 const SLOW = 0.45;              // the speed shortly before and after the strongest impacts
 const SLOW_TURNS = 0.45;
 const STRONG = 0.6;             // of the strongest impulse

@@ -88,11 +88,17 @@ export function positiveDegrees(radians) {
   return (radians * 180 / Math.PI % 360 + 360) % 360;
 }
 
+/** The ids of a player's pods, in the order of its commands. */
 function podsOf(match, player) {
-  match.podsOfPlayers ??= match.players.map((_, each) =>
-    [...match.start.bodies.values()].filter(pod => pod.player === each).map(pod => pod.id));
-  return match.podsOfPlayers[player];
+  let pods = PODS.get(match);
+  if (!pods) {
+    pods = match.players.map((_, each) =>
+      [...match.start.bodies.values()].filter(pod => pod.player === each).map(pod => pod.id));
+    PODS.set(match, pods);
+  }
+  return pods[player];
 }
+const PODS = new WeakMap();
 
 /** The pod that has passed more checkpoints, then the one nearer to the next. */
 function bestPod(match, number, player) {

@@ -5,6 +5,7 @@ import { nameOf } from './text.js';
 
 const CLIP_SECONDS = 6;
 const CLIP_RATE = 60;
+const ADDRESSES = /^(https?|file):$/;    // a page in a page, or one that a league opened, may be elsewhere
 const CLIP_TYPES = ['video/webm;codecs=vp9', 'video/webm;codecs=vp8', 'video/webm'];
 
 export class Share {
@@ -15,7 +16,12 @@ export class Share {
   /** The address of the page with the moment in it, copied. */
   async link() {
     const { page } = this;
-    const address = `${location.href.split('#')[0]}#t=${page.playback.time.toFixed(2)}`;
+    const moment = `#t=${page.playback.time.toFixed(2)}`;
+    if (!ADDRESSES.test(location.protocol)) {
+      page.tell(`This page has no address of its own; the moment is ${moment}`);
+      return;
+    }
+    const address = location.href.split('#')[0] + moment;
     try {
       await navigator.clipboard.writeText(address);
       page.tell('Link copied');

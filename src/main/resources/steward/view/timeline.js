@@ -3,9 +3,9 @@
 
 import { circle, FONT, openCanvas } from './draw.js';
 import { strengthOf } from './effects.js';
-import { within } from './match.js';
 import { grouped, nameOf, shorten, withNames } from './text.js';
 import { withAlpha } from './theme.js';
+import { within } from './times.js';
 
 const THUMB = 14;               // the width of the range input's thumb, as in the style sheet
 const IMPACT_PART = 0.24;       // of the height, at the bottom

@@ -50,7 +50,7 @@ function drawTrail({ ctx, view, theme, match, moment }, body, turns, pieces) {
   if (trail.length < 2) return;
   const most = match.topSpeed || 1;
   const isOwned = body.owner !== null && body.owner !== undefined;
-  const wide = body.radius * view.scale * (isOwned ? 1 : 0.4);
+  const wide = Math.min(body.radius, match.usualRadius) * view.scale * (isOwned ? 1 : 0.4);
   ctx.strokeStyle = ctx.fillStyle = theme.team(body.owner);
   ctx.lineWidth = 1.25;
   const points = trail.map(([time, x, y]) => [time, view.x(x), view.y(y)]);

@@ -18,6 +18,7 @@ import steward.cli.machines.ForgedGames;
 import steward.live.LiveRecording;
 import steward.live.LiveServer;
 import steward.machines.serve.HostileWorker.Way;
+import steward.replay.page.PageExtras;
 import tools.jackson.databind.JsonNode;
 
 /** Attacks on what is stored, served and shared: each is tried, and says what became of it. */
@@ -76,7 +77,7 @@ final class Guards {
         LiveRecording recording = new LiveRecording();
         byte[] line = ("x".repeat(MEGABYTE) + "\n").getBytes(StandardCharsets.US_ASCII);
         List<Socket> clients = new ArrayList<>();
-        try (LiveServer server = LiveServer.start(null, 0, VIEWERS, "b", recording)) {
+        try (LiveServer server = LiveServer.start(null, 0, VIEWERS, "b", recording, PageExtras.NONE)) {
             for (int k = 0; k < 8; k++) {
                 recording.write(line, 0, line.length);
             }

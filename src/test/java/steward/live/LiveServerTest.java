@@ -20,6 +20,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import steward.replay.Recorded;
+import steward.replay.page.PageExtras;
 
 /** The server of a match that is being played, asked by real clients over the loopback interface. */
 @Timeout(30)
@@ -35,7 +36,7 @@ class LiveServerTest {
 
     @BeforeEach
     void start() throws IOException {
-        server = LiveServer.start(null, 0, VIEWERS, "a against b", recording);
+        server = LiveServer.start(null, 0, VIEWERS, "a against b", recording, PageExtras.NONE);
         clients = new Clients(server.address());
     }
 
@@ -159,7 +160,7 @@ class LiveServerTest {
     @Test
     void aViewerWhoReadsNothingIsDroppedAndToldWhenItComesAgain() throws Exception {
         LiveRecording lines = new LiveRecording();
-        try (LiveServer impatient = LiveServer.start(null, 0, 2, "b", lines, 300_000_000);
+        try (LiveServer impatient = LiveServer.start(null, 0, 2, "b", lines, PageExtras.NONE, 300_000_000);
              Clients others = new Clients(impatient.address())) {
             Clients.Feed slow = others.feed();
             Clients.Feed quick = others.feed();
@@ -237,13 +238,15 @@ class LiveServerTest {
 
     @Test
     void aPortThatIsTakenIsRefused() {
-        assertThrows(BindException.class, () -> LiveServer.start(null, clients.port(), 1, "b", new LiveRecording()));
-        assertThrows(UnknownHostException.class, () -> LiveServer.start("no such host", 0, 1, "b", recording));
+        assertThrows(BindException.class,
+            () -> LiveServer.start(null, clients.port(), 1, "b", new LiveRecording(), PageExtras.NONE));
+        assertThrows(UnknownHostException.class,
+            () -> LiveServer.start("no such host", 0, 1, "b", recording, PageExtras.NONE));
     }
 
     @Test
     void onAllAddressesItIsShownByTheLoopbackOne() throws Exception {
-        try (LiveServer open = LiveServer.start("0.0.0.0", 0, 1, "b", recording)) {
+        try (LiveServer open = LiveServer.start("0.0.0.0", 0, 1, "b", recording, PageExtras.NONE)) {
             assertFalse(open.isLoopback());
             assertEquals("127.0.0.1", open.address().getHost());
             try (Clients other = new Clients(open.address())) {

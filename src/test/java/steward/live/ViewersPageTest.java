@@ -14,6 +14,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import steward.league.page.LeaguePage;
 import steward.replay.Recorded;
+import steward.replay.page.PageExtras;
 import steward.replay.page.PageTestBrowser;
 
 /** Live pages in a real browser that are not admitted, or dropped: they say so, and a button connects again. */
@@ -39,7 +40,7 @@ class ViewersPageTest {
         LiveRecording recording = new LiveRecording();
         write(recording, LINES.get(0));
         write(recording, LINES.get(1));
-        try (LiveServer server = LiveServer.start(null, 0, 1, "b", recording);
+        try (LiveServer server = LiveServer.start(null, 0, 1, "b", recording, PageExtras.NONE);
              Clients first = new Clients(server.address());
              PageTestBrowser browser = PageTestBrowser.start(folder.resolve("profile"))) {
             Clients.Feed feed = first.feed();
@@ -62,7 +63,7 @@ class ViewersPageTest {
         LiveRecording recording = new LiveRecording();
         write(recording, LINES.get(0));
         write(recording, LINES.get(1));
-        try (LiveServer server = LiveServer.start(null, 0, 1, "b", recording, 500_000_000);
+        try (LiveServer server = LiveServer.start(null, 0, 1, "b", recording, PageExtras.NONE, 500_000_000);
              PageTestBrowser browser = PageTestBrowser.start(folder.resolve("profile"))) {
             browser.go(server.address().toString());
             browser.await("a turn does not appear", () -> browser.is("steward.lastTurn() === 1"));

@@ -1,11 +1,8 @@
 package steward.cli.play;
 
-import java.io.ByteArrayInputStream;
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.PrintStream;
-import java.io.UncheckedIOException;
 import java.net.URI;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -14,6 +11,7 @@ import java.util.concurrent.CompletableFuture;
 import steward.cli.options.WatchOptions;
 import steward.cli.shared.EnterKey;
 import steward.cli.shared.FailedException;
+import steward.cli.shared.Games;
 import steward.cli.shared.Pages;
 import steward.cli.shared.Streams;
 import steward.cli.shared.TeeOutputStream;
@@ -21,7 +19,7 @@ import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.live.LiveRecording;
 import steward.live.LiveServer;
-import steward.replay.page.ReplayPage;
+import steward.replay.page.PageExtras;
 
 /**
  * The display of a match: a page in a file, a page that follows the match while it is played, or both. Bytes written
@@ -104,7 +102,8 @@ final class MatchDisplay implements AutoCloseable {
 
     private static LiveServer serve(WatchOptions options, String title, LiveRecording recording) {
         try {
-            return LiveServer.start(options.host(), options.port(), options.viewers(), title, recording);
+            return LiveServer.start(options.host(), options.port(), options.viewers(), title, recording,
+                PageExtras.of(Games.types()));
         } catch (IOException problem) {
             throw options.cannotListen(problem);
         }
@@ -145,7 +144,7 @@ final class MatchDisplay implements AutoCloseable {
     void finish() throws InterruptedException {
         recording.close();
         if (page != null) {
-            Pages.write(pageFile, html(), page);
+            Pages.write(pageFile, Pages.of(recording.replay(), "match", title, PageExtras.of(Games.types())), page);
             movePage();
             said.println("Page: " + page);
             said.flush();
@@ -168,16 +167,6 @@ final class MatchDisplay implements AutoCloseable {
         } catch (IOException problem) {
             throw new FailedException(page + ": cannot be written: " + problem.getMessage());
         }
-    }
-
-    private byte[] html() {
-        ByteArrayOutputStream html = new ByteArrayOutputStream();
-        try {
-            ReplayPage.write(new ByteArrayInputStream(recording.replay()), "match", html, title);
-        } catch (IOException inMemory) {
-            throw new UncheckedIOException(inMemory);
-        }
-        return html.toByteArray();
     }
 
     /** Ends the service; a page that was not written leaves no file. */

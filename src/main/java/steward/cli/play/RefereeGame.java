@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import steward.cli.options.SeedOption;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.FailedException;
+import steward.cli.shared.Pages;
 import steward.cli.shared.Streams;
 import steward.codingame.GameResultLog;
 import steward.codingame.GameResultScores;
@@ -17,7 +18,6 @@ import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.match.MatchListener;
 import steward.match.MatchResult;
-import steward.replay.page.ReplayPage;
 import tools.jackson.core.JacksonException;
 
 /**
@@ -81,8 +81,8 @@ record RefereeGame(Streams streams, Contest contest, Path log, Path replay, bool
     private Path makePage(Path recording) {
         Path file = RefereeFiles.pageOf(recording);
         try (OutputStream html = new BufferedOutputStream(OutputFiles.open(file, true))) {
-            ReplayPage.write(recording, html, String.join(" - ",
-                contest.entrants().stream().map(Contest.Entrant::name).toList()));
+            html.write(Pages.of(recording, String.join(" - ",
+                contest.entrants().stream().map(Contest.Entrant::name).toList())));
         } catch (IOException problem) {
             throw new FailedException(file + ": cannot be written: " + problem.getMessage());
         }

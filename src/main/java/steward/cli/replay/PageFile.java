@@ -5,6 +5,7 @@ import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import steward.cli.shared.FailedException;
+import steward.cli.shared.Games;
 import steward.cli.shared.Pages;
 import steward.cli.shared.StandardFiles;
 import steward.cli.shared.Streams;
@@ -48,7 +49,7 @@ record PageFile(Path replay, byte[] html, int turns) {
         }
         byte[] whole = replay == null ? bytes : Pages.read(replay);
         String source = replay == null ? StandardFiles.INPUT : replay.toString();
-        PageExtras extras = new PageExtras(SentFrames.of(whole, source), site, description + ", " + turns + " turns");
+        PageExtras extras = new PageExtras(Games.types(), site, description + ", " + turns + " turns");
         byte[] html = Pages.of(whole, source, title, extras);
         if (warning != null) {
             streams.warn(warning);

@@ -42,13 +42,7 @@ public final class Pages {
      * @throws steward.replay.ReplayException if it is damaged
      */
     public static byte[] of(Path replay, String title) {
-        ByteArrayOutputStream html = new ByteArrayOutputStream();
-        try {
-            ReplayPage.write(replay, html, title);
-        } catch (IOException problem) {
-            throw new UncheckedIOException(replay + ": cannot be read: " + problem.getMessage(), problem);
-        }
-        return html.toByteArray();
+        return of(read(replay), replay.toString(), title, PageExtras.of(Games.types()));
     }
 
     /** Returns the bytes of a replay. */

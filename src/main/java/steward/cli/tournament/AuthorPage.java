@@ -21,32 +21,10 @@ import steward.text.TextFormat;
  */
 record AuthorPage(TournamentCommand.Entry entry, List<String> games) {
 
-    static final String HEAD = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
-        + "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'\">"
-        + "<meta name=\"viewport\" content=\"width=device-width\"><style>body{font:16px/1.5 system-ui,sans-serif;"
-        + "max-width:70rem;margin:2rem auto;padding:0 1rem;color-scheme:light dark}pre{overflow:auto;padding:.5rem;"
-        + "border:1px solid #8886}td,th{text-align:left;vertical-align:top;padding:.2rem .8rem .2rem 0}"
-        + ".bad{color:#c33}</style>";
-
-    /** A text that can stand in the page. */
-    static String escape(String text) {
-        StringBuilder safe = new StringBuilder();
-        text.codePoints().forEach(c -> {
-            switch (c) {
-                case '&' -> safe.append("&amp;");
-                case '<' -> safe.append("&lt;");
-                case '>' -> safe.append("&gt;");
-                case '"' -> safe.append("&quot;");
-                default -> safe.appendCodePoint(c < ' ' && c != '\n' && c != '\t' ? 0xFFFD : c);
-            }
-        });
-        return safe.toString();
-    }
-
     void write(Path file) throws IOException {
-        StringBuilder page = new StringBuilder(HEAD).append("<title>").append(escape(entry.name()))
-            .append("</title></head><body><h1>").append(escape(entry.name())).append("</h1><p>")
-            .append(escape(entry.ready().program().source().getFileName().toString())).append("</p>");
+        StringBuilder page = new StringBuilder(Html.head(entry.name())).append("<p>")
+            .append(Html.escape(entry.ready().program().source().getFileName().toString()))
+            .append(" · <a href=\"../index.html\">all programs</a></p>");
         if (entry.ready().problem() != null) {
             page.append("<p class=bad>It cannot run:</p>");
             pre(page, entry.ready().problem());
@@ -64,15 +42,15 @@ record AuthorPage(TournamentCommand.Entry entry, List<String> games) {
         if (entry.check() != null) {
             entry.check().games().forEach(game -> dialog(page, game));
         }
-        Files.writeString(file, page.append("</body></html>\n"));
+        Files.writeString(file, page.append(Html.END));
     }
 
     private static void pre(StringBuilder page, String text) {
-        page.append("<pre>").append(escape(text)).append("</pre>");
+        page.append("<pre tabindex=0>").append(Html.escape(text)).append("</pre>");
     }
 
     private static void dialog(StringBuilder page, BotCheck.Tried game) {
-        page.append("<h2>What it was sent and answered, against ").append(escape(game.against())).append("</h2>");
+        page.append("<h2>What it was sent and answered, against ").append(Html.escape(game.against())).append("</h2>");
         for (Dialog.Turn turn : game.turns()) {
             page.append("<h3>Turn ").append(turn.number()).append(", ").append(TextFormat.ms(turn.nanos()))
                 .append(" ms</h3>");

@@ -65,7 +65,8 @@ import steward.text.TextFormat;
         "2 the call or the folder is unusable; 130 interrupted, the same command goes on."})
 public final class TournamentCommand implements Callable<Integer> {
 
-    private static final String PAGES = "bots";
+    static final String PAGES = "bots";
+    private static final String INDEX = "index.html";
     private static final List<String> LEVELS = List.of("auto", "strict", "light", "off");
     private static final int MOST_GAMES = 100_000;
 
@@ -153,13 +154,13 @@ public final class TournamentCommand implements Callable<Integer> {
         List<LeagueBot> bots = entries.stream().filter(entry -> entry.check() != null).map(entry -> bot(entry, spoken))
             .toList();
         if (bots.size() < Math.max(1, empty.players())) {
-            index(into, entries, "Too few programs can run.");
+            new IndexPage(entries, null, "Too few programs can run.").write(into.resolve(INDEX));
             throw new FailedException("found " + TextFormat.count(bots.size(), "program") + " that can run, expected "
-                + "at least " + empty.players() + "; see " + into.resolve("index.html"));
+                + "at least " + empty.players() + "; see " + into.resolve(INDEX));
         }
         league.write(settings.withBots(with(settings.bots(), bots)));
-        index(into, entries, "The games are not over yet: the table comes when they are. If they were interrupted, "
-            + "the same command goes on.");
+        new IndexPage(entries, null, "The games are not over yet: the table comes when they are. If they were "
+            + "interrupted, the same command goes on.").write(into.resolve(INDEX));
         long total = total(league, bots, empty.players());
         streams.err().println("Everybody meets everybody: " + TextFormat.count(total, "game") + " in all");
         int status = run(new RunCommand(streams, new NoServing()), league.path().toString(), "--games", "" + total,
@@ -292,6 +293,7 @@ public final class TournamentCommand implements Callable<Integer> {
             OwnValues own = new OwnValues();
             opened.games().games(own::add);
             Files.writeString(into.resolve("table.csv"), TableCommand.csv(opened.table(), own));
+            new IndexPage(entries, opened.table(), null).write(into.resolve(INDEX));
             Map<Integer, String> names = new HashMap<>();
             opened.entries().forEach(entry -> names.put(entry.version(), entry.name()));
             for (Entry entry : entries) {
@@ -309,8 +311,7 @@ public final class TournamentCommand implements Callable<Integer> {
             }
         }
         run(new PageCommand(streams), league.path().toString(), "--out", into.resolve("league.html").toString());
-        index(into, entries, "<a href=\"league.html\">The table</a>, <a href=\"table.csv\">as CSV</a>");
-        streams.out().println("Written: " + into.resolve("index.html") + ", " + into.resolve("table.csv")
+        streams.out().println("Written: " + into.resolve(INDEX) + ", " + into.resolve("table.csv")
             + ", and a page for each author in " + into.resolve(PAGES));
     }
 
@@ -319,19 +320,5 @@ public final class TournamentCommand implements Callable<Integer> {
         return new StoredGame(game.id(), game.name(), game.decision(), game.seed(), game.attempt(), game.counts(),
             game.turns(), game.problem(), game.played(), game.machine(), game.replay(), game.transcript(),
             game.seats().stream().filter(seat -> seat.version() == version).toList());
-    }
-
-    private static void index(Path into, List<Entry> entries, String standing) throws IOException {
-        StringBuilder index = new StringBuilder(AuthorPage.HEAD)
-            .append("<title>Tournament</title></head><body><h1>Tournament</h1><p>").append(standing).append("</p>")
-            .append("<table><tr><th>Program<th>Check</tr>");
-        for (Entry entry : entries) {
-            String name = AuthorPage.escape(entry.name());
-            index.append("<tr><td><a href=\"" + PAGES + "/").append(name).append(".html\">").append(name)
-                .append("</a><td").append(entry.ready().problem() == null && entry.check().passes() ? ">"
-                    : " class=bad>")
-                .append(AuthorPage.escape(entry.standing())).append("</tr>");
-        }
-        Files.writeString(into.resolve("index.html"), index.append("</table></body></html>\n"));
     }
 }

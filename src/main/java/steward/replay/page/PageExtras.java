@@ -1,17 +1,24 @@
 package steward.replay.page;
 
+import steward.game.GameTypes;
+
 /**
  * What a page of a replay may have besides the replay.
  *
- * @param sent        UTF-8 text of one line per turn, from turn 0 on: a JSON array with the lines that each player was
- *                    sent, as one string or {@code null}; {@code null} for none
+ * @param types       games with which the match is played again, so that the page has what bots were sent; {@code null}
+ *                    if it shall not have it
  * @param site        address under which the page will be found, for previews of links; {@code null} for none
  * @param description one sentence for previews; used with {@code site}
  */
-public record PageExtras(byte[] sent, String site, String description) {
+public record PageExtras(GameTypes types, String site, String description) {
 
     /** Nothing more than the replay. */
     public static final PageExtras NONE = new PageExtras(null, null, null);
+
+    /** With what bots were sent. */
+    public static PageExtras of(GameTypes types) {
+        return new PageExtras(types, null, null);
+    }
 
     /** Elements of the head: title, description and picture for previews of links, if there is an address. */
     String meta(String title) {

@@ -64,7 +64,7 @@ public final class ReplayPage {
      * @param source name of the replay, for errors
      * @param html   is not closed
      * @param title  heading of the page, plain text
-     * @param extras frames that bots were sent, and words for previews of links
+     * @param extras what else it has
      * @throws IOException     if the page cannot be written
      * @throws ReplayException if it is no replay, of a newer format, or damaged before its end
      */
@@ -74,11 +74,8 @@ public final class ReplayPage {
         byte[] whole = warning == null ? replay : upToCut(replay);
         PageTemplate page = PageTemplate.ofReplay(title, gameOf(replay, source));
         page.put("meta", extras.meta(title));
-        if (extras.sent() != null) {
-            ByteArrayOutputStream sent = new ByteArrayOutputStream();
-            embed(extras.sent(), sent);
-            page.put("sent", sent.toString(StandardCharsets.US_ASCII));
-        }
+        byte[] sent = extras.types() == null ? null : SentFrames.of(whole, source, extras.types());
+        page.put("sent", sent == null ? "" : embedded(sent));
         page.put("policy", page.policy("'none'"));
         page.put("save", "");
         page.put("source", warning == null ? "" : "data-warning=\"" + PageTemplate.escape(warning) + "\"");
@@ -134,8 +131,12 @@ public final class ReplayPage {
     public static String embedded(Path replay) throws IOException {
         byte[] bytes = Files.readAllBytes(replay);
         byte[] whole = check(bytes, replay.toString()) == null ? bytes : upToCut(bytes);
+        return embedded(whole);
+    }
+
+    private static String embedded(byte[] lines) throws IOException {
         ByteArrayOutputStream text = new ByteArrayOutputStream();
-        embed(whole, text);
+        embed(lines, text);
         return text.toString(StandardCharsets.US_ASCII);
     }
 
@@ -177,10 +178,10 @@ public final class ReplayPage {
         }
     }
 
-    private static void embed(byte[] replay, OutputStream html) throws IOException {
+    private static void embed(byte[] lines, OutputStream html) throws IOException {
         OutputStream base64 = Base64.getEncoder().wrap(new UnclosedOutputStream(html));
         try (OutputStream gzip = new SmallestGzip(base64)) {
-            gzip.write(replay);
+            gzip.write(lines);
         }
     }
 

@@ -72,12 +72,21 @@ public final class PageTestBrowser implements AutoCloseable {
         go(page.toUri() + link);
     }
 
-    /** Opens an address and waits until the page is ready. */
-    public void go(String address) {
+    /** Opens a page from disk that has no script. */
+    public void openPlain(Path page) {
+        load(page.toUri().toString());
+    }
+
+    private void load(String address) {
         driver.get("about:blank");                           // otherwise a change of the link alone loads nothing
         logs(LogType.BROWSER);
         logs(LogType.PERFORMANCE);
         driver.get(address);
+    }
+
+    /** Opens an address and waits until the page is ready. */
+    public void go(String address) {
+        load(address);
         await("the page is not ready", () -> is("window.steward && window.steward.ready"));
     }
 
@@ -157,6 +166,29 @@ public final class PageTestBrowser implements AutoCloseable {
                 throw new AssertionError(otherwise, e);
             }
         }
+    }
+
+    /** Waits until the page has drawn what has changed, its size for one. */
+    public void settle() {
+        driver.executeAsyncScript("const done = arguments[0]; "
+            + "requestAnimationFrame(() => requestAnimationFrame(() => requestAnimationFrame(() => done())))");
+    }
+
+    /** Turns to the page in the only frame of this page, and waits until it is ready. */
+    void enterFrame() {
+        driver.switchTo().frame(0);
+        await("the page in the frame is not ready", () -> is("window.steward && window.steward.ready"));
+    }
+
+    /** Turns back to the page that holds the frame. */
+    void leaveFrame() {
+        driver.switchTo().defaultContent();
+    }
+
+    /** Turns the wheel over a place of the page that holds all others. */
+    void wheel(int x, int y, int down) {
+        driver.executeCdpCommand("Input.dispatchMouseEvent", Map.of("type", "mouseWheel", "x", x, "y", y, "deltaX", 0,
+            "deltaY", down));
     }
 
     /** Turns to the window that was opened last, and waits until its page is ready. */

@@ -10,17 +10,17 @@ import java.util.regex.Matcher;
 import tools.jackson.databind.json.JsonMapper;
 
 /** Writes pages for tests, of replays as they are or tampered with. */
-final class PageTestPages {
+public final class PageTestPages {
 
     private final Path folder;
     private int written;
 
-    PageTestPages(Path folder) {
+    public PageTestPages(Path folder) {
         this.folder = folder;
     }
 
     /** A page of a replay. */
-    Path page(byte[] replay, String title) {
+    public Path page(byte[] replay, String title) {
         Path page = folder.resolve("page-" + ++written + ".html");
         try (OutputStream html = Files.newOutputStream(page)) {
             ReplayPage.write(new ByteArrayInputStream(replay), "race.jsonl", html, title);
@@ -31,7 +31,7 @@ final class PageTestPages {
     }
 
     /** A page that waits for turns, without a server that sends any. */
-    Path live(String title) {
+    public Path live(String title) {
         Path page = folder.resolve("page-" + ++written + ".html");
         try (OutputStream html = Files.newOutputStream(page)) {
             ReplayPage.writeLive(html, title, "feed", null);

@@ -20,13 +20,13 @@ import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
 /** Plays whole pod races of {@link PageTestBot}s and gives their replays. */
-final class PageTestRaces {
+public final class PageTestRaces {
 
     private PageTestRaces() {
     }
 
     /** The text of a scene that comes with the project. */
-    static String scene(String name) {
+    public static String scene(String name) {
         try {
             return Files.readString(Path.of("config", "scenes", name + ".json"));
         } catch (IOException e) {
@@ -35,7 +35,7 @@ final class PageTestRaces {
     }
 
     /** A replay, as bytes, of one race. */
-    static byte[] play(String scene, long seed) {
+    public static byte[] play(String scene, long seed) {
         return play(scene, seed, List.of("swift", "steady"));
     }
 

@@ -26,7 +26,8 @@ class PageTestWatch {
         List<String> lines = new String(replay, StandardCharsets.UTF_8).lines().toList();
         LiveRecording recording = new LiveRecording();
         try (PageTestBrowser browser = PageTestBrowser.start(folder.resolve("profile"))) {
-            try (LiveServer server = LiveServer.start(null, 0, 200, "swift against steady", recording)) {
+            try (LiveServer server = LiveServer.start(null, 0, 200, "swift against steady", recording,
+                    PageExtras.NONE)) {
                 browser.go(server.address().toString());
                 browser.run("""
                     const make = URL.createObjectURL;

@@ -1,9 +1,9 @@
-package steward.cli.replay;
+package steward.replay.page;
 
 import java.io.ByteArrayInputStream;
 import java.nio.charset.StandardCharsets;
 import steward.bot.LineBuffer;
-import steward.cli.shared.Games;
+import steward.game.GameTypes;
 import steward.match.Dialogue;
 import steward.replay.RecordedTurn;
 import steward.replay.ReplayReader;
@@ -22,17 +22,20 @@ final class SentFrames {
     private SentFrames() {
     }
 
-    /** Returns one line per turn, as a page takes them, or {@code null} if the match cannot be played again. */
-    static byte[] of(byte[] replay, String source) {
+    /**
+     * Returns UTF-8 text of one line per turn, from turn 0 on: a JSON array with the lines that each player was sent,
+     * as one string or {@code null}. Returns {@code null} if the match cannot be played again.
+     */
+    static byte[] of(byte[] replay, String source, GameTypes types) {
         try (ReplayReader reader = new ReplayReader(new ByteArrayInputStream(replay), source)) {
-            return lines(reader).getBytes(StandardCharsets.UTF_8);
+            return lines(reader, types).getBytes(StandardCharsets.UTF_8);
         } catch (RuntimeException cannotBePlayedAgain) {
             return null;                 // an import without its commands, a game that is not installed, an older law
         }
     }
 
-    private static String lines(ReplayReader replay) {
-        Resimulation again = new Resimulation(replay.header(), Games.types(), replay.source());
+    private static String lines(ReplayReader replay, GameTypes types) {
+        Resimulation again = new Resimulation(replay.header(), types, replay.source());
         int players = replay.header().names().size();
         Dialogue[] frames = new Dialogue[players];
         StringBuilder lines = new StringBuilder();

@@ -1,0 +1,84 @@
+package steward.cli.pages;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import steward.replay.page.PageTestBrowser;
+
+/** Every page, asked by axe: light and dark, on a desk and on a phone. */
+@Tag("browser")
+@Tag("process")
+@Tag("slow")
+@Timeout(300)
+class PageAccessTest {
+
+    private static final String AXE = "/META-INF/resources/webjars/axe-core/4.6.3/axe.min.js";
+    private static final int[][] SIZES = {{1280, 720}, {390, 844}, {844, 390}};
+
+    @TempDir
+    static Path folder;
+
+    private static PageTestBrowser browser;
+    private static PageGallery gallery;
+
+    @BeforeAll
+    static void start() {
+        browser = PageTestBrowser.start(folder.resolve("profile"));
+        gallery = new PageGallery(folder);
+    }
+
+    @AfterAll
+    static void quit() {
+        if (browser != null) {
+            browser.close();
+        }
+    }
+
+    static Stream<String> pages() {
+        return PageGallery.ALL.stream();
+    }
+
+    @ParameterizedTest
+    @MethodSource("pages")
+    void axeFindsNothing(String name) throws IOException {
+        gallery.show(browser, name);
+        for (boolean isDark : new boolean[] {true, false}) {
+            browser.prefer(isDark, true);
+            for (int[] size : SIZES) {
+                browser.size(size[0], size[1]);
+                browser.settle();
+                assertEquals(List.of(), violations(), () -> (isDark ? "dark, " : "light, ") + size[0] + " wide");
+            }
+        }
+        if (PageGallery.MATCHES.contains(name)) {
+            browser.run("steward.seek(steward.lastTurn())");
+            assertEquals(List.of(), violations(), "at the end");
+        }
+    }
+
+    /** What axe finds wrong with the page that is open: the rule, and where. */
+    @SuppressWarnings("unchecked")
+    private static List<String> violations() throws IOException {
+        if (!browser.is("window.axe")) {
+            try (InputStream in = PageAccessTest.class.getResourceAsStream(AXE)) {
+                browser.run(new String(in.readAllBytes(), StandardCharsets.UTF_8) + ";window.axe = axe;");
+            }
+        }
+        return (List<String>) browser.run("""
+            return axe.run(document, { resultTypes: ['violations'] }).then(found => found.violations.flatMap(
+              ({ id, nodes }) => nodes.map(({ target }) => `${id}: ${target}`)));
+            """);
+    }
+}

@@ -1,0 +1,123 @@
+package steward.cli.pages;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import steward.bot.Bot;
+import steward.bots.fantasticbits.FantasticBitsBots;
+import steward.bots.meanmax.MeanMaxBots;
+import steward.bots.pokerchiprace.PokerChipRaceBots;
+import steward.bots.searchrace.SearchRaceBots;
+import steward.cli.Cli;
+import steward.cli.ShellBots;
+import steward.league.page.LeaguePage;
+import steward.league.page.PageTestLeague;
+import steward.match.TestScenes;
+import steward.replay.Recorded;
+import steward.replay.page.PageTestBrowser;
+import steward.replay.page.PageTestCrowd;
+import steward.replay.page.PageTestPages;
+import steward.replay.page.PageTestRaces;
+
+/** Every page that Steward writes, at a moment that shows most of it. */
+final class PageGallery {
+
+    /** Pages of matches: a canvas with a strip and details beside it. */
+    static final List<String> MATCHES = List.of("mad-pod-racing", "walled-race", "search-race", "mean-max",
+        "fantastic-bits", "poker-chip-race", "crowd", "undrawn");
+    static final List<String> ALL = Stream.concat(MATCHES.stream(), Stream.of("league", "tournament", "author"))
+        .toList();
+
+    private static final int LEAGUE_BOTS = 25;
+    private static final int LEAGUE_ROUNDS = 4;
+    /** A guest's match: what its bots said, and no drawing. */
+    private static final List<String> UNDRAWN = List.of("""
+        {"type":"steward-replay","format":3,"game":"guest","seed":"7","timeFactor":1,"players":[{"name":"left"},\
+        {"name":"right"}],"scene":{"name":"guest","time":{"firstAnswerMs":1000,"answerMs":50}},\
+        "start":{"state":{}}}""", """
+        {"type":"turn","turn":1,"commands":["ROCK","PAPER"],"messages":["good luck",null],"stderr":["depth 4",null],\
+        "outcome":{"scores":[0,1],"state":{"round":1}}}""", """
+        {"type":"turn","turn":2,"commands":["ROCK",null],"faults":[null,"no answer within 50 ms"],\
+        "outcome":{"scores":[2,1],"state":{"round":2}}}""");
+
+    private final Path folder;
+    private final PageTestPages pages;
+
+    /** @param folder an empty one */
+    PageGallery(Path folder) {
+        this.folder = folder;
+        pages = new PageTestPages(folder);
+    }
+
+    /** Opens a page at its moment. */
+    void show(PageTestBrowser browser, String name) throws IOException {
+        switch (name) {
+            case "mad-pod-racing", "walled-race" ->
+                open(browser, PageTestRaces.play(PageTestRaces.scene(name), 3), name);
+            case "search-race" -> open(browser, played(name, SearchRaceBots.planner()), name);
+            case "mean-max" -> open(browser,
+                played(name, MeanMaxBots.marauder(), MeanMaxBots.gatherer(), MeanMaxBots.gatherer()), name);
+            case "fantastic-bits" -> open(browser,
+                played(name, FantasticBitsBots.captain(), FantasticBitsBots.chaser()), name);
+            case "poker-chip-race" -> open(browser,
+                played(name, PokerChipRaceBots.glutton(), PokerChipRaceBots.nibbler()), name);
+            case "crowd" -> openLines(browser, PageTestCrowd.lines(500), "30.5");
+            case "undrawn" -> openLines(browser, UNDRAWN, "2");
+            case "league" -> browser.open(league(), "");
+            case "tournament" -> browser.openPlain(tournament().resolve("index.html"));
+            default -> browser.openPlain(tournament().resolve("bots/crash.html"));
+        }
+    }
+
+    private void open(PageTestBrowser browser, byte[] replay, String title) {
+        browser.open(pages.page(replay, title), "#t=" + (title.equals("poker-chip-race") ? "9.5" : "30.5"));
+    }
+
+    private void openLines(PageTestBrowser browser, List<String> lines, String time) {
+        browser.open(pages.live("Made up"), "");
+        lines.forEach(line -> browser.run("steward.addTurn(arguments[0])", line));
+        browser.run("location.hash = '#t=" + time + "'");
+        browser.await("the page does not go to " + time, () -> browser.is("steward.time() === " + time));
+        browser.run("document.getElementById('notice').hidden = true");
+        browser.complaints();                                // about the feed, which nobody serves
+    }
+
+    private static byte[] played(String scene, Bot... bots) {
+        return Recorded.of(TestScenes.open(scene), 7, List.of(bots)).bytes();
+    }
+
+    private Path league() throws IOException {
+        Path page = folder.resolve("league.html");
+        try (OutputStream html = Files.newOutputStream(page)) {
+            LeaguePage.write(PageTestLeague.of(LEAGUE_BOTS, LEAGUE_ROUNDS), folder, html, "League night");
+        }
+        return page;
+    }
+
+    /** Two programs that play, one that crashes, one that does not compile. */
+    private Path tournament() throws IOException {
+        assumeTrue(ShellBots.runnable(), "there is no /bin/sh");
+        Path out = folder.resolve("tournament");
+        if (Files.exists(out)) {
+            return out;
+        }
+        ShellBots.shortDuel(folder);
+        for (String name : List.of("left", "right", "crash")) {
+            Path own = Files.createDirectories(folder.resolve("in").resolve(name));
+            Files.writeString(own.resolve("run"), name.equals("crash") ? "sh -c 'read -r setup; exit 3'"
+                : "sh -c 'read -r setup; while read -r turn; do echo \"{\\\"pods\\\":[{\\\"x\\\":1,\\\"y\\\":1,"
+                    + "\\\"thrust\\\":100}]}\"; done'");
+        }
+        Files.writeString(folder.resolve("in/broken.cpp"), "int main() { return <b>; }\n");
+        Cli cli = Cli.run("tournament", folder.resolve("in").toString(), "--scene",
+            folder.resolve("short.json").toString(), "--games", "1", "--protocol", "json", "--page", out.toString());
+        assertEquals(0, cli.status(), cli.err());
+        return out;
+    }
+}

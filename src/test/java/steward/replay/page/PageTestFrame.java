@@ -1,0 +1,59 @@
+package steward.replay.page;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** The page inside another one: as a file in a frame, locked up as notebooks do it, and as a text in one. */
+@Tag("browser")
+class PageTestFrame {
+
+    @TempDir
+    Path folder;
+
+    @ParameterizedTest
+    @ValueSource(strings = {"file", "sandbox", "text"})
+    void behavesInsideAnotherPage(String kind) throws IOException {
+        Path page = new PageTestPages(folder).page(PageTestRaces.play(PageTestRaces.scene("duel"), 5), "Duel");
+        String frame = switch (kind) {
+            case "file" -> "src=\"" + page.getFileName() + "#t=7.25\"";
+            case "sandbox" -> "sandbox=\"allow-scripts\" src=\"" + page.getFileName() + "#t=7.25\"";
+            default -> "srcdoc=\"" + PageTemplate.escape(Files.readString(page)) + "\"";
+        };
+        Path outer = folder.resolve("outer.html");
+        Files.writeString(outer, "<!DOCTYPE html><title>Notebook</title><body style=\"margin:0;height:3000px\">"
+            + "<iframe width=\"700\" height=\"420\" " + frame + "></iframe></body>");
+        try (PageTestBrowser browser = PageTestBrowser.start(folder.resolve("profile"))) {
+            browser.openPlain(outer);
+            browser.enterFrame();
+            if (!kind.equals("text")) {
+                assertEquals(7.25, browser.number("steward.time()"));
+            }
+            browser.run("steward.seek(3)");
+            browser.click("#play");
+            browser.await("it does not play", () -> browser.number("steward.time()") > 3.5);
+            browser.click("#play");
+            assertTrue(browser.is("document.documentElement.scrollWidth <= innerWidth"), "nothing is wider");
+            double scale = browser.number("steward.camera().scale");
+            browser.leaveFrame();
+            browser.wheel(200, 150, 240);
+            browser.await("the outer page does not scroll", () -> browser.is("scrollY > 100"));
+            browser.enterFrame();
+            assertEquals(scale, browser.number("steward.camera().scale"), "a wheel without Ctrl is the outer page's");
+            if (kind.equals("text")) {
+                browser.press("s");
+                assertTrue(browser.text("#told").startsWith("This page has no address of its own; the moment is #t="),
+                    browser.text("#told"));
+            }
+            assertEquals(List.of(), browser.complaints());
+        }
+    }
+}
