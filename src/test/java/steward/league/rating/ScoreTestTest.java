@@ -48,6 +48,16 @@ class ScoreTestTest {
         }
     }
 
+    /** The games of 2 to 4 wins leave 616 Elo and more on the wrong side: that is beyond 3 in natural units. */
+    @Test
+    void aBoundFarOnTheWrongSideIsLeftOut() {
+        for (int games = 2; games <= 4; games++) {
+            Difference found = new ScoreTest(two(games, 0)).bounded(0, 1);
+            assertTrue(!found.isOneSided() && !Difference.isKnown(found.bar()), games + " games: " + found.boundElo());
+        }
+        assertTrue(new ScoreTest(two(5, 0)).bounded(0, 1).isOneSided());
+    }
+
     /** Two that lost every game against a third are not told apart: neither is surely the better one. */
     @Test
     void twoThatLostAllToAThirdAreNotToldApart() {
