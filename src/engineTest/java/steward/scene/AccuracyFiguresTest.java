@@ -114,9 +114,10 @@ class AccuracyFiguresTest {
     void theSceneAsUsedStatesTheRungAndNeedsNoFigures() throws IOException {
         Path kept = calibrated();
         Scene scene = load(write(demand("0.01", "0.999")));
-        assertEquals(new AccuracyChoice(Accuracy.parse("event/double"), false, "the cheapest that is off by at most "
-            + "0.01 u in 99.9% of states: by 1e-5 u, shown by 100000 (" + kept
-            + "), at 1.00 times the cost of event/double"), scene.choice());
+        assertEquals(new AccuracyChoice(Accuracy.parse("event/double"), false, "the most accurate of those within "
+            + "5% of the cheapest that are off by at most 0.01 u in 99.9% of states: by 1e-5 u, shown by 100000 ("
+            + kept + "), at 1.00 times the cost of event/double", scene.choice().met()), scene.choice());
+        assertEquals("event/double at 1.00, off by 1e-5 u", scene.choice().met().get(1));
         assertTrue(scene.json().endsWith("\"accuracy\":{\"advance\":\"event\",\"arithmetic\":\"double\"}}"),
             scene.json());
         Scene again = SceneReader.read(scene.json(), "header");
@@ -208,7 +209,7 @@ class AccuracyFiguresTest {
             rungs.sort(Comparator.comparingDouble(AccuracyFigures.OfRung::cost));
             AccuracyDemand demand = new AccuracyDemand(random.nextDouble(), 0.9999 * (1 - random.nextDouble()));
             String seed = "case " + n;
-            new AccuracyFigures("s", "", "", 1, rungs).cheapest(demand).ifPresent(taken -> {
+            new AccuracyFigures("s", "", "", 1, Double.NaN, rungs).cheapest(demand).ifPresent(taken -> {
                 assertTrue(taken.error(demand.share()) <= demand.maxPositionError(), seed);
                 assertTrue(rungs.stream().noneMatch(other -> other.cost() < taken.cost()
                     && other.error(demand.share()) < taken.error(demand.share())), seed);
@@ -232,7 +233,7 @@ class AccuracyFiguresTest {
         "\"maxPositionError\": 1, \"share\": \"most\" | accuracy.share: found the text \"most\", "
             + "expected a number 0..1",
         "\"maxPositionError\": 1, \"share\": 1, \"advance\": \"event\" | accuracy.advance: found an unknown field, "
-            + "expected one of \"maxPositionError\", \"share\""})
+            + "expected one of \"maxCost\", \"maxPositionError\", \"share\""})
     void aWrongDemandIsRefused(String accuracy, String message) throws IOException {
         String refusal = refusal(write(text(accuracy)));
         assertTrue(refusal.endsWith(": " + message), refusal);
