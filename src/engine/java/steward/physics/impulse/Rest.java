@@ -40,9 +40,15 @@ import steward.physics.Wall;
  */
 public final class Rest {
 
-    /** Gaps up to 1 / NEAR of the sum of the radii belong to a heap. */
+    /**
+     * Gaps up to 1 / NEAR of the sum of the radii belong to a heap: 0.05%, which nobody sees, and far more than
+     * rounding leaves between bodies that rest. With a larger share bodies would rest at a distance that shows.
+     */
     public static final int NEAR = 2048;
-    /** Impacts of a body in a turn before its heap rests. */
+    /**
+     * Impacts of a body in a turn before its heap rests. So n bodies bounce at most 2 n times before; the rest takes an
+     * impulse for each contact, at most 3 n in the plane. More patience would keep more bounces, and cost as many more.
+     */
     static final int PATIENCE = 4;
     /** The share of a gap that is used up until the end of the turn: the rest is room for rounding. */
     private static final double USED = 0.99;

@@ -13,8 +13,6 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Map;
-import java.util.Set;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -49,15 +47,6 @@ import steward.scene.SceneKey;
 @Execution(ExecutionMode.CONCURRENT)
 class CalibrateTest {
 
-    /** Scenes whose truth is slow to compute. */
-    private static final Map<String, Integer> FEWER_STATES = Map.of("fantastic-bits-contest", 50_000,
-        "poker-chip-race", 10_000);
-    /**
-     * Scenes with figures of the first laws of {@code compensated} and {@code exact}, which are passed over until they
-     * are measured anew; those of the other rungs hold.
-     */
-    private static final Set<String> OF_OLDER_LAWS = Set.of("mean-max", "poker-chip-race", "fantastic-bits",
-        "fantastic-bits-contest");
     /** Times the rungs in this JVM, and as briefly as can be. */
     static final Timing HERE = new Timing(new TimingEffort(1, 1, 0, 0, 0), bytes -> {
         try (DataInputStream job = new DataInputStream(new ByteArrayInputStream(bytes))) {
@@ -220,11 +209,10 @@ class CalibrateTest {
     void theFiguresOfAShippedSceneHold(String name) throws Exception {
         GameSetup setup = Games.open(name, Calibration.PLAYED_ON);
         AccuracyFigures figures = shipped(name);
-        assertEquals(FEWER_STATES.getOrDefault(name, Calibration.STATES), figures.states());
+        assertEquals(Calibration.STATES, figures.states());
         assertEquals(SceneKey.of(setup.scene()), figures.key());
         AccuracyFigures holding = figures.holding(AccuracyFigures.mayRest(setup.scene().law(), setup.scene().json()));
-        assertEquals(!OF_OLDER_LAWS.contains(name), figures.rungs().equals(holding.rungs()));
-        assertFalse(holding.rungs().isEmpty());
+        assertEquals(figures.rungs(), holding.rungs());
     }
 
     /** The first states of them, played and measured again. */
