@@ -40,7 +40,7 @@ class GameNamesTest {
      * are everywhere; the game of this name is known by its package, its types and its files.
      */
     private static Pattern nameOf(String game) {
-        return game.equals("bodies") ? Pattern.compile("game[./]bodies|Bodies(Game|Type)|/bodies\\.js")
+        return game.equals("bodies") ? Pattern.compile("steward[./]game[./]bodies|Bodies(Game|Type)|/bodies\\.js")
             : Pattern.compile(String.join("-?", game.split("")), Pattern.CASE_INSENSITIVE);
     }
 
