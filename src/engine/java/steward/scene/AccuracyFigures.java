@@ -9,7 +9,6 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.EnumMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import steward.Internal;
@@ -17,7 +16,6 @@ import steward.physics.ImpactLaw;
 import steward.scene.json.Block;
 import steward.scene.json.JsonTree;
 import steward.scene.json.SceneException;
-import steward.scene.json.Wording;
 
 /**
  * The measured position errors and the cost of each rung in the states of a scene's calibration. Read from JSON, to

@@ -99,7 +99,7 @@ public final class OutcomeJson {
      * True if the state of the turn just played is kept. With more than {@value #MOST_BODIES} bodies a replay is
      * sparse: so many states are left out that of each turn that many bodies are kept on average; the last is there.
      */
-    private static boolean hasState(Game game) {
+    public static boolean hasState(Game game) {
         int every = (game.bodies().size() + MOST_BODIES - 1) / MOST_BODIES;
         return every <= 1 || game.isOver() || game.turn() % every == 0;
     }

@@ -60,7 +60,8 @@ class BodiesGameTest {
     void zonesAndContactsGivePoints() {
         GameSetup setup = open(2, "{\"x\": 100, \"y\": 100, \"radius\": 10, \"owner\": 0}, {\"x\": 150, \"y\": 100, "
             + "\"radius\": 10, \"owner\": 1}", "\"maximumTurns\": 9, \"maximumThrust\": 50, \"contactPoints\": 2, "
-            + "\"zones\": [{\"x\": 170, \"y\": 100, \"radius\": 5, \"label\": \"hole\", \"points\": 7, \"ends\": true}]");
+            + "\"zones\": [{\"x\": 170, \"y\": 100, \"radius\": 5, \"label\": \"hole\", \"points\": 7, "
+            + "\"ends\": true}]");
         Game game = setup.create(0);
         byte[] answer = "{\"thrusts\":[{\"x\":50,\"y\":0}]}".getBytes(StandardCharsets.UTF_8);
         assertNull(setup.codec(game).frames().readAnswer(0, answer, answer.length));

@@ -111,8 +111,10 @@ public final class ExplainCommand implements Callable<Integer> {
         out.println("What the scene says:");
         out.println();
         out.println("  game " + read.gameId() + " for " + TextFormat.count(read.players(), "player"));
-        out.println("  first answer within " + read.time().firstAnswerMs() + " ms, the others within "
-            + read.time().answerMs() + " ms");
+        if (read.players() > 0) {
+            out.println("  first answer within " + read.time().firstAnswerMs() + " ms, the others within "
+                + read.time().answerMs() + " ms");
+        }
         for (Map.Entry<String, Object> block : Json.object(read.json()).entrySet()) {
             if (block.getValue() instanceof Map<?, ?> fields && !block.getKey().equals("time")) {
                 List<String> items = new ArrayList<>();

@@ -28,8 +28,8 @@ import steward.game.GameSetup;
 import steward.match.MatchResult;
 
 /** {@code steward run}: a scene without players. */
-@Command(name = "run", description = "Plays a scene without players, such as one of bodies, and prints energy, momentum "
-    + "and impacts by turn.",
+@Command(name = "run", description = "Plays a scene without players, such as one of bodies, and prints energy, "
+    + "momentum and impacts by turn.",
     footer = {"",
         "--csv writes turns.csv (energy, momentum and impacts of every turn), states.csv",
         "(place and velocity of every body at the end of every turn) and impacts.csv, all",

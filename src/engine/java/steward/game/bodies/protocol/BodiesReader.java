@@ -164,8 +164,8 @@ final class BodiesReader {
         boolean players = scene.players() > 0;
         return new PlayRules(play.integer("maximumTurns", 1, MOST_TURNS), play.number("restBelow", 0, Block.MAXIMUM, 0),
             component(force, "x"), component(force, "y"), component(gravity, "x"), component(gravity, "y"),
-            players ? play.positive("maximumThrust") : 0, players ? play.integer("contactPoints", 0, MOST_POINTS, 0) : 0,
-            zones);
+            players ? play.positive("maximumThrust") : 0,
+            players ? play.integer("contactPoints", 0, MOST_POINTS, 0) : 0, zones);
     }
 
     private static double component(Block block, String name) {
