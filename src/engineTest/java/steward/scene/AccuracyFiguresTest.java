@@ -110,6 +110,31 @@ class AccuracyFiguresTest {
         assertEquals(rung, scene.accuracy().text());
     }
 
+    /** Alone it takes the most accurate that costs no more; with an error, the cheapest that meets both. */
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {"\"maxCost\": 1.5 | event/exact", "\"maxCost\": 1.49 | event/double",
+        "\"maxCost\": 0.5 | step/2", "\"maxCost\": 1.5, \"maxPositionError\": 50, \"share\": 0.999 | step/2",
+        "\"maxCost\": 1.2, \"maxPositionError\": 0.01, \"share\": 0.999 | event/double",
+        "\"maxCost\": \"3us\" | event/exact", "\"maxCost\": \"2500ns\" | event/double"})
+    void aBudgetTakesARung(String accuracy, String rung) throws IOException {
+        Path kept = calibrated();
+        Files.writeString(kept, Files.readString(kept).replace("\"states\"", "\"unitNanos\": 2000, \"states\""));
+        assertEquals(rung, load(write(text(accuracy))).accuracy().text());
+    }
+
+    /** The error names the rungs that no other beats. */
+    @Test
+    void aBudgetThatNoRungMeetsIsRefusedWithTheFront() throws IOException {
+        Path kept = calibrated();
+        Path file = write(text("\"maxCost\": 0.3"));
+        assertEquals(file + ":3:27: accuracy.maxCost: found at most 0.3 turns of event/double, for which no rung meets "
+            + "the demand, expected one that some rung meets; in 99% of states (" + kept + ") the best are: step/2 at "
+            + "0.400, off by 10 u; event/official at 0.970, off by 0.001 u; event/double at 1.00, off by 1e-9 u; "
+            + "event/exact at 1.50, off by 1e-12 u", refusal(file));
+        assertTrue(refusal(write(text("\"maxCost\": \"3us\""))).contains("a cost in time and figures in " + kept
+            + " that have none, expected those of a calibration: steward tradeoff --calibrate"));
+    }
+
     @Test
     void theSceneAsUsedStatesTheRungAndNeedsNoFigures() throws IOException {
         Path kept = calibrated();
@@ -232,6 +257,9 @@ class AccuracyFiguresTest {
         "\"maxPositionError\": 1, \"share\": 1.5 | accuracy.share: found 1.5, expected a number 0..1",
         "\"maxPositionError\": 1, \"share\": \"most\" | accuracy.share: found the text \"most\", "
             + "expected a number 0..1",
+        "\"maxCost\": 0 | accuracy.maxCost: found 0, expected a number above 0",
+        "\"maxCost\": \"2 h\" | accuracy.maxCost: found \"2 h\", expected a number above 0, or a time such as \"2us\" or "
+            + "\"500ns\"",
         "\"maxPositionError\": 1, \"share\": 1, \"advance\": \"event\" | accuracy.advance: found an unknown field, "
             + "expected one of \"maxCost\", \"maxPositionError\", \"share\""})
     void aWrongDemandIsRefused(String accuracy, String message) throws IOException {

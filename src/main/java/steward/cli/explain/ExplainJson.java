@@ -35,9 +35,11 @@ final class ExplainJson {
             out.writeStringProperty("rung", choice.rung().text());
             out.writeBooleanProperty("stated", choice.stated());
             out.writeStringProperty("why", choice.why());
-            out.writeArrayPropertyStart("met");
-            choice.met().forEach(out::writeString);
-            out.writeEndArray();
+            if (!choice.met().isEmpty()) {
+                out.writeArrayPropertyStart("met");
+                choice.met().forEach(out::writeString);
+                out.writeEndArray();
+            }
             out.writeEndObject();
             out.writeArrayPropertyStart("warnings");
             setup.check().forEach(out::writeString);
