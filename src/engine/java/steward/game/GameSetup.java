@@ -41,6 +41,11 @@ public interface GameSetup {
         return plan().physics(null);
     }
 
+    /** The turns after which a game ends at the latest; 0 if that is not known. */
+    default int mostTurns() {
+        return 0;
+    }
+
     /** Returns the rules for speeds and positions at the end of a turn; a game may have rules of its own. */
     default Motion motion() {
         return plan().motion();

@@ -43,6 +43,15 @@ public interface GameType {
         return scene.json();
     }
 
+    /**
+     * The scene with another bound on its turns.
+     *
+     * @return as JSON; {@code null} where a game has no such bound
+     */
+    default String withTurns(Scene scene, int turns) {
+        return null;
+    }
+
     /** Returns how the site's server shows this game in its recordings; without, none of them can be imported this way.
      */
     @Internal

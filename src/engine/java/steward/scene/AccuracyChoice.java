@@ -1,5 +1,7 @@
 package steward.scene;
 
+import java.util.List;
+
 
 /**
  * The rung that a scene is computed on, and how it was chosen.
@@ -7,8 +9,14 @@ package steward.scene;
  * @param rung   of the ladder
  * @param stated whether the scene file itself names it
  * @param why    for people, a clause that follows the rung's name
+ * @param met    for people, a line for each rung that met the scene's demand, cheapest first; empty without a demand
  */
-public record AccuracyChoice(Accuracy rung, boolean stated, String why) {
+public record AccuracyChoice(Accuracy rung, boolean stated, String why, List<String> met) {
+
+    /** A choice without a demand. */
+    public AccuracyChoice(Accuracy rung, boolean stated, String why) {
+        this(rung, stated, why, List.of());
+    }
 
     /** The rung stated by the scene file. */
     static AccuracyChoice stated(Accuracy rung) {

@@ -9,14 +9,12 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.EnumMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import steward.physics.ImpactLaw;
 import steward.scene.json.Block;
 import steward.scene.json.JsonTree;
 import steward.scene.json.SceneException;
-import steward.scene.json.Wording;
 
 /**
  * The measured position errors and the cost of each rung in the states of a scene's calibration. Read from JSON, to
@@ -30,9 +28,10 @@ import steward.scene.json.Wording;
  * @param key     of the scene that was measured
  * @param sample  a hash of the results of the first states
  * @param states  number of states
+ * @param unitNanos time of a turn on {@code event/double}, in nanoseconds; NaN in files that do not say it
  * @param rungs   the figures, cheapest rung first
  */
-public record AccuracyFigures(String source, String key, String sample, int states,
+public record AccuracyFigures(String source, String key, String sample, int states, double unitNanos,
                               List<OfRung> rungs) {
 
     /** The format that is read and written. */
@@ -119,7 +118,8 @@ public record AccuracyFigures(String source, String key, String sample, int stat
         }
         rungs.sort(Comparator.comparingDouble(OfRung::cost));
         return new AccuracyFigures(source, root.text("key"), root.text("sample"),
-            root.integer("states", 1, Integer.MAX_VALUE), List.copyOf(rungs));
+            root.integer("states", 1, Integer.MAX_VALUE),
+            root.number("unitNanos", 0, Double.POSITIVE_INFINITY, Double.NaN), List.copyOf(rungs));
     }
 
     /** @param physics of all rungs, in a file of before laws had versions; otherwise {@code null} */
@@ -146,55 +146,39 @@ public record AccuracyFigures(String source, String key, String sample, int stat
     }
 
     /**
-     * The cheapest rung that meets a demand, if there is one; of several that cost the same within
-     * {@link #SAME_COST}, the most accurate. So no other rung beats it in both cost and error.
+     * The rung that a demand takes, if one meets it. With an error demanded it is the cheapest; of several that cost
+     * the same within {@link #SAME_COST}, the most accurate. So no other rung beats it in both cost and error. With a
+     * cost alone it is the most accurate, the cheapest of those.
      */
     public Optional<OfRung> cheapest(AccuracyDemand demand) {
-        List<OfRung> meeting = rungs.stream()
-            .filter(rung -> rung.error(demand.share()) <= demand.maxPositionError()).toList();
-        return meeting.stream().filter(rung -> rung.cost <= meeting.get(0).cost * (1 + SAME_COST))
+        List<OfRung> meeting = meeting(demand);
+        double most = demand.hasError() && !meeting.isEmpty() ? meeting.get(0).cost * (1 + SAME_COST)
+            : Double.POSITIVE_INFINITY;
+        return meeting.stream().filter(rung -> rung.cost <= most)
             .min(Comparator.comparingDouble(rung -> rung.error(demand.share())));
+    }
+
+    /** The rungs that meet a demand, cheapest first. */
+    List<OfRung> meeting(AccuracyDemand demand) {
+        double most = demand.maxNanos() < Double.POSITIVE_INFINITY ? demand.maxNanos() / unitNanos : demand.maxCost();
+        return rungs.stream().filter(rung -> rung.error(demand.share()) <= demand.maxPositionError()
+            && rung.cost <= most).toList();
+    }
+
+    /** The rungs that no other beats in both cost and error at a share, cheapest first. */
+    List<OfRung> front(double share) {
+        List<OfRung> front = new ArrayList<>();
+        for (OfRung rung : rungs) {
+            if (front.isEmpty() || rung.error(share) < front.get(front.size() - 1).error(share)) {
+                front.add(rung);
+            }
+        }
+        return front;
     }
 
     /** The rung with the smallest error at a share; of several, the cheapest. */
     OfRung best(double share) {
         return rungs.stream().min(Comparator.comparingDouble(rung -> rung.error(share))).get();
-    }
-
-    /**
-     * The rung for a scene that states a demand.
-     *
-     * @param scene   the whole file
-     * @param law     its law of impact
-     * @param figures where its own figures may be
-     * @throws SceneException if there are no figures, if they belong to another scene or physics, or if no rung is
-     *                        known to meet the demand
-     */
-    static AccuracyChoice choose(AccuracyDemand demand, Block scene, ImpactLaw law, Optional<Path> figures) {
-        if (demand.share() > MOST_SHARE) {
-            throw scene.block("accuracy").error("share", Wording.number(demand.share()), "at most " + MOST_SHARE
-                + ": what no state of a sample exceeds, others may");
-        }
-        AccuracyFigures all = find(scene, figures);
-        AccuracyFigures found = all.holding(mayRest(law, scene.json()));
-        if (found.rungs.isEmpty()) {
-            throw unusable(scene, "figures in " + found.source + " that another version of the physics has measured",
-                figures, true);
-        }
-        OfRung best = found.best(demand.share());
-        if (best.error(demand.share()) == Double.POSITIVE_INFINITY) {
-            throw scene.block("accuracy").error("share", Wording.number(demand.share()), "a smaller one: nothing is "
-                + "known of this share from " + found.states + " states (" + found.source + ")");
-        }
-        OfRung rung = found.cheapest(demand).orElseThrow(() -> scene.block("accuracy").error("maxPositionError",
-            Wording.number(demand.maxPositionError()) + ", which no rung meets",
-            "at least " + Wording.number(best.error(demand.share())) + ", the error of the best one, "
-                + best.rung().text() + ", in " + AccuracyDemand.percent(demand.share()) + " of states, shown by "
-                + found.states + " (" + found.source + ")"
-                + (found.rungs.size() == all.rungs.size() ? "" : ", without those whose law has changed since")));
-        return new AccuracyChoice(rung.rung, false, "the cheapest that is off by " + demand.text() + ": by "
-            + Wording.number(rung.error(demand.share())) + " u, shown by " + found.states + " (" + found.source
-            + "), at " + String.format(Locale.ROOT, "%.2f", rung.cost) + " times the cost of event/double");
     }
 
     /** True if bodies may come to rest: nothing drives them apart, and the scene states a restitution somewhere. */
@@ -209,13 +193,13 @@ public record AccuracyFigures(String source, String key, String sample, int stat
      */
     public AccuracyFigures holding(boolean mayRest) {
         Map<RungLaw, String> computed = new EnumMap<>(RungLaw.class);
-        return new AccuracyFigures(source, key, sample, states, rungs.stream().filter(each ->
+        return new AccuracyFigures(source, key, sample, states, unitNanos, rungs.stream().filter(each ->
             RungLaw.holds(each.physics, each.rung, mayRest,
                 law -> computed.computeIfAbsent(law, PhysicsFingerprint::of))).toList());
     }
 
     /** Figures with the scene's key: those beside the scene file, else those of a shipped scene with the same key. */
-    private static AccuracyFigures find(Block scene, Optional<Path> figures) {
+    static AccuracyFigures find(Block scene, Optional<Path> figures) {
         String key = SceneKey.of(scene);
         Optional<AccuracyFigures> own = figures.filter(Files::exists).map(AccuracyFigures::load);
         if (own.isPresent() && own.get().key.equals(key)) {
@@ -232,7 +216,7 @@ public record AccuracyFigures(String source, String key, String sample, int stat
             figures, own.isPresent());
     }
 
-    private static SceneException unusable(Block scene, String found, Optional<Path> figures, boolean exist) {
+    static SceneException unusable(Block scene, String found, Optional<Path> figures, boolean exist) {
         return scene.error("accuracy", found, "those of a calibration: steward tradeoff --calibrate "
             + (figures.isEmpty() ? "SCENE" : scene.source()) + (exist ? " --overwrite" : ""));
     }

@@ -4,6 +4,8 @@ import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import steward.physics.Arithmetic;
 import steward.physics.ImpactLaw;
 import steward.physics.event.StepAdvance;
@@ -15,6 +17,11 @@ final class AccuracyReader {
 
     private static final String ERROR = "maxPositionError";
     private static final String SHARE = "share";
+    private static final String COST = "maxCost";
+    private static final Pattern TIME = Pattern.compile("([0-9]{1,9}(?:\\.[0-9]{1,9})?)(us|ns)");
+    private static final double NANOS_PER_US = 1000;
+    /** Of the states, by whose error rungs are compared where only a cost is stated. */
+    private static final double USUAL_SHARE = 0.99;
 
     private AccuracyReader() {
     }
@@ -28,11 +35,10 @@ final class AccuracyReader {
      */
     static AccuracyChoice read(Block scene, ImpactLaw law, Optional<Path> figures, Accuracy instead) {
         Block block = scene.block("accuracy");
-        if (block.contains(ERROR) || block.contains(SHARE)) {
-            AccuracyDemand demand = new AccuracyDemand(positive(block, ERROR, Double.POSITIVE_INFINITY),
-                positive(block, SHARE, 1));
+        if (block.contains(ERROR) || block.contains(SHARE) || block.contains(COST)) {
+            AccuracyDemand demand = demand(block);
             block.done();
-            return instead == null ? AccuracyFigures.choose(demand, scene, law, figures)
+            return instead == null ? RungChooser.choose(demand, scene, law, figures)
                 : overridden(instead, demand.text());
         }
         Accuracy rung = rung(block);
@@ -41,6 +47,28 @@ final class AccuracyReader {
         }
         block.done();
         return overridden(instead, rung.text());
+    }
+
+    /** An error with its share, a cost, or both; with a cost alone the share may be left out. */
+    private static AccuracyDemand demand(Block block) {
+        boolean hasCost = block.has(COST);
+        double error = hasCost && !block.contains(ERROR) ? Double.POSITIVE_INFINITY
+            : positive(block, ERROR, Double.POSITIVE_INFINITY);
+        double share = hasCost && !block.contains(ERROR) && !block.contains(SHARE) ? USUAL_SHARE
+            : positive(block, SHARE, 1);
+        if (!hasCost) {
+            return new AccuracyDemand(error, share);
+        }
+        if (!block.isText(COST)) {
+            return new AccuracyDemand(error, share, positive(block, COST, Double.POSITIVE_INFINITY),
+                Double.POSITIVE_INFINITY);
+        }
+        Matcher time = TIME.matcher(block.text(COST));
+        if (!time.matches() || Double.parseDouble(time.group(1)) == 0) {
+            throw block.error(COST, block.shown(COST), "a number above 0, or a time such as \"2us\" or \"500ns\"");
+        }
+        return new AccuracyDemand(error, share, Double.POSITIVE_INFINITY,
+            Double.parseDouble(time.group(1)) * (time.group(2).equals("us") ? NANOS_PER_US : 1));
     }
 
     private static AccuracyChoice overridden(Accuracy instead, String inFile) {

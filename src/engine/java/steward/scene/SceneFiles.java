@@ -18,8 +18,9 @@ import steward.text.Utf8Text.NotUtf8Exception;
 public final class SceneFiles {
 
     /** The scenes that come with the program; a test compares the list with their folder. */
-    static final List<String> SHIPPED = List.of("duel", "fantastic-bits-contest", "fantastic-bits",
-        "mad-pod-racing-silver", "mad-pod-racing", "mean-max", "poker-chip-race", "search-race", "walled-race");
+    static final List<String> SHIPPED = List.of("avalanche", "billiards", "bowl", "bullets", "cradle", "dense-box",
+        "duel", "fantastic-bits-contest", "fantastic-bits", "gas", "mad-pod-racing-silver", "mad-pod-racing",
+        "mean-max", "poker-chip-race", "search-race", "walled-race");
 
     private static final String SUFFIX = ".json";
 

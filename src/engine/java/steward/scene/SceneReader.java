@@ -49,7 +49,8 @@ public final class SceneReader {
      * @param instead a rung that replaces the one of the file, or {@code null}
      */
     public static Scene read(SceneText text, Accuracy instead) {
-        Block root = new Block(text.source(), "", JsonTree.read(text.text(), text.source(), "a scene"));
+        Block root = CsvLines.takenIn(text, new Block(text.source(), "", JsonTree.read(text.text(), text.source(),
+            "a scene")));
         if (root.contains(SCHEMA)) {
             root.text(SCHEMA);
         }
@@ -61,18 +62,21 @@ public final class SceneReader {
             throw root.error("name", "a name of " + name.length() + " characters", "at most " + LONGEST_NAME);
         }
         String game = root.text("game");
-        int players = root.integer("players", 1, MOST_PLAYERS);
+        int players = root.integer("players", 0, MOST_PLAYERS);
         Optional<Field> field = root.optionalBlock("field").map(FieldReader::read);
         ImpactLaw law = root.optionalBlock("impacts").map(SceneReader::law).orElse(ImpactLaw.PHYSICS);
         Optional<Block> motion = root.optionalBlock("motion");
-        Block time = root.block("time");
+        Time time = players == 0 && !root.contains("time") ? new Time(1, 1) : time(root.block("time"));
         AccuracyChoice choice = AccuracyReader.read(root, law, text.figures(), instead);
         double drag = motion.map(block -> block.number("drag", 0, 1, 0)).orElse(0.0);
         return new Scene(name, game, players, field, law, drag,
             motion.map(block -> motion(block, drag > 0)).orElse(new Motion(List.of())),
-            new Time(time.integer("firstAnswerMs", 1, MOST_MS), time.integer("answerMs", 1, MOST_MS)),
-            choice, PhysicsObserver.NONE,
+            time, choice, PhysicsObserver.NONE,
             choice.stated() ? root : root.with("accuracy", choice.rung().json()));
+    }
+
+    private static Time time(Block time) {
+        return new Time(time.integer("firstAnswerMs", 1, MOST_MS), time.integer("answerMs", 1, MOST_MS));
     }
 
     /** Fields that are absent change nothing; drag comes first, and positions come last unless they are said to. */

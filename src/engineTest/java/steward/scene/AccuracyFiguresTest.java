@@ -110,13 +110,39 @@ class AccuracyFiguresTest {
         assertEquals(rung, scene.accuracy().text());
     }
 
+    /** Alone it takes the most accurate that costs no more; with an error, the cheapest that meets both. */
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {"\"maxCost\": 1.5 | event/exact", "\"maxCost\": 1.49 | event/double",
+        "\"maxCost\": 0.5 | step/2", "\"maxCost\": 1.5, \"maxPositionError\": 50, \"share\": 0.999 | step/2",
+        "\"maxCost\": 1.2, \"maxPositionError\": 0.01, \"share\": 0.999 | event/double",
+        "\"maxCost\": \"3us\" | event/exact", "\"maxCost\": \"2500ns\" | event/double"})
+    void aBudgetTakesARung(String accuracy, String rung) throws IOException {
+        Path kept = calibrated();
+        Files.writeString(kept, Files.readString(kept).replace("\"states\"", "\"unitNanos\": 2000, \"states\""));
+        assertEquals(rung, load(write(text(accuracy))).accuracy().text());
+    }
+
+    /** The error names the rungs that no other beats. */
+    @Test
+    void aBudgetThatNoRungMeetsIsRefusedWithTheFront() throws IOException {
+        Path kept = calibrated();
+        Path file = write(text("\"maxCost\": 0.3"));
+        assertEquals(file + ":3:27: accuracy.maxCost: found at most 0.3 turns of event/double, for which no rung meets "
+            + "the demand, expected one that some rung meets; in 99% of states (" + kept + ") the best are: step/2 at "
+            + "0.400, off by 10 u; event/official at 0.970, off by 0.001 u; event/double at 1.00, off by 1e-9 u; "
+            + "event/exact at 1.50, off by 1e-12 u", refusal(file));
+        assertTrue(refusal(write(text("\"maxCost\": \"3us\""))).contains("a cost in time and figures in " + kept
+            + " that have none, expected those of a calibration: steward tradeoff --calibrate"));
+    }
+
     @Test
     void theSceneAsUsedStatesTheRungAndNeedsNoFigures() throws IOException {
         Path kept = calibrated();
         Scene scene = load(write(demand("0.01", "0.999")));
-        assertEquals(new AccuracyChoice(Accuracy.parse("event/double"), false, "the cheapest that is off by at most "
-            + "0.01 u in 99.9% of states: by 1e-5 u, shown by 100000 (" + kept
-            + "), at 1.00 times the cost of event/double"), scene.choice());
+        assertEquals(new AccuracyChoice(Accuracy.parse("event/double"), false, "the most accurate of those within "
+            + "5% of the cheapest that are off by at most 0.01 u in 99.9% of states: by 1e-5 u, shown by 100000 ("
+            + kept + "), at 1.00 times the cost of event/double", scene.choice().met()), scene.choice());
+        assertEquals("event/double at 1.00, off by 1e-5 u", scene.choice().met().get(1));
         assertTrue(scene.json().endsWith("\"accuracy\":{\"advance\":\"event\",\"arithmetic\":\"double\"}}"),
             scene.json());
         Scene again = SceneReader.read(scene.json(), "header");
@@ -208,7 +234,7 @@ class AccuracyFiguresTest {
             rungs.sort(Comparator.comparingDouble(AccuracyFigures.OfRung::cost));
             AccuracyDemand demand = new AccuracyDemand(random.nextDouble(), 0.9999 * (1 - random.nextDouble()));
             String seed = "case " + n;
-            new AccuracyFigures("s", "", "", 1, rungs).cheapest(demand).ifPresent(taken -> {
+            new AccuracyFigures("s", "", "", 1, Double.NaN, rungs).cheapest(demand).ifPresent(taken -> {
                 assertTrue(taken.error(demand.share()) <= demand.maxPositionError(), seed);
                 assertTrue(rungs.stream().noneMatch(other -> other.cost() < taken.cost()
                     && other.error(demand.share()) < taken.error(demand.share())), seed);
@@ -231,8 +257,11 @@ class AccuracyFiguresTest {
         "\"maxPositionError\": 1, \"share\": 1.5 | accuracy.share: found 1.5, expected a number 0..1",
         "\"maxPositionError\": 1, \"share\": \"most\" | accuracy.share: found the text \"most\", "
             + "expected a number 0..1",
+        "\"maxCost\": 0 | accuracy.maxCost: found 0, expected a number above 0",
+        "\"maxCost\": \"2 h\" | accuracy.maxCost: found \"2 h\", expected a number above 0, or a time such as \"2us\" or "
+            + "\"500ns\"",
         "\"maxPositionError\": 1, \"share\": 1, \"advance\": \"event\" | accuracy.advance: found an unknown field, "
-            + "expected one of \"maxPositionError\", \"share\""})
+            + "expected one of \"maxCost\", \"maxPositionError\", \"share\""})
     void aWrongDemandIsRefused(String accuracy, String message) throws IOException {
         String refusal = refusal(write(text(accuracy)));
         assertTrue(refusal.endsWith(": " + message), refusal);

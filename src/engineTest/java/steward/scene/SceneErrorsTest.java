@@ -52,19 +52,19 @@ class SceneErrorsTest {
 
         "players": 2
         "players": 17
-        1:46: players: found 17, expected a whole number 1..16
+        1:46: players: found 17, expected a whole number 0..16
 
         "players": 2
         "players": 2.5
-        1:46: players: found 2.5, expected a whole number 1..16
+        1:46: players: found 2.5, expected a whole number 0..16
 
         "players": 2
         "players": "2"
-        1:46: players: found the text "2", expected a whole number 1..16
+        1:46: players: found the text "2", expected a whole number 0..16
 
         "players": 2
         "players": null
-        1:46: players: found null, expected a whole number 1..16
+        1:46: players: found null, expected a whole number 0..16
 
         "width": 16000
         "width": 0

@@ -44,10 +44,13 @@ class SceneFilesTest {
         Scene scene = SceneReader.read(file.text(), file.source());
         assertEquals(name, scene.name());
         String game = List.of("fantastic-bits", "mean-max", "poker-chip-race", "search-race").stream()
-            .filter(name::startsWith).findFirst().orElse("pod-race");
+            .filter(name::startsWith).findFirst().orElse(BODIES.contains(name) ? "bodies" : "pod-race");
         assertEquals(game, scene.gameId());
         assertEquals(scene, SceneReader.read(scene.json(), "again"));
     }
+
+    private static final List<String> BODIES =
+        List.of("avalanche", "billiards", "bowl", "bullets", "cradle", "dense-box", "gas");
 
     static List<String> shipped() {
         return SceneFiles.SHIPPED;
@@ -119,7 +122,8 @@ class SceneFilesTest {
         String message = refused("mad-pod-racign");
         assertTrue(message.startsWith("mad-pod-racign: found no such file, expected a scene file"), message);
         if (!SceneFiles.shipped().isEmpty()) {
-            assertTrue(message.endsWith(" or one of \"duel\", \"fantastic-bits-contest\", \"fantastic-bits\", "
+            assertTrue(message.endsWith(" or one of \"avalanche\", \"billiards\", \"bowl\", \"bullets\", "
+                + "\"cradle\", \"dense-box\", \"duel\", \"fantastic-bits-contest\", \"fantastic-bits\", \"gas\", "
                 + "\"mad-pod-racing-silver\", \"mad-pod-racing\", \"mean-max\", \"poker-chip-race\", "
                 + "\"search-race\", \"walled-race\"; did you mean \"mad-pod-racing\"?"), message);
         }

@@ -15,6 +15,7 @@ import steward.cli.play.DemoCommand;
 import steward.cli.play.MatchCommand;
 import steward.cli.play.PlayCommand;
 import steward.cli.play.RefereeCommand;
+import steward.cli.play.RunCommand;
 import steward.cli.play.SceneCommand;
 import steward.cli.play.SimulateCommand;
 import steward.cli.replay.FeedCommand;
@@ -52,7 +53,7 @@ public final class Main {
 
     private static final int WIDTH = 80;
 
-    private static final List<String> COMMANDS = List.of("match", "replay", "feed", "scene", "explain", "demo",
+    private static final List<String> COMMANDS = List.of("match", "run", "replay", "feed", "scene", "explain", "demo",
         "league", "worker", "sprt", "tune", "check", "tournament",
         "simulate", "import", "key", "referee", "play", "stability", "tradeoff", "bench", "new", "doctor",
         CompletionCommand.NAME, HelpCommand.NAME);
@@ -158,6 +159,7 @@ public final class Main {
     private static Object command(String name, Streams streams) {
         return switch (name) {
             case "match" -> new MatchCommand(streams);
+            case "run" -> new RunCommand(streams);
             case "replay" -> new ReplayCommand(streams);
             case "feed" -> new FeedCommand(streams);
             case "scene" -> new SceneCommand(streams);

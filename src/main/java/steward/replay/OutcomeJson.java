@@ -22,6 +22,8 @@ public final class OutcomeJson {
     /** How many impacts of a turn are kept, and how many knots of paths: a turn can have over ten thousand impacts. */
     private static final int MOST = TurnLog.RECORDED;
 
+    private static final int MOST_BODIES = 2000;
+
     /** The names that turns write, encoded once. */
     private static final class Name {
         static final SerializedString TIME = new SerializedString("time");
@@ -70,7 +72,11 @@ public final class OutcomeJson {
             out.writeEndObject();
         }
         codec.state().writeProgress(out);
-        writeState(out, game, codec);
+        if (hasState(game)) {
+            writeState(out, game, codec);
+        } else {
+            writeHash(out, game);
+        }
         out.writeEndObject();
     }
 
@@ -80,8 +86,21 @@ public final class OutcomeJson {
         out.writeStartObject();
         codec.state().writeState(out);
         out.writeEndObject();
+        writeHash(out, game);
+    }
+
+    private static void writeHash(JsonGenerator out, Game game) {
         out.writeName(Name.HASH);
         JsonNumbers.writeHash(out, game.hash());
+    }
+
+    /**
+     * True if the state of the turn just played is kept. With more than {@value #MOST_BODIES} bodies a replay is
+     * sparse: so many states are left out that of each turn that many bodies are kept on average; the last is there.
+     */
+    public static boolean hasState(Game game) {
+        int every = (game.bodies().size() + MOST_BODIES - 1) / MOST_BODIES;
+        return every <= 1 || game.isOver() || game.turn() % every == 0;
     }
 
     private void writeImpacts(JsonGenerator out, TurnLog log) {

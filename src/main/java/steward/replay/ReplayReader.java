@@ -30,10 +30,10 @@ import tools.jackson.core.JacksonException;
 public final class ReplayReader implements AutoCloseable {
 
     /**
-     * The longest line that is read, in bytes: several times the longest turn that 16 players can produce, and a small
-     * part of the memory of any JVM.
+     * The longest line that is read, in bytes: a header with 200,000 bodies, whose scene may have taken in 64 MiB of CSV,
+     * with their drawing and their places.
      */
-    static final int LONGEST_LINE = 1 << 24;
+    static final int LONGEST_LINE = 1 << 27;
 
     private static final VarHandle EIGHT_BYTES =
         MethodHandles.byteArrayViewVarHandle(long[].class, ByteOrder.nativeOrder());
@@ -119,11 +119,13 @@ public final class ReplayReader implements AutoCloseable {
         }
         String[] names = line.textsOf("players", "name");
         String[] bots = line.textsOf("players", "bot");
-        for (int player = 0; player < Math.max(1, names.length); player++) {
-            if (player == names.length || names[player] == null || bots[player] == null) {
-                throw new ReplayException(line.where() + ": players" + (player == names.length
-                    ? ": found none, expected at least one" : "[" + player + "]: found "
-                    + (names[player] == null ? "no name" : "no bot") + ", expected an object with name and bot"));
+        if (names.length == 0 && new JsonLine(line.where(), line.object("scene")).integer("players") != 0) {
+            throw new ReplayException(line.where() + ": players: found none, expected those of the scene");
+        }
+        for (int player = 0; player < names.length; player++) {
+            if (names[player] == null || bots[player] == null) {
+                throw new ReplayException(line.where() + ": players[" + player + "]: found "
+                    + (names[player] == null ? "no name" : "no bot") + ", expected an object with name and bot");
             }
         }
         long seed;

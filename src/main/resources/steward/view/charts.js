@@ -9,16 +9,16 @@ const LEAST_MS = 0.001;
 
 /** One chart: a heading with the values of the moment, and a plot. */
 class Chart {
-  charts; lists; isLog; limit; plot; turns; shown;
+  charts; lists; isLog; limit; names; plot; turns; shown;
 
-  constructor(charts, { title, unit, lists, isLog = false, limit = null }) {
-    Object.assign(this, { charts, lists, isLog, limit });
+  constructor(charts, { title, unit, lists, isLog = false, limit = null, names = [] }) {
+    Object.assign(this, { charts, lists, isLog, limit, names });
     this.values = element('span', 'chart-values');
     this.box = element('div', 'chart');
     this.root = element('figure', 'chart-card', null,
       element('figcaption', '', null, element('span', '', title), element('small', '', unit), this.values), this.box);
     this.box.setAttribute('role', 'img');
-    this.box.setAttribute('aria-label', `${title} of each player over the turns; the values of the turn shown stand above`);
+    this.box.setAttribute('aria-label', `${title} ${names.length ? '' : 'of each player '}over the turns; the values of the turn shown stand above`);
     this.now = element('i', 'chart-now');
   }
 
@@ -44,7 +44,7 @@ class Chart {
       axes: [{ ...axis, size: 18, gap: 2, space: 60, incrs: WHOLE },
         { ...axis, size: 40, gap: 3, space: 26, ...this.isLog ? { splits: powersOfTen } : {}, values: (_, splits) => splits.map(value =>
           (value === null ? '' : this.isLog ? log(value) : short(value))) }],
-      series: [{}, ...match.players.map((_, player) =>
+      series: [{}, ...this.lists().map((_, player) =>
         ({ stroke: theme.team(player), width: 1.4, spanGaps: true, points: { show: false } })),
         ...this.limit ? [{ stroke: paint.bad, width: 1.25, dash: [5, 4], points: { show: false } }] : []],
     }, this.data(), this.box);
@@ -68,7 +68,7 @@ class Chart {
     this.values.replaceChildren(...this.lists().map((list, player) => {
       const value = element('b', '', list[turn] === null || list[turn] === undefined ? '–' : grouped(list[turn]));
       value.style.color = `var(--team-${player % 16})`;
-      value.title = nameOf(this.charts.match, player);
+      value.title = this.names[player] ?? nameOf(this.charts.match, player);
       return value;
     }));
   }
@@ -103,10 +103,11 @@ export class Charts {
     const name = match.header.drawing.lead ?? look.leadName;
     const chosen = [];
     if (series.lead()) chosen.push({ title: capital(name), unit: '', lists: () => series.lead() });
-    if (match.topSpeed > 0) chosen.push({ title: 'Speed', unit: 'u a turn', lists: () => series.speed() });
+    if (match.players.length && match.topSpeed > 0) chosen.push({ title: 'Speed', unit: 'u a turn', lists: () => series.speed() });
     for (const each of series.resourceNames()) {
       chosen.push({ title: capital(each), unit: '', lists: () => series.resource(each) });
     }
+    chosen.push(...look.charts?.(match, series) ?? []);
     if (match.hasTimes) {
       const limit = turn => (Number.isFinite(limitMs(match, turn)) ? limitMs(match, turn) : null);
       chosen.push({ title: 'Answer time', unit: `ms${limit(2) === null ? ', no deadlines' : ''}`,

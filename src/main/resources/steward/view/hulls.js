@@ -98,8 +98,8 @@ export function putDisc(scene, body, isIn = true, name = 'disc') {
   const { view, theme, paint } = scene;
   const radius = Math.max(2, body.radius * view.scale);
   const hasOwner = body.owner !== null && body.owner !== undefined;
-  const colour = isIn ? theme.team(body.owner) : paint.muted;
-  sprites.put(scene, `${name} ${body.owner} ${isIn}`, view.x(body.x), view.y(body.y), radius, 0, 1.6, (ctx, r) => {
+  const colour = isIn ? body.colour ?? theme.team(body.owner) : paint.muted;
+  sprites.put(scene, `${name} ${body.owner} ${colour}`, view.x(body.x), view.y(body.y), radius, 0, 1.6, (ctx, r) => {
     if (hasOwner && r > 5) paintGlow(ctx, r * 1.55, colour, theme.isDark ? 0.4 : 0.2);
     circle(ctx, 0, 0, r);
     ctx.fillStyle = theme.isDark ? paint.abyss : paint.field;

@@ -3,7 +3,7 @@
 //
 // A look may have: drawGround, drawBelow, drawBody, drawAbove (each gets a scene), standing(match, turn) with rank,
 // body, big, small, warning and pips of each player, leadName and progress(match, turn) with a number for each player,
-// commandLines(command, player, match), commandOf(body, match, turn), field(name, value), and series(match).
+// commandLines(command, player, match), commandOf(body, match, turn), field(name, value), and charts(match, series).
 
 import { circle, captionSize, targetLine, write } from './draw.js';
 import { putDisc } from './hulls.js';

@@ -18,6 +18,7 @@ export class Match {
   start = null;
   descriptions = new Map();
   sent = null;                    // lines that each player was sent, by turn; null where they are not known
+  isSparse = false;               // whether the states of some turns were left out: bodies fly straight between them
 
   get lastTurn() {
     return this.turns.length;
@@ -62,7 +63,8 @@ export class Match {
   #addTurn(record) {
     if (!this.header || record.turn !== this.turns.length + 1) return false;
     const outcome = record.outcome;
-    const state = outcome.state ?? this.turn(record.turn - 1).state;   // an imported turn may have none
+    const state = outcome.state ?? this.turn(record.turn - 1).state;   // an imported or sparse turn may have none
+    this.isSparse ||= !outcome.state && !this.header.imported;
     const turn = {
       number: record.turn,
       commands: record.commands,
@@ -81,6 +83,7 @@ export class Match {
       resources: outcome.resources ?? null,
       zones: outcome.zones ?? null,
       state,
+      isKept: Boolean(outcome.state),
       hash: outcome.hash,
     };
     this.hasTimes ||= turn.answerNanos.some(nanos => nanos > 0);
@@ -126,6 +129,7 @@ export class Match {
       owner: state?.owner ?? description.owner ?? state?.player ?? null,
       label: state?.label ?? description.label ?? '',
       radius: state?.radius ?? description.radius ?? 0,
+      colour: description.colour ?? null,
     };
   }
 
@@ -154,6 +158,7 @@ export class Match {
 
   /** All moving bodies that exist at a moment, with place, radius, and their states before and after the turn. */
   bodiesAt(moment) {
+    if (this.isSparse) return this.#sparseBodiesAt(moment);
     const now = this.turn(moment.turn);
     if (!now) return [];
     now.cast ??= this.#castOf(now);
@@ -167,6 +172,20 @@ export class Match {
         after: after ?? before ?? NO_STATE, radius: from + (to - from) * moment.fraction });
     }
     return bodies;
+  }
+
+  /** Bodies of a replay that is sparse, straight between the states that it keeps. */
+  #sparseBodiesAt(moment) {
+    let [from, to] = [moment.settled, moment.turn];
+    while (from > 0 && !this.turn(from).isKept) from--;
+    while (to < this.lastTurn && to > 0 && !this.turn(to).isKept) to++;
+    const [before, after] = [this.turn(from).bodies, this.turn(to).bodies];
+    const share = to === from ? 0 : (moment.time - from) / (to - from);
+    return [...before.values()].filter(body => after.has(body.id)).map(body => {
+      const next = after.get(body.id);
+      return { ...this.describe(body.id, body), before: body, after: next,
+        x: body.x + share * (next.x - body.x), y: body.y + share * (next.y - body.y) };
+    });
   }
 
   /** Everybody who is there in a turn: descriptions, states and ways, looked up once. */

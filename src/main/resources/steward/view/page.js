@@ -20,6 +20,7 @@ import './searchrace.js';
 import './meanmax.js';
 import './fantasticbits.js';
 import './pokerchiprace.js';
+import './bodies.js';
 import { hookOf } from './hook.js';
 
 const PANEL_MS = 100;           // while playing, texts change no more often than this
@@ -46,7 +47,9 @@ export class Page {
   /** Takes one line of a replay: from the page itself or as it is played. */
   addLine(line) {
     const hadHeader = Boolean(this.match.header);
+    const wasSparse = this.match.isSparse;
     if (!this.match.addLine(line)) return;
+    if (this.match.isSparse && !wasSparse) find('scene').textContent += ' · sparse: straight lines between kept states';
     if (!hadHeader) this.#build();
     else this.#grown = true;
     this.changed();

@@ -26,11 +26,16 @@ export class Series {
     this.look = look;
   }
 
+  /** Lists of the match as a whole, over turns 0 to the last, of what values(turn) gives. */
+  ofTurns(name, count, values) {
+    return this.#grow(name, number => values(this.match.turn(number)), Array(count).fill(0));
+  }
+
   /** A list per player, over turns 0 to the last, of what value(player, number) gives; null where it gives nothing. */
-  #grow(name, values) {
+  #grow(name, values, owners = this.match.players) {
     let lists = this.#lists.get(name);
     if (!lists) {
-      lists = this.match.players.map(() => []);
+      lists = owners.map(() => []);
       this.#lists.set(name, lists);
     }
     for (let number = lists[0]?.length ?? 0; number <= this.match.lastTurn; number++) {

@@ -118,7 +118,7 @@ class MainTest {
         "steward match --keep f | failed", "steward match --threads a | auto", "steward stability --rung e | exact",
         "steward stability --case ro | rounding", "steward stability --case mi | mirror\\ images",
         "steward bench --only cr | crowds", "steward tradeoff --scene w | walled-race",
-        "steward tradeoff --scene hea | headings", "steward scene d | duel", "steward explain d | duel",
+        "steward tradeoff --scene hea | headings", "steward scene du | duel", "steward explain du | duel",
         "steward demo --accuracy do | double", "steward play --json-league builtin : v | veteran",
         "steward referee -p1 builtin : v | veteran", "steward feed x --player 0 -- builtin : v | veteran",
         "steward feed x --protocol j | json", "steward replay x | "})

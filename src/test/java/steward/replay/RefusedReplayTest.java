@@ -73,7 +73,7 @@ class RefusedReplayTest {
     void aHeaderWithoutPlayers() {
         String header = Recorded.of("duel", 1).lines().get(0)
             .replaceFirst("\"players\":\\[.*?]", "\"players\":[]");
-        assertEquals("r.jsonl:1: players: found none, expected at least one", refusal(header + "\n"));
+        assertEquals("r.jsonl:1: players: found none, expected those of the scene", refusal(header + "\n"));
     }
 
     @ParameterizedTest

@@ -187,18 +187,51 @@ public final class Block {
 
     /** An array of objects; may be empty. */
     public List<Block> blocks(String name) {
-        if (ask(name) instanceof JsonArray array) {
-            List<Block> blocks = new ArrayList<>();
-            for (JsonValue value : array.values()) {
-                String at = pathOf(name) + "[" + blocks.size() + "]";
-                if (!(value instanceof JsonObject child)) {
-                    throw problem(value.place(), at, value.shown(), "an object");
-                }
-                blocks.add(child(at, child));
+        List<Block> blocks = new ArrayList<>();
+        for (JsonValue value : array(name, "an array of objects")) {
+            String at = pathOf(name) + "[" + blocks.size() + "]";
+            if (!(value instanceof JsonObject child)) {
+                throw problem(value.place(), at, value.shown(), "an object");
             }
-            return blocks;
+            blocks.add(child(at, child));
         }
-        throw unexpected(name, "an array of objects");
+        return blocks;
+    }
+
+    /** An array of strings; may be empty. */
+    public List<String> texts(String name) {
+        List<String> texts = new ArrayList<>();
+        for (JsonValue value : array(name, "an array of strings")) {
+            if (!(value instanceof JsonText text)) {
+                throw problem(value.place(), pathOf(name) + "[" + texts.size() + "]", value.shown(), "a string");
+            }
+            texts.add(text.text());
+        }
+        return texts;
+    }
+
+    /** An array of so many finite numbers from low to high. */
+    public double[] numbers(String name, int count, double low, double high) {
+        List<JsonValue> values = array(name, "an array of " + count + " numbers");
+        double[] numbers = values.stream().mapToDouble(value -> value instanceof JsonNumber number
+            ? Double.parseDouble(number.text()) : Double.NaN).toArray();
+        for (int k = 0; k < numbers.length; k++) {
+            if (!(numbers[k] >= low && numbers[k] <= high)) {
+                throw problem(values.get(k).place(), pathOf(name) + "[" + k + "]", values.get(k).shown(),
+                    Wording.range(low, high));
+            }
+        }
+        if (numbers.length != count) {
+            throw error(name, numbers.length + " numbers", Integer.toString(count));
+        }
+        return numbers;
+    }
+
+    private List<JsonValue> array(String name, String expected) {
+        if (ask(name) instanceof JsonArray array) {
+            return array.values();
+        }
+        throw unexpected(name, expected);
     }
 
     /**

@@ -10,6 +10,12 @@ public final class JsonLimits {
     public static final int BYTES = 4 << 20;
     /** Most elements of an array: maps, walls, bumpers. */
     static final int ELEMENTS = 1000;
+    /** Most lines of a CSV file that a scene has taken in. */
+    public static final int ROWS = 200_001;
+    /** Most bytes of such a file. */
+    public static final int ROW_BYTES = 64 << 20;
+    /** Path of the lines of such a file: they are counted by themselves. */
+    static final String ROWS_PATH = ".csv.lines";
     /** Most fields of an object; the largest known to a reader has some ten. */
     static final int FIELDS = 100;
     /** Most values of a file: those of a thousand maps of 64 checkpoints, and some more. */
@@ -17,7 +23,7 @@ public final class JsonLimits {
     /** Objects and arrays within each other; a scene needs six. */
     static final int DEPTH = 16;
     /** Characters (Unicode code points) of a text. */
-    static final int TEXT = 1000;
+    public static final int TEXT = 1000;
     /** Characters (Unicode code points) of a field's name. */
     static final int NAME = 100;
 
@@ -30,7 +36,8 @@ public final class JsonLimits {
 
     /** Counts a value that begins. */
     void value(SourcePosition place, String path) {
-        check(++values <= VALUES, place, path, "more than " + VALUES + " values", VALUES + " in a file");
+        values += path.contains(ROWS_PATH + "[") ? 0 : 1;
+        check(values <= VALUES, place, path, "more than " + VALUES + " values", VALUES + " in a file");
     }
 
     void depth(int depth, SourcePosition place, String path) {
@@ -39,7 +46,8 @@ public final class JsonLimits {
 
     /** @param count elements, the one at this place included */
     void elements(int count, SourcePosition place, String path) {
-        check(count <= ELEMENTS, place, path, "more than " + ELEMENTS + " elements", String.valueOf(ELEMENTS));
+        int most = path.endsWith(ROWS_PATH) ? ROWS : ELEMENTS;
+        check(count <= most, place, path, "more than " + most + " elements", String.valueOf(most));
     }
 
     /** @param count fields, the one at this place included */

@@ -78,7 +78,8 @@ public final class Calibration {
      * @param rungs       the figures of each rung, in the order of the ladder
      * @param sample      a hash of the errors of the first block
      */
-    public record Figures(int states, int withImpacts, List<AccuracyFigures.OfRung> rungs, String sample) {
+    public record Figures(int states, int withImpacts, double unitNanos, List<AccuracyFigures.OfRung> rungs,
+                          String sample) {
     }
 
     /**
@@ -245,7 +246,8 @@ public final class Calibration {
                 AccuracyFigures.SHARES.stream().map(share -> atShare(errors, share)).toList(),
                 errors[errors.length - 1]));
         }
-        return new Figures(count, done.stream().mapToInt(Block::withImpacts).sum(), figures,
+        return new Figures(count, done.stream().mapToInt(Block::withImpacts).sum(),
+            count == 0 ? Double.NaN : timed.median(rungs.indexOf(UNIT)), figures,
             done.isEmpty() ? "" : sample(done.get(0)));
     }
 
@@ -289,7 +291,7 @@ public final class Calibration {
             + "\",\n  \"sample\": \"" + figures.sample
             + "\",\n  \"states\": " + figures.states + ",\n  \"statesWithImpacts\": " + figures.withImpacts
             + ",\n  \"timed\": { \"date\": \"" + date + "\", \"machine\": \"" + machine.replaceAll("[\"\\\\]", "'")
-            + "\" },\n  \"rungs\": " + rungs + "\n}\n";
+            + "\" },\n  \"unitNanos\": " + number(figures.unitNanos) + ",\n  \"rungs\": " + rungs + "\n}\n";
     }
 
     private static String number(double value) {

@@ -44,7 +44,7 @@ final class PartsOption {
     }
 
     int run(Streams streams, boolean overwrite) {
-        return run(streams, overwrite, SceneFiles.shipped(), Timing.inJvms(TimingEffort.NORMAL, TimingMain.class));
+        return run(streams, overwrite, withPlayers(), Timing.inJvms(TimingEffort.NORMAL, TimingMain.class));
     }
 
     /**
@@ -92,5 +92,10 @@ final class PartsOption {
         } catch (IOException problem) {
             throw new InputException(target + ": cannot be written: " + OutputFiles.reason(target, problem));
         }
+    }
+
+    /** Shipped scenes without players are left out: what their parts cost depends on where the bodies lie. */
+    private static List<String> withPlayers() {
+        return SceneFiles.shipped().stream().filter(name -> Games.open(name).scene().players() > 0).toList();
     }
 }

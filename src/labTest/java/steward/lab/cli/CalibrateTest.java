@@ -13,6 +13,7 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -200,12 +201,17 @@ class CalibrateTest {
         assertEquals(1000, AccuracyFigures.read(Files.readString(Path.of(file + ".part")), "d").states());
     }
 
+    /** The shipped scenes that have figures: those of games between players. */
+    static List<String> calibrated() {
+        return SceneFiles.shipped().stream().filter(name -> Games.open(name).scene().players() > 0).toList();
+    }
+
     /**
      * The shipped figures are those of the present physics and scenes. If they are not:
      * {@code steward tradeoff --calibrate config/scenes/NAME.json --overwrite}.
      */
     @ParameterizedTest
-    @MethodSource("steward.scene.SceneFiles#shipped")
+    @MethodSource("calibrated")
     void theFiguresOfAShippedSceneHold(String name) throws Exception {
         GameSetup setup = Games.open(name, Calibration.PLAYED_ON);
         AccuracyFigures figures = shipped(name);
@@ -218,7 +224,7 @@ class CalibrateTest {
     /** The first states of them, played and measured again. */
     @ParameterizedTest
     @Tag("slow")
-    @MethodSource("steward.scene.SceneFiles#shipped")
+    @MethodSource("calibrated")
     void aSampleOfTheFiguresIsMeasuredAnew(String name) throws Exception {
         GameSetup setup = Games.open(name, Calibration.PLAYED_ON);
         AccuracyFigures figures = shipped(name);

@@ -72,7 +72,7 @@ class DemandsTest {
     @Tag("slow")
     void demandsAreMetByStatesOfOtherSeeds(TestReporter report) throws IOException {
         SplitMix64 random = new SplitMix64(SEED);
-        List<String> scenes = SceneFiles.shipped();
+        List<String> scenes = CalibrateTest.calibrated();
         List<List<AccuracyDemand>> demands = new ArrayList<>();
         scenes.forEach(scene -> demands.add(new ArrayList<>()));
         for (int n = 0; n < DEMANDS;) {

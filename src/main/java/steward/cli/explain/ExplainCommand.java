@@ -84,6 +84,10 @@ public final class ExplainCommand implements Callable<Integer> {
         }
         AccuracyChoice choice = setup.plan().accuracy();
         out.println(TextFormat.wrap("Accuracy: " + choice.rung() + ", " + choice.why(), " ", WIDTH, "  "));
+        if (choice.met().size() > 1) {
+            out.println("  rungs that met the demand, with their cost in turns of event/double and their error:");
+            choice.met().forEach(line -> out.println("  " + line));
+        }
         if (choice.rung().equals(Accuracy.event(Arithmetic.EXACT))) {
             out.println("  its decisions are right within a turn; the state is rounded at its end as on every rung:");
             out.println("  steward stability --case 'true path' counts the impacts until each has left the true path");
@@ -107,8 +111,10 @@ public final class ExplainCommand implements Callable<Integer> {
         out.println("What the scene says:");
         out.println();
         out.println("  game " + read.gameId() + " for " + TextFormat.count(read.players(), "player"));
-        out.println("  first answer within " + read.time().firstAnswerMs() + " ms, the others within "
-            + read.time().answerMs() + " ms");
+        if (read.players() > 0) {
+            out.println("  first answer within " + read.time().firstAnswerMs() + " ms, the others within "
+                + read.time().answerMs() + " ms");
+        }
         for (Map.Entry<String, Object> block : Json.object(read.json()).entrySet()) {
             if (block.getValue() instanceof Map<?, ?> fields && !block.getKey().equals("time")) {
                 List<String> items = new ArrayList<>();

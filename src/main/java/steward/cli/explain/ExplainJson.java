@@ -36,6 +36,11 @@ final class ExplainJson {
             out.writeStringProperty("rung", choice.rung().text());
             out.writeBooleanProperty("stated", choice.stated());
             out.writeStringProperty("why", choice.why());
+            if (!choice.met().isEmpty()) {
+                out.writeArrayPropertyStart("met");
+                choice.met().forEach(out::writeString);
+                out.writeEndArray();
+            }
             out.writeEndObject();
             JsonObject.writeTexts(out, "warnings", setup.check());
         });

@@ -124,6 +124,7 @@ record VerifyReport(PrintStream out, Colour colour, boolean partial, Path file, 
 
     private static String compared(ReplayReader replay, Verification verification) {
         return "states of " + verification.states() + " of " + TextFormat.count(verification.turns(), "turn")
-            + (replay.imported() ? ", as another referee saw them," : "");
+            + (replay.imported() ? ", as another referee saw them,"
+            : verification.states() < verification.turns() ? ", hashes of all" : "");
     }
 }

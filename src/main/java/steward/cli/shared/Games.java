@@ -1,6 +1,7 @@
 package steward.cli.shared;
 
 import java.util.List;
+import steward.files.InputException;
 import steward.game.GameSetup;
 import steward.game.GameType;
 import steward.game.GameTypes;
@@ -53,6 +54,16 @@ public final class Games {
         GameSetup setup = types().open(SceneReader.read(scene, accuracy));
         setup.check();
         return setup;
+    }
+
+    /** The scene with another bound on its turns. */
+    public static GameSetup withTurns(GameSetup setup, int turns) {
+        String text = types().of(setup.scene().gameId()).orElseThrow().withTurns(setup.scene(), turns);
+        if (text == null) {
+            throw new InputException("--turns: found a scene of " + setup.scene().gameId()
+                + ", which has no bound on its turns, expected none with it");
+        }
+        return types().open(text, setup.scene().root().source());
     }
 
     /** Describes the official scene of a game in a few words: the game itself says it. */

@@ -2,6 +2,7 @@ package steward.replay.verify;
 
 import steward.game.Game;
 import steward.game.GameTypes;
+import steward.replay.OutcomeJson;
 import steward.replay.RecordedTurn;
 import steward.replay.ReplayException;
 import steward.replay.ReplayReader;
@@ -86,7 +87,7 @@ public record Verification(int turns, int states, boolean whole, Difference diff
             ask(again.game(), in);
             if (line != null && check.isSame(line)) {
                 count(in, null, asked);
-                states++;
+                states += OutcomeJson.hasState(again.game()) ? 1 : 0;
                 replay.passed(++turns);
                 continue;
             }
@@ -99,7 +100,8 @@ public record Verification(int turns, int states, boolean whole, Difference diff
             whole = turn == null && difference == null;
             if (turn != null && difference == null) {
                 turns++;
-                states += !replay.imported() || RecordedObservations.hasState(turn.outcome()) ? 1 : 0;
+                states += replay.imported() ? RecordedObservations.hasState(turn.outcome()) ? 1 : 0
+                    : OutcomeJson.hasState(again.game()) ? 1 : 0;
                 for (int player = 0; player < faults.length; player++) {
                     faults[player] = faults[player] == null ? turn.faults()[player] : faults[player];
                 }

@@ -1,0 +1,250 @@
+package steward.game.bodies;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.IntStream;
+import steward.game.AbstractGame;
+import steward.game.TurnEvent;
+import steward.physics.Advance;
+import steward.physics.Bodies;
+import steward.physics.TeeSink;
+import steward.physics.TurnSink;
+import steward.scene.Bumper;
+import steward.scene.Plan;
+
+/**
+ * The rules. The discs come first, in the order of the scene, then its bumpers; none is ever added or removed, so that
+ * ids are indices. A player commands a thrust for each disc that is the player's.
+ */
+public final class BodiesGame extends AbstractGame {
+
+    private final PlayRules rules;
+    private final Plan plan;
+    private final List<Body> discs;
+    private final Bodies bodies;
+    private final Advance advance;
+    private final TurnSink sink;
+    /** Per player the ids of its discs. */
+    private final int[][] owned;
+    private final long[] points;
+    /** Commands, by body. */
+    private final Thrust[] thrusts;
+
+    /**
+     * A command for one disc: an impulse at the start of the turn.
+     *
+     * @param x to the right
+     * @param y downwards
+     */
+    public record Thrust(double x, double y) {
+    }
+
+    /** A game before its first turn. */
+    public BodiesGame(Layout layout, PlayRules rules, Plan plan, int players, long seed) {
+        this(layout.draw(seed), rules, plan, new int[players][], layout.field().bumpers().size());
+        for (int player = 0; player < players; player++) {
+            int owner = player;
+            owned[player] = IntStream.range(0, discs.size()).filter(k -> discs.get(k).owner() == owner).toArray();
+        }
+        for (Body disc : discs) {
+            int k = bodies.add(disc.x(), disc.y(), disc.radius(), disc.mass());
+            bodies.setVelocity(k, disc.vx(), disc.vy());
+            bodies.setRestitution(k, disc.restitution());
+            bodies.setDrag(k, disc.drag());
+        }
+        for (Bumper bumper : layout.field().bumpers()) {
+            int k = bodies.add(bumper.x(), bumper.y(), bumper.radius(), Double.POSITIVE_INFINITY);
+            bodies.setRestitution(k, bumper.restitution());
+        }
+    }
+
+    private BodiesGame(BodiesGame other) {
+        super(other);
+        rules = other.rules;
+        plan = other.plan;
+        discs = other.discs;
+        owned = other.owned;
+        bodies = other.bodies.copy();
+        thrusts = new Thrust[discs.size()];
+        points = other.points.clone();
+        advance = plan.advance(null);
+        sink = sink();
+    }
+
+    private BodiesGame(List<Body> discs, PlayRules rules, Plan plan, int[][] owned, int bumpers) {
+        super(owned.length);
+        this.rules = rules;
+        this.plan = plan;
+        this.discs = discs;
+        this.owned = owned;
+        bodies = new Bodies(discs.size() + bumpers);
+        thrusts = new Thrust[discs.size()];
+        points = new long[owned.length];
+        advance = plan.advance(null);
+        sink = sink();
+    }
+
+    @Override
+    public BodiesGame copy() {
+        return new BodiesGame(this);
+    }
+
+    /** The log, and in front of it a count of contacts where they have points. */
+    private TurnSink sink() {
+        if (rules.contactPoints() == 0 || owned.length == 0) {
+            return log;
+        }
+        return new TeeSink(log, new TurnSink() {
+            @Override
+            public void impact(double time, int a, int b, double ax, double ay, double bx, double by,
+                               double normalX, double normalY, double impulse, double energy, double massA,
+                               double massB, double vaxBefore, double vayBefore, double vaxAfter, double vayAfter,
+                               double vbxBefore, double vbyBefore, double vbxAfter, double vbyAfter) {
+                if (b >= 0 && owner(a) != owner(b)) {
+                    score(owner(a), rules.contactPoints());
+                    score(owner(b), rules.contactPoints());
+                }
+            }
+        });
+    }
+
+    private void score(int player, int more) {
+        if (player != Body.NOBODY) {
+            points[player] += more;
+        }
+    }
+
+    private int owner(int body) {
+        return body < discs.size() ? discs.get(body).owner() : Body.NOBODY;
+    }
+
+    /** Gives a disc its command for the next turn, or none for {@code null}. */
+    public void thrust(int body, Thrust thrust) {
+        thrusts[body] = thrust;
+    }
+
+    /** The command of a disc for the next turn, or {@code null}. */
+    public Thrust thrust(int body) {
+        return thrusts[body];
+    }
+
+    @Override
+    public int fewestPlayers() {
+        return Math.min(2, players());
+    }
+
+    @Override
+    protected void playTurn() {
+        if (isDecided()) {
+            end("too few players are left");
+            return;
+        }
+        push();
+        advance.turn(bodies, sink);
+        plan.motion().endTurn(bodies);
+        Arrays.fill(thrusts, null);
+        boolean reached = visitZones();
+        if (!reached && isAtRest()) {
+            end("all bodies are slower than the scene's restBelow");
+        } else if (!reached && turn() >= rules.maximumTurns()) {
+            end("at most " + rules.maximumTurns() + " turns are played");
+        }
+    }
+
+    /** Impulses at the start of the turn: forces, gravity, thrust. */
+    private void push() {
+        for (int k = 0; k < discs.size(); k++) {
+            if (bodies.inverseMass[k] > 0) {
+                boolean pushed = thrusts[k] != null && isIn(owner(k));
+                double x = rules.forceX() + (pushed ? thrusts[k].x() : 0);
+                double y = rules.forceY() + (pushed ? thrusts[k].y() : 0);
+                bodies.vx[k] += x * bodies.inverseMass[k] + rules.gravityX();
+                bodies.vy[k] += y * bodies.inverseMass[k] + rules.gravityY();
+            }
+        }
+    }
+
+    /** Gives points, and ends the game if a body has reached a zone that ends it. */
+    private boolean visitZones() {
+        for (Zone zone : rules.zones()) {
+            for (int k = 0; k < discs.size(); k++) {
+                if (zone.holds(bodies.x[k], bodies.y[k])) {
+                    score(owner(k), zone.points());
+                    if (zone.ends() && !isOver()) {
+                        events.add(TurnEvent.Kind.MARK, 1, k, bodies.x[k], bodies.y[k], "zone " + zone.label(), true);
+                        end("body " + k + " is in the zone " + zone.label());
+                    }
+                }
+            }
+        }
+        return isOver();
+    }
+
+    private boolean isAtRest() {
+        double bound = rules.restBelow() * rules.restBelow();
+        if (bound == 0) {
+            return false;
+        }
+        for (int k = 0; k < discs.size(); k++) {
+            if (bodies.inverseMass[k] > 0
+                && !(bodies.vx[k] * bodies.vx[k] + bodies.vy[k] * bodies.vy[k] < bound)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    @Override
+    public int[] ranks() {
+        double[] scores = scores();
+        return ranks((one, other) -> scores[one] > scores[other]);
+    }
+
+    /** Points; -1 for a player who is out. */
+    @Override
+    public double[] scores() {
+        double[] scores = new double[points.length];
+        for (int player = 0; player < scores.length; player++) {
+            scores[player] = isIn(player) ? points[player] : -1;
+        }
+        return scores;
+    }
+
+    @Override
+    public Bodies bodies() {
+        return bodies;
+    }
+
+    /** The discs as they were before the first turn, by id. */
+    public List<Body> discs() {
+        return discs;
+    }
+
+    /** The ids of a player's discs, ascending. */
+    public int[] owned(int player) {
+        return owned[player];
+    }
+
+    /** The block {@code play}. */
+    public PlayRules rules() {
+        return rules;
+    }
+
+    /** Points of a player, also of one who is out. */
+    public long points(int player) {
+        return points[player];
+    }
+
+    /** Turn; per disc place and speed; per player points and turn of exit. */
+    @Override
+    public long hash() {
+        hash.reset().add(turn());
+        for (int k = 0; k < discs.size(); k++) {
+            hash.add(bodies.x[k]).add(bodies.y[k]).add(bodies.vx[k]).add(bodies.vy[k]);
+        }
+        for (int player = 0; player < points.length; player++) {
+            hash.add(points[player]).add(outTurn(player));
+        }
+        return hash.value();
+    }
+}

@@ -1,0 +1,188 @@
+package steward.game.bodies.protocol;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import steward.game.bodies.Body;
+import steward.game.bodies.Fill;
+import steward.game.bodies.Layout;
+import steward.game.bodies.PlayRules;
+import steward.game.bodies.Zone;
+import steward.scene.Field;
+import steward.scene.Scene;
+import steward.scene.json.Block;
+
+/** Reads the blocks {@code bodies} and {@code play} of a scene, and looks at the places of the listed discs. */
+final class BodiesReader {
+
+    private static final int MOST_TURNS = 1_000_000;
+    private static final int MOST_BODIES = 200_000;
+    private static final int MOST_POINTS = 1000;
+    private static final int LONGEST_LABEL = 20;
+    private static final Map<String, Fill.Shape> SHAPES = Map.of("random", Fill.Shape.RANDOM,
+        "lattice", Fill.Shape.LATTICE, "ring", Fill.Shape.RING, "line", Fill.Shape.LINE);
+
+    private final Scene scene;
+    private final Field field;
+    private final Block bodies;
+    /** Where errors about each listed disc are located. */
+    private final List<Block> places = new ArrayList<>();
+    private final List<Block> fillBlocks = new ArrayList<>();
+
+    BodiesReader(Scene scene) {
+        this.scene = scene;
+        field = scene.field().orElseThrow(() -> scene.root().error("field", "nothing", "the field of the bodies"));
+        bodies = scene.root().block("bodies");
+    }
+
+    /** Reads the block {@code bodies}; a disc that overlaps with another or with a wall is refused. */
+    Layout layout() {
+        List<Body> listed = new ArrayList<>();
+        if (bodies.has("listed")) {
+            bodies.blocks("listed").forEach(block -> listed.add(listed(block)));
+        }
+        if (bodies.has("csv")) {
+            for (Block row : new CsvRows(bodies.block("csv")).blocks()) {
+                listed.add(listed(row));
+                row.done();
+            }
+        }
+        List<Fill> fills = new ArrayList<>();
+        if (bodies.isArray("fill")) {
+            bodies.blocks("fill").forEach(block -> fills.add(fill(block)));
+        } else if (bodies.has("fill")) {
+            fills.add(fill(bodies.block("fill")));
+        }
+        Layout layout = new Layout(field, listed, fills);
+        if (layout.count() == 0) {
+            throw bodies.error("no body", "bodies that are listed, in a csv or laid out by a fill");
+        }
+        if (layout.count() > MOST_BODIES) {
+            throw bodies.error(layout.count() + " bodies", "at most " + MOST_BODIES);
+        }
+        for (int player = 0; player < scene.players(); player++) {
+            int owner = player;
+            if (listed.stream().noneMatch(body -> body.owner() == owner)
+                && fills.stream().noneMatch(fill -> fill.like().owner() == owner)) {
+                throw scene.root().error("players", "no body whose owner is player " + player, "one or more");
+            }
+        }
+        layout.check(new Layout.Misplaced() {
+            @Override
+            public void overlap(int body, int other) {
+                int bumpers = field.bumpers().size();
+                throw places.get(body).error("a place that overlaps with " + (other < bumpers ? "bumper " + other
+                    : "body " + (other - bumpers)), "a place of its own");
+            }
+
+            @Override
+            public void wall(int body, int wall) {
+                throw places.get(body).error("a place in or behind wall " + wall, "one inside the walls");
+            }
+        });
+        places.clear();
+        return layout;
+    }
+
+    private Body listed(Block block) {
+        places.add(block);
+        Body like = like(block);
+        return new Body(finite(block, "x"), finite(block, "y"), speed(block, "vx"), speed(block, "vy"),
+            block.positive("radius"), like.mass(), like.restitution(), like.drag(), like.owner(), like.label(),
+            like.colour());
+    }
+
+    /** Reads the fields that listed discs and fills have in common. */
+    private Body like(Block block) {
+        double mass = block.has("mass") ? block.mass("mass") : 1;
+        String label = block.has("label") ? block.text("label") : "";
+        if (label.length() > LONGEST_LABEL) {
+            throw block.error("label", label.length() + " characters", "at most " + LONGEST_LABEL);
+        }
+        String colour = block.has("colour") ? block.text("colour") : "";
+        if (!colour.isEmpty() && !colour.matches("#[0-9a-f]{6}")) {
+            throw block.error("colour", block.shown("colour"), "a colour such as \"#cc3300\"");
+        }
+        int owner = Body.NOBODY;
+        if (block.has("owner") && scene.players() == 0) {
+            throw block.error("owner", block.shown("owner"), "none in a scene without players");
+        } else if (block.has("owner")) {
+            owner = block.integer("owner", 0, scene.players() - 1);
+        }
+        return new Body(0, 0, 0, 0, 0, mass, block.number("restitution", 0, 1, 1),
+            block.number("drag", 0, 1, scene.drag()), owner, label, colour);
+    }
+
+    private Fill fill(Block block) {
+        fillBlocks.add(block);
+        Fill.Shape shape = block.choice("shape", SHAPES, Fill.Shape.RANDOM);
+        double[] radius = range(block, "radius", 1 / Block.MAXIMUM);
+        double[] speed = block.has("speed") ? range(block, "speed", 0) : new double[2];
+        return new Fill(shape, block.integer("count", 1, MOST_BODIES), place(block, shape), radius[0], radius[1],
+            speed[0], speed[1], like(block), block.has("seed") ? (long) block.integer("seed", 0, Integer.MAX_VALUE)
+            : null);
+    }
+
+    /** A number, or an array of the least and the greatest. */
+    private static double[] range(Block block, String name, double least) {
+        if (!block.isArray(name)) {
+            double value = block.number(name, least, Block.MAXIMUM);
+            return new double[] {value, value};
+        }
+        double[] range = block.numbers(name, 2, least, Block.MAXIMUM);
+        if (range[0] > range[1]) {
+            throw block.error(name, range[0] + " before " + range[1], "the smaller one first");
+        }
+        return range;
+    }
+
+    private double[] place(Block block, Fill.Shape shape) {
+        if (!block.has("in") && (shape == Fill.Shape.RANDOM || shape == Fill.Shape.LATTICE)) {
+            return new double[] {field.x(), field.y(), field.width(), field.height()};
+        }
+        Block in = block.block("in");
+        if (shape == Fill.Shape.LINE) {
+            return new double[] {finite(in, "ax"), finite(in, "ay"), finite(in, "bx"), finite(in, "by")};
+        }
+        if (shape == Fill.Shape.RING || shape == Fill.Shape.RANDOM && in.contains("radius")) {
+            return new double[] {finite(in, "x"), finite(in, "y"), in.positive("radius")};
+        }
+        return new double[] {finite(in, "x"), finite(in, "y"), in.positive("width"), in.positive("height")};
+    }
+
+    /** Reads the block {@code play}. */
+    PlayRules rules() {
+        Block play = scene.root().block("play");
+        Block force = play.optionalBlock("force").orElse(null);
+        Block gravity = play.optionalBlock("gravity").orElse(null);
+        List<Zone> zones = new ArrayList<>();
+        if (play.has("zones")) {
+            play.blocks("zones").forEach(zone -> zones.add(new Zone(finite(zone, "x"), finite(zone, "y"),
+                zone.positive("radius"), zone.text("label"), zone.integer("points", 0, MOST_POINTS, 0),
+                zone.flag("ends", false))));
+        }
+        boolean players = scene.players() > 0;
+        return new PlayRules(play.integer("maximumTurns", 1, MOST_TURNS), play.number("restBelow", 0, Block.MAXIMUM, 0),
+            component(force, "x"), component(force, "y"), component(gravity, "x"), component(gravity, "y"),
+            players ? play.positive("maximumThrust") : 0,
+            players ? play.integer("contactPoints", 0, MOST_POINTS, 0) : 0, zones);
+    }
+
+    private static double component(Block block, String name) {
+        return block == null ? 0 : finite(block, name);
+    }
+
+    /** The error for a fill that does not fit. */
+    RuntimeException error(Layout.NoRoomException problem, int count) {
+        return fillBlocks.get(problem.fill()).error("room for " + problem.placed() + " of " + count + " bodies",
+            "room for all without overlap, inside the walls");
+    }
+
+    private static double finite(Block block, String name) {
+        return block.number(name, -Block.MAXIMUM, Block.MAXIMUM);
+    }
+
+    private static double speed(Block block, String name) {
+        return block.number(name, -Block.MAXIMUM, Block.MAXIMUM, 0);
+    }
+}

@@ -1,0 +1,154 @@
+package steward.game.bodies;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import steward.game.Game;
+import steward.game.GameSetup;
+import steward.match.TestScenes;
+import steward.physics.Bodies;
+import steward.scene.Scene;
+import steward.scene.SceneFiles;
+import steward.scene.SceneReader;
+import steward.scene.json.SceneException;
+
+/** Scenes of bodies: listed, from a CSV file, laid out; and what is refused, with its place. */
+class BodiesScenesTest {
+
+    private static final String HEAD = """
+        { "name": "s", "game": "bodies", "players": 0,
+          "field": { "width": 1000, "height": 500, "walls": "box" },
+          "bodies": {
+        """;
+    private static final String TAIL = """
+          },
+          "play": { "maximumTurns": 5 },
+          "accuracy": { "advance": "event", "arithmetic": "double" } }
+        """;
+
+    @TempDir
+    private Path temp;
+
+    private static GameSetup open(String bodies) {
+        GameSetup setup = TestScenes.TYPES.open(HEAD + bodies + TAIL, "s.json");
+        setup.check();
+        return setup;
+    }
+
+    /** The bodies stand in the fourth line. */
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', quoteCharacter = '`', textBlock = """
+        "listed": [ DISC, {"x": 60, "y": 50, "radius": 10} ] | 4:47: bodies.listed[1]: PLACE overlaps with body 0, OWN
+        "listed": [ {"x": 5, "y": 50, "radius": 10} ]        | 4:13: bodies.listed[0]: found a place in or behind wall 0
+        "listed": [ {"x": -500, "y": 50, "radius": 10} ]     | 4:13: bodies.listed[0]: found a place in or behind wall 0
+        "listed": [ {"x": 50, "y": "NaN", "radius": 10} ]    | 4:28: bodies.listed[0].y: found the text "NaN", expected
+        "listed": [ {"owner": 0, "radius": 10} ]             | 4:23: bodies.listed[0].owner: found 0, expected none in a
+        "listed": [ {"colour": "red", "radius": 10} ]        | 4:24: bodies.listed[0].colour: found "red", expected a
+        "fill": {"count": 30, "radius": 60}                  | 4:9: bodies.fill: found room for \\d+ of 30 bodies, exp
+        "fill": {"shape": "line", "count": 11, "radius": 10, "in": ENDS} | 4:9: bodies.fill: found room for 1 of 11 b
+        "fill": {"count": 3, "radius": [9, 8]}               | 4:32: bodies.fill.radius: found 9.0 before 8.0, expected
+        "fill": []                                           | 3:13: bodies: found no body, expected bodies that are
+        """)
+    void whatCannotBeIsRefusedWithItsPlace(String bodies, String message) {
+        String text = bodies.replace("DISC", "{\"x\": 50, \"y\": 50, \"radius\": 10}")
+            .replace("ENDS", "{\"ax\": 20, \"ay\": 20, \"bx\": 119, \"by\": 20}");
+        String regex = message.replace("PLACE", "found a place that").replace("OWN", "expected a place of its own")
+            .replaceAll("[\\[\\]{}]", "\\\\$0");
+        String found = assertThrows(SceneException.class, () -> open(text)).getMessage();
+        assertTrue(found.matches("s.json:" + regex + ".*"), found);
+    }
+
+    @Test
+    void aFillIsDrawnFromTheSeedOfTheMatchOrFromItsOwn() {
+        GameSetup drawn = open("\"fill\": {\"count\": 100, \"radius\": [5, 15], \"speed\": 50}");
+        assertEquals(drawn.create(1).hash(), drawn.create(1).hash());
+        assertTrue(drawn.create(1).hash() != drawn.create(2).hash());
+        GameSetup own = open("\"fill\": {\"count\": 100, \"radius\": [5, 15], \"seed\": 3}");
+        assertEquals(own.create(1).hash(), own.create(2).hash());
+        Bodies bodies = drawn.create(1).bodies();
+        for (int i = 0; i < 100; i++) {
+            assertTrue(bodies.radius[i] >= 5 && bodies.radius[i] <= 15);
+            assertEquals(50, Math.hypot(bodies.vx[i], bodies.vy[i]), 1e-12);
+            for (int j = 0; j < i; j++) {
+                assertTrue(Math.hypot(bodies.x[i] - bodies.x[j], bodies.y[i] - bodies.y[j])
+                    >= (bodies.radius[i] + bodies.radius[j]) * (1 - 1e-9), i + " overlaps with " + j);
+            }
+        }
+    }
+
+    @Test
+    void aRowOfALatticeARingAndALineAreWhereTheyShouldBe() {
+        Bodies lattice = open("\"fill\": {\"shape\": \"lattice\", \"count\": 8, \"radius\": 10}").create(0).bodies();
+        assertEquals("125 125; 375 125; 625 125; 875 125; 125 375; 375 375; 625 375; 875 375", places(lattice));
+        Bodies ring = open("\"fill\": {\"shape\": \"ring\", \"count\": 4, \"radius\": 10, \"in\": {\"x\": 500, \"y\": "
+            + "250, \"radius\": 100}}").create(0).bodies();
+        assertEquals("600 250; 500 350; 400 250; 500 150", places(ring));
+        Bodies line = open("\"fill\": {\"shape\": \"line\", \"count\": 3, \"radius\": 10, \"in\": {\"ax\": 100, "
+            + "\"ay\": 100, \"bx\": 200, \"by\": 300}}").create(0).bodies();
+        assertEquals("100 100; 150 200; 200 300", places(line));
+    }
+
+    private static String places(Bodies bodies) {
+        return IntStream.range(0, bodies.size()).mapToObj(k -> Math.round(bodies.x[k]) + " " + Math.round(bodies.y[k]))
+            .collect(Collectors.joining("; "));
+    }
+
+    @Test
+    void aCsvFileIsTakenIntoTheScene() throws IOException {
+        GameSetup setup = csv("x,y,radius,mass,vx,label\n50,60,10,infinite,,a\n\n150,60.5,1e1,2,-3,b\n");
+        Bodies bodies = setup.create(0).bodies();
+        assertEquals(2, bodies.size());
+        assertEquals(60.5, bodies.y[1]);
+        assertEquals(-3, bodies.vx[1]);
+        assertEquals(Double.POSITIVE_INFINITY, bodies.mass[0]);
+        Game again = TestScenes.TYPES.open(setup.scene().json(), "elsewhere").create(0);
+        assertEquals(setup.create(0).hash(), again.hash());
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', quoteCharacter = '`', textBlock = """
+        x,y,radius;50,60,10;50,65,10        | 3:1: found a place that overlaps with body 0, expected a place of its own
+        x,y,radius;50,nan,10                | 2:4: y: found the text "nan", expected a number -1e12..1e12
+        x,y,radius;50,60                    | 2:1: found 2 cells, expected 3, as many as the first line has names
+        x,y,radios;50,60,10                 | 2:1: radius: found nothing, expected a number above 0; the nearest field h
+        x,y,radius,speed;50,60,10,1         | 1:12: speed: found an unknown field, expected one of
+        x,y,x;50,60,10                      | 1:5: found the column "x" a second time, expected it once
+        x,y,radius;50,60,-1                 | 2:7: radius: found -1, expected a number above 0
+        """)
+    void errorsOfACsvFileAreLocatedInIt(String lines, String message) {
+        String found = assertThrows(SceneException.class, () -> csv(lines.replace(';', '\n'))).getMessage();
+        assertTrue(found.startsWith("discs.csv:" + message), found);
+    }
+
+    @Test
+    void aFileBesideTheSceneIsAllThatIsRead() throws IOException {
+        assertTrue(assertThrows(SceneException.class, () -> read("../discs.csv")).getMessage()
+            .contains("expected a file's name without a folder"));
+        assertTrue(assertThrows(SceneException.class, () -> read("none.csv")).getMessage()
+            .contains("bodies.csv: found \"none.csv\", which cannot be read"));
+        assertTrue(assertThrows(SceneException.class, () -> open("\"csv\": \"discs.csv\"")).getMessage()
+            .contains("found the name of a file in a scene that is none"));
+    }
+
+    private GameSetup csv(String text) throws IOException {
+        Files.writeString(temp.resolve("discs.csv"), text);
+        return read("discs.csv");
+    }
+
+    private GameSetup read(String name) throws IOException {
+        Path scene = temp.resolve("s.json");
+        Files.writeString(scene, HEAD + "\"csv\": \"" + name + "\"" + TAIL);
+        Scene read = SceneReader.read(SceneFiles.load(scene.toString()), null);
+        return TestScenes.TYPES.open(read);
+    }
+}
