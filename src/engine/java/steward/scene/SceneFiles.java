@@ -1,5 +1,6 @@
 package steward.scene;
 
+import java.io.File;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.AccessDeniedException;
@@ -33,24 +34,40 @@ public final class SceneFiles {
     }
 
     /**
-     * @param pathOrName a path to a file; otherwise the name of a shipped scene, with or without {@code .json}
+     * The file that is named, if it is one: what has a slash or ends in {@code .json} is a path. A name without either
+     * is that of a shipped scene, whatever files there are.
+     */
+    public static Optional<Path> file(String pathOrName) {
+        try {
+            Path path = Path.of(pathOrName);
+            return isPath(pathOrName) && Files.exists(path) && !Files.isDirectory(path) ? Optional.of(path)
+                : Optional.empty();
+        } catch (InvalidPathException e) {
+            return Optional.empty();                          // no file can have this name
+        }
+    }
+
+    private static boolean isPath(String pathOrName) {
+        return pathOrName.endsWith(SUFFIX) || pathOrName.indexOf('/') >= 0
+            || pathOrName.indexOf(File.separatorChar) >= 0;
+    }
+
+    /**
+     * @param pathOrName see {@link #file}; {@code NAME.json} that is no file is a shipped scene, too
      * @throws SceneException if there is no such scene, it is too long, or cannot be read as UTF-8
      */
     public static SceneText load(String pathOrName) {
-        boolean folder = false;
-        try {
-            Path path = Path.of(pathOrName);
-            folder = Files.isDirectory(path) && !pathOrName.isEmpty();
-            if (Files.exists(path) && !Files.isDirectory(path)) {
+        Optional<Path> file = file(pathOrName);
+        if (file.isPresent()) {
+            Path path = file.get();
+            try {
                 return new SceneText(decode(bytes(path, pathOrName, "a scene"), pathOrName), pathOrName,
                     Optional.of(AccuracyFigures.beside(path)));
+            } catch (IOException e) {
+                String why = e instanceof AccessDeniedException ? "no permission" : e.getMessage();
+                throw new SceneException(pathOrName + ": found a file that cannot be read (" + why
+                    + "), expected a scene file");
             }
-        } catch (InvalidPathException e) {
-            // No file can have this name, so it is looked up among the shipped ones and reported below.
-        } catch (IOException e) {
-            String why = e instanceof AccessDeniedException ? "no permission" : e.getMessage();
-            throw new SceneException(pathOrName + ": found a file that cannot be read (" + why
-                + "), expected a scene file");
         }
         String name = pathOrName.endsWith(SUFFIX)
             ? pathOrName.substring(0, pathOrName.length() - SUFFIX.length()) : pathOrName;
@@ -58,9 +75,19 @@ public final class SceneFiles {
         if (shipped.contains(name)) {
             return loadShipped(name);
         }
-        throw new SceneException((pathOrName.isEmpty() ? "\"\"" : pathOrName) + ": found "
-            + (folder ? "a folder" : "no such file") + ", expected a scene file"
-            + (shipped.isEmpty() ? "" : " or " + Wording.choice(name, shipped)));
+        throw new SceneException((pathOrName.isEmpty() ? "\"\"" : pathOrName) + ": found " + found(pathOrName)
+            + ", expected a scene file" + (shipped.isEmpty() ? "" : " or " + Wording.choice(name, shipped)));
+    }
+
+    private static String found(String pathOrName) {
+        try {
+            Path path = Path.of(pathOrName);
+            return pathOrName.isEmpty() || !Files.exists(path) ? "no such file"
+                : Files.isDirectory(path) ? "a folder"
+                : "a file that is named like no scene (write ./" + pathOrName + ")";
+        } catch (InvalidPathException e) {
+            return "no such file";
+        }
     }
 
     /** @param what says in the error what the file should be, as in {@code a scene} */

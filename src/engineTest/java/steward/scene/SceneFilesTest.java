@@ -3,6 +3,7 @@ package steward.scene;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -130,6 +131,29 @@ class SceneFilesTest {
         assertTrue(refused("no\0name").startsWith("no\0name: found no such file"));
         assertTrue(refused("").startsWith("\"\": found no such file"));
         assertTrue(refused(temp.toString()).startsWith(temp + ": found a folder, expected a scene file"));
+    }
+
+    /** A bot's binary is often called like the game that it plays. */
+    @Test
+    void aNameOfAShippedSceneIsNeverAFile() throws IOException {
+        Path here = Path.of("duel");
+        assumeTrue(!SceneFiles.shipped().isEmpty() && !Files.exists(here));
+        Files.write(here, new byte[] {0x7f, 'E', 'L', 'F'});
+        try {
+            assertEquals("scenes/duel.json", SceneFiles.load("duel").source());
+            assertEquals(Optional.empty(), SceneFiles.file("duel"));
+            assertEquals(Optional.of(Path.of("./duel")), SceneFiles.file("./duel"));
+        } finally {
+            Files.delete(here);
+        }
+        Path other = Files.writeString(Path.of("some-bot"), "x");
+        try {
+            assertTrue(refused("some-bot").startsWith(
+                "some-bot: found a file that is named like no scene (write ./some-bot), expected a scene file"),
+                refused("some-bot"));
+        } finally {
+            Files.delete(other);
+        }
     }
 
     @Test

@@ -47,7 +47,12 @@ public record TimeSpent(long limit, long taken, long unobserved, long computed, 
      * them. A bot that used up its CPU time is late by itself.
      */
     public boolean starved() {
-        return !overCpu && waited >= limit / 2;
+        return !overCpu && waited + waitedUnobserved() >= limit / 2;
+    }
+
+    /** Waiting before the first look, estimated: then as later, waiting is a share of the time to wait and compute. */
+    private long waitedUnobserved() {
+        return waited == 0 ? 0 : Math.round((double) unobserved * waited / (waited + computed));
     }
 
     /**

@@ -11,6 +11,7 @@ import steward.bot.Player;
 import steward.bot.TimeBasis;
 import steward.bot.UnstartablePlayer;
 import steward.bot.command.BotCommand;
+import steward.bot.command.SiteJavaScript;
 import steward.bot.hold.HoldPolicy;
 import steward.bot.isolation.HoldMeans;
 import steward.bot.isolation.Isolation;
@@ -135,8 +136,9 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
         }
 
         private Player player(Isolation isolation, List<List<String>> others) {
+            List<String> started = protocol == Protocol.CODINGAME ? SiteJavaScript.words(words) : words;
             return problem == null
-                ? new BotProcess(name, new Launch(words, isBuiltin() ? isolation.withoutMemoryLimit() : isolation,
+                ? new BotProcess(name, new Launch(started, isBuiltin() ? isolation.withoutMemoryLimit() : isolation,
                     others), BotProcess.DEFAULT_GRACE_MS)
                 : new UnstartablePlayer(name, problem);
         }

@@ -11,6 +11,7 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import steward.files.InputException;
 import steward.files.OutputFiles;
+import steward.scene.SceneFiles;
 import steward.scene.json.JsonLimits;
 import steward.scene.json.SceneException;
 import steward.text.Utf8Text;
@@ -86,10 +87,10 @@ public record LeagueFolder(Path path) {
         return path.resolve("replays");
     }
 
-    /** A scene as it is named in the settings: a file of this folder, or a shipped scene's name. */
+    /** A scene as it is named in the settings: a shipped scene's name, or a file of this folder. */
     public String scene(String named) {
         Path own = path.resolve(named);
-        return Files.isRegularFile(own) ? own.toString() : named;
+        return !SceneFiles.shipped().contains(named) && Files.isRegularFile(own) ? own.toString() : named;
     }
 
     /**

@@ -16,7 +16,7 @@ function drawMatrix(table, value, title, mark, onChoose) {
   const order = bots.map((_, k) => k);
   if (by >= 0) order.sort((one, other) => (value(other, by) ?? -1) - (value(one, by) ?? -1));
   table.classList.toggle('small', bots.length >= SMALL);
-  table.closest('.card').classList.toggle('whole', 2 * (NAME_PIXELS + CELL_PIXELS * bots.length) > innerWidth);
+  table.closest('.card').classList.toggle('whole', 2 * (NAME_PIXELS + CELL_PIXELS * bots.length) > document.documentElement.clientWidth);
   const head = make(emptied(table.tHead), 'tr');
   make(head, 'td', '', 'name');
   bots.forEach((bot, k) => {

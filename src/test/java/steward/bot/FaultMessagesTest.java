@@ -111,6 +111,14 @@ class FaultMessagesTest {
         assertFalse(TimeSpent.unknown(75 * MS, 76 * MS).starved());
     }
 
+    /** Limit 75 ms, first look after 19. A bot that never had the processor afterwards did not have it before. */
+    @Test
+    void timeBeforeTheFirstLookIsWaitingUnlessTheBotHadTheProcessor() {
+        assertTrue(new TimeSpent(75 * MS, 76 * MS, 19 * MS, 0, 19 * MS, 38 * MS, 0, Shows.ALL, false).starved());
+        assertFalse(new TimeSpent(75 * MS, 76 * MS, 19 * MS, 38 * MS, 19 * MS, 0, 38 * MS, Shows.ALL, false).starved());
+        assertFalse(new TimeSpent(75 * MS, 76 * MS, 19 * MS, 0, 18 * MS, 39 * MS, 0, Shows.ALL, false).starved());
+    }
+
     private static TimeSpent waiting(long waited, boolean overCpu) {
         return new TimeSpent(75 * MS, 76 * MS, 0, 0, waited, 76 * MS - waited, 0, Shows.ALL, overCpu);
     }

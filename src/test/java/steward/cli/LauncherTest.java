@@ -9,8 +9,10 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -72,6 +74,78 @@ class LauncherTest {
         assertTrue(started("23", LINUX).contains("--sun-misc-unsafe-memory-access=allow\n"));
         assertFalse(started("22", LINUX).contains("--sun-misc-unsafe"));
         assertFalse(started("17.0.1", LINUX).contains("--sun-misc-unsafe"));
+    }
+
+    /** A start of an installation with a Java that writes the archives that it is asked for, as empty files. */
+    private String installed(Path home, String... words) throws IOException, InterruptedException {
+        Path java = folder.resolve("java/bin/java");
+        Files.writeString(java, """
+            #!/bin/sh
+            for word; do case $word in -XX:ArchiveClassesAtExit=*) echo made >>"%s"; : >"${word#*=}" ;; esac; done
+            printf '%%s\n' "$@"
+            """.formatted(folder.resolve("made")));
+        Files.createDirectories(home.resolve("bin"));
+        Files.createDirectories(home.resolve("lib"));
+        Files.writeString(home.resolve("lib/jars.sha256"), "00  steward.jar\n");
+        Files.copy(Path.of("src/launcher/steward"), home.resolve("bin/steward"), StandardCopyOption.REPLACE_EXISTING);
+        List<String> command = new ArrayList<>(List.of("/bin/sh", home.resolve("bin/steward").toString()));
+        command.addAll(List.of(words));
+        ProcessBuilder shell = new ProcessBuilder(command).redirectErrorStream(true);
+        shell.environment().put("JAVA_HOME", folder.resolve("java").toString());
+        shell.environment().put("XDG_CACHE_HOME", folder.resolve("cache").toString());
+        Process process = shell.start();
+        String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        assertEquals(0, process.waitFor(), said);
+        return said;
+    }
+
+    private int made() throws IOException {
+        Path file = folder.resolve("made");
+        return Files.exists(file) ? Files.readAllLines(file).size() : 0;
+    }
+
+    @Test
+    void anInstallationThatMovedHasArchivesOfItsOwnInTheCache() throws IOException, InterruptedException {
+        Files.writeString(folder.resolve("java/release"), "JAVA_VERSION=\"17\"\n");
+        Path home = folder.resolve("home");
+        installed(home, "--make-archives");
+        assertEquals(2, made(), "one for the program, one for bots");
+        String own = "-XX:SharedArchiveFile=" + home.toRealPath().resolve("lib/steward.jsa");
+        assertTrue(installed(home, "demo").contains(own));
+        assertEquals(2, made());
+
+        Path moved = Files.move(home, folder.resolve("moved"));
+        String cached = "-XX:SharedArchiveFile=" + folder.toRealPath().resolve("cache/steward/archives-");
+        assertTrue(installed(moved, "demo").contains(cached));
+        assertEquals(4, made(), "at the first start");
+        assertTrue(installed(moved, "demo").contains(cached));
+        assertEquals(4, made());
+
+        Files.writeString(folder.resolve("java/release"), "JAVA_VERSION=\"21\"\n");
+        assertTrue(installed(moved, "demo").contains(cached), "another Java at the place of the first");
+        assertEquals(6, made());
+    }
+
+    /** Somebody else makes them: this start is as ever, without. */
+    @Test
+    void whoDoesNotGetTheLockStartsWithoutArchives() throws IOException, InterruptedException {
+        Files.writeString(folder.resolve("java/release"), "JAVA_VERSION=\"17\"\n");
+        Path home = folder.resolve("home");
+        installed(home, "demo");
+        Path archives;
+        try (Stream<Path> found = Files.list(folder.resolve("cache/steward"))) {
+            archives = found.findFirst().orElseThrow();
+        }
+        Files.delete(archives.resolve("archives.for"));
+        Files.delete(archives.resolve("steward.jsa"));
+        Path lock = Files.createDirectory(archives.resolveSibling(archives.getFileName() + ".lock"));
+        assertFalse(installed(home, "demo").contains("-XX:SharedArchiveFile=" + archives.resolve("steward.jsa")));
+        assertEquals(2, made());
+        assertTrue(Files.exists(lock));
+        assertTrue(lock.toFile().setLastModified(System.currentTimeMillis() - 3_600_000));
+        assertTrue(installed(home, "demo").contains("steward.jsa"), "whoever had it was killed");
+        assertEquals(4, made());
+        assertFalse(Files.exists(lock));
     }
 
     /** A longer class path slows down every start. */

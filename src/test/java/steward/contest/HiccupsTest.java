@@ -118,6 +118,29 @@ class HiccupsTest {
         }
     }
 
+    private CountedGame<MatchListener> counted(End... ends) throws InterruptedException, IOException {
+        played.clear();
+        return CountedGame.play(contest(), 5, () -> new MatchListener() { }, () -> null,
+            (attempt, seed, rotation, recording, follower)
+                -> match(List.of(ends), seed, rotation, recording, follower));
+    }
+
+    @Test
+    void aGameForARatingToolIsPlayedAgainLikewise() throws Exception {
+        CountedGame<MatchListener> again = counted(End.STARVED, End.WON);
+        assertEquals(List.of("5/0 STARVED", "5/0 WON"), played);
+        assertEquals(0, again.result().players().get(0).rank());
+        assertEquals(List.of(), again.failures());
+        assertEquals(1, again.again().size());
+        assertTrue(again.again().get(0).startsWith("played again, since me lost on time while others used the "
+            + "processors, in turn 3: no answer within 75 ms"), again.again().get(0));
+        CountedGame<MatchListener> slow = counted(End.SLOW);
+        assertEquals(1, slow.result().players().get(0).rank());
+        assertEquals(1, slow.failures().size());
+        assertEquals(List.of(), slow.again());
+        assertEquals(1, counted(End.STARVED, End.STARVED).result().players().get(0).rank(), "the second one counts");
+    }
+
     @Test
     void aGameLostOnAStarvedMachineIsPlayedAgainWithTheSameSeed() throws Exception {
         Standings standings = play(Hiccups.REPLAY, KeptReplays.ALL, 2, End.WON, End.STARVED, End.WON, End.WON, End.WON);

@@ -80,7 +80,7 @@ final class InitCommand implements Callable<Integer> {
         Path path = league.path();
         LeagueFolder folder = new LeagueFolder(path);
         prepare(path);
-        boolean file = Files.isRegularFile(Path.of(scene));
+        boolean file = SceneFiles.file(scene).isPresent();
         LeagueSettings settings = LeagueSettings.usual(file ? LeagueFolder.SCENE : name(scene), seed.orDrawn())
             .with(null, factor == null ? 1 : factor, kept);
         try {

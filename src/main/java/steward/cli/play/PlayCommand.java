@@ -1,5 +1,6 @@
 package steward.cli.play;
 
+import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
@@ -18,9 +19,9 @@ import steward.cli.shared.Streams;
 import steward.codingame.LeagueAttributes;
 import steward.codingame.LeagueJson;
 import steward.contest.Contest;
+import steward.contest.CountedGame;
 import steward.files.InputException;
 import steward.game.GameSetup;
-import steward.match.MatchResult;
 import steward.match.Protocol;
 import steward.text.TextFormat;
 
@@ -34,7 +35,9 @@ import steward.text.TextFormat;
         "program. One that cannot be started has failed, and the match has a result.",
         "", "The object: ranks (0 for the best), errors (1 for a bot that failed), faults",
         "(why, or null), test_data (seed, and what was reported about the match),",
-        "player_data, attributes.",
+        "player_data, attributes, played_again.",
+        "A game that a bot lost on time while others used the processors is played again,",
+        "as 'match --games' does; played_again and the standard error say why.",
         "What bots report on stderr: '[TDATA] name = value' about the match,",
         "'[PDATA] name = value' about themselves, '[PDATA+] name = value' summed up,",
         "'[PDATA][turn] name = value' about a turn.",
@@ -70,7 +73,7 @@ public final class PlayCommand implements Callable<Integer> {
     }
 
     @Override
-    public Integer call() throws InterruptedException {
+    public Integer call() throws InterruptedException, IOException {
         GameSetup setup = Games.warn(scene.open(streams), streams);
         int players = setup.scene().players();
         if (bots.size() != players) {
@@ -80,9 +83,14 @@ public final class PlayCommand implements Callable<Integer> {
         Contest contest = Contest.withFailing(setup, bots, Protocol.CODINGAME, pace.factor())
             .limitedBy(pace.basis()).isolatedBy(sandbox.isolation(streams));
         long used = seed.orDrawn();
-        LeagueAttributes attributes = new LeagueAttributes();
-        MatchResult result = contest.play(used, 0, null, attributes);
-        MatchJson.printObject(streams, out -> LeagueJson.write(out, used, result, attributes));
+        CountedGame<LeagueAttributes> game = CountedGame.play(contest, used, LeagueAttributes::new, () -> null);
+        RefereeGame.tell(streams, game);
+        MatchJson.printObject(streams, out -> {
+            LeagueJson.write(out, used, game.result(), game.follower());
+            out.writeArrayPropertyStart("played_again");
+            game.again().forEach(out::writeString);
+            out.writeEndArray();
+        });
         return ExitStatus.DONE;
     }
 }

@@ -49,6 +49,20 @@ final class RefereeArguments {
         return spec.findOption(option).getValue();
     }
 
+    /** True if a word of a call names a player. */
+    static boolean isPlayer(String word) {
+        return word.matches("-p[1-" + MOST_PLAYERS + "](=.*)?");
+    }
+
+    /** Number of players: the last of those that are named. */
+    int players() {
+        int last = 0;
+        for (int player = 1; player <= MOST_PLAYERS; player++) {
+            last = value(bot(player)) == null ? last : player;
+        }
+        return last;
+    }
+
     /** True if there is any player. */
     boolean hasPlayers() {
         for (int player = 1; player <= MOST_PLAYERS; player++) {

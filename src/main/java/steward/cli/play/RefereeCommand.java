@@ -20,6 +20,7 @@ import steward.cli.options.ShippedScenes;
 import steward.cli.options.TimeLimitOptions;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Games;
+import steward.cli.shared.RefusedCall;
 import steward.cli.shared.Streams;
 import steward.codingame.OldReferee;
 import steward.contest.Contest;
@@ -28,6 +29,9 @@ import steward.files.OutputFiles;
 import steward.game.GameSetup;
 import steward.match.Protocol;
 import steward.match.TimeControl;
+import steward.scene.json.SceneException;
+import tools.jackson.databind.json.JsonMapper;
+import tools.jackson.databind.node.ObjectNode;
 
 /** {@code steward referee}: takes the place of another referee in the community's arena tools. */
 @Command(name = "referee", description = "Plays one match as the referee of cg-brutaltester and tools like it: prints "
@@ -36,7 +40,12 @@ import steward.match.TimeControl;
         "A bot is a command, its words quoted as for a shell, that speaks CodinGame's",
         "text protocol; 'json:COMMAND' speaks JSON; 'builtin:racer', 'builtin:regular',",
         "'builtin:contender' and 'builtin:veteran', from weak to strong, come with the",
-        "program. One that cannot be started has failed, and the others win.",
+        "program. One that cannot be started has failed, and the others win. -p1 to -p4",
+        "also say for how many players the scene is, where its game allows several.",
+        "", "A game that a bot lost on time while others used the processors is played again,",
+        "as 'match --games' does; the standard error says why, and why a bot failed. In a",
+        "call that is refused each bot named gets -1. With --old the tool runs the bots:",
+        "of those that are silent, crash or are missing nothing is known; use -r for them.",
         "", "Files of -l and -r are replaced if they are empty or a file of their own kind,",
         "since tools name the same files again; any other file is kept, and refused.",
         "", "Examples:",
@@ -46,7 +55,7 @@ import steward.match.TimeControl;
         "  java -jar cg-brutaltester.jar -o -r 'steward referee --old' -p1 ./mine \\",
         "      -p2 ./other -n 100",
         "", "Exit status: 0 there is a result; 1 there is none; 2 wrong call."})
-public final class RefereeCommand implements Callable<Integer> {
+public final class RefereeCommand implements Callable<Integer>, RefusedCall {
 
     private final Streams streams;
     private final CallCheck check = CallCheck.withHelp();
@@ -120,7 +129,7 @@ public final class RefereeCommand implements Callable<Integer> {
             check.that(!sandbox.isAny(), "--old: expected no option of the sandbox with it: the tool starts the bots");
             return playOld(factor, wanted);
         }
-        GameSetup setup = open();
+        GameSetup setup = seated(open(), arguments.players());
         List<String> bots = arguments.bots(setup.scene().players(), setup.scene().name());
         Contest contest = named(Contest.withFailing(setup, bots, Protocol.CODINGAME, factor), arguments)
             .limitedBy(basis);
@@ -146,6 +155,27 @@ public final class RefereeCommand implements Callable<Integer> {
         GameSetup setup = accuracy.open(scene, streams);
         boolean own = league == null || league == 0;
         return Games.warn(own ? setup : Games.types().inLeague(setup, league), streams);
+    }
+
+    /** The scene for as many players as are named, where its game allows that; otherwise the scene as it is. */
+    private static GameSetup seated(GameSetup setup, int players) {
+        if (players < 2 || players == setup.scene().players()) {
+            return setup;
+        }
+        ObjectNode scene = (ObjectNode) JsonMapper.shared().readTree(setup.scene().json());
+        try {
+            return Games.types().open(scene.put("players", players).toString(), setup.scene().name());
+        } catch (SceneException notForSoMany) {
+            return setup;
+        }
+    }
+
+    /** A tool that finds no scores takes the match for a draw: each bot that the call names gets -1. */
+    @Override
+    public void refuse(List<String> arguments) {
+        arguments.stream().filter(RefereeArguments::isPlayer).map(argument -> argument.replaceFirst("=.*", ""))
+            .distinct().forEach(player -> streams.out().println(-1));
+        streams.out().flush();
     }
 
     private Integer playOld(double factor, Long wanted) throws InterruptedException {

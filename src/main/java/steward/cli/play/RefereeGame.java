@@ -14,6 +14,7 @@ import steward.cli.shared.Streams;
 import steward.codingame.GameResultLog;
 import steward.codingame.GameResultScores;
 import steward.contest.Contest;
+import steward.contest.CountedGame;
 import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.match.MatchListener;
@@ -39,14 +40,17 @@ record RefereeGame(Streams streams, Contest contest, Path log, Path replay, bool
     int play(Long wanted) throws InterruptedException {
         long seed = wanted == null ? SeedOption.draw() : wanted;
         Path recording = replay == null && page ? temporary() : replay;
-        MatchResult result;
-        try (OutputStream logStream = log == null ? null : OutputFiles.open(log, true);
-             OutputStream replayStream = recording == null ? null : OutputFiles.open(recording, true)) {
-            GameResultLog gameResult = logStream == null ? null : new GameResultLog();
-            result = contest.play(seed, 0, replayStream, gameResult == null ? NO_LISTENER : gameResult);
-            printScores(result, wanted == null ? "seed=" + seed : null);
-            if (gameResult != null) {
-                gameResult.write(new BufferedOutputStream(logStream), contest.sceneName(), seed, result);
+        try (OutputStream logStream = log == null ? null : OutputFiles.open(log, true)) {
+            CountedGame<?> game = CountedGame.play(contest, seed,
+                () -> logStream == null ? NO_LISTENER : new GameResultLog(),
+                () -> recording == null ? null : OutputFiles.open(recording, true));
+            tell(streams, game);
+            game.failures().stream().filter(failure -> contest.entrants().get(failure.player()).problem() == null)
+                .forEach(failure -> streams.warn("-p" + (failure.player() + 1) + " has failed in turn "
+                    + failure.turn() + ": " + failure.reason()));
+            printScores(game.result(), wanted == null ? "seed=" + seed : null);
+            if (game.follower() instanceof GameResultLog gameResult) {
+                gameResult.write(new BufferedOutputStream(logStream), contest.sceneName(), seed, game.result());
             }
         } catch (UncheckedIOException | JacksonException problem) {
             throw new FailedException("the match could not be brought to a result: " + problem.getMessage());
@@ -58,6 +62,18 @@ record RefereeGame(Streams streams, Contest contest, Path log, Path replay, bool
             streams.out().println("page: " + makePage(recording));
         }
         return ExitStatus.DONE;
+    }
+
+    /**
+     * Says which attempts do not count, and why.
+     *
+     * @throws FailedException if none counts
+     */
+    static void tell(Streams streams, CountedGame<?> game) {
+        game.again().forEach(streams::warn);
+        if (game.discarded() != null) {
+            throw new FailedException(game.discarded());
+        }
     }
 
     /** Called as soon as the match has its result, even if a file cannot be written afterwards. */

@@ -24,6 +24,7 @@ final class Checkup {
 
     /** How long a program may take to tell its version, in milliseconds. */
     private static final long PATIENCE_MS = 10_000;
+    private static final String ARCHIVE = "-XX:SharedArchiveFile=";
     private static final long MEGABYTE = 1 << 20;
     /** Replays of a long series take some hundred megabytes. */
     private static final long ENOUGH_MEGABYTES = 200;
@@ -70,9 +71,20 @@ final class Checkup {
         int processors = Runtime.getRuntime().availableProcessors();
         add("java", "processors", processors > 1, processors + (processors > 1 ? ""
             : ": bots and referee share it, so that a bot may be late through no fault of its own"));
+        String archive = archive();
+        add("java", "archive of classes", archive != null, archive == null
+            ? "none: each start loads its classes one by one; the launcher makes one in ~/.cache/steward where it can"
+            : archive);
         List<String> builtin = BuiltinBots.installed().names();
         add("java", "builtin bots", !builtin.isEmpty(), builtin.isEmpty()
             ? "not on the class path: run the installed program" : String.join(", ", builtin));
+    }
+
+    /** The file in which this start found its classes, or {@code null}. */
+    private static String archive() {
+        return ManagementFactory.getRuntimeMXBean().getInputArguments().stream()
+            .filter(argument -> argument.startsWith(ARCHIVE)).map(argument -> argument.substring(ARCHIVE.length()))
+            .findFirst().orElse(null);
     }
 
     private static boolean useFma() {

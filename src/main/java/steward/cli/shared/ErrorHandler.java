@@ -51,8 +51,15 @@ public final class ErrorHandler implements IParameterExceptionHandler, IExecutio
     /** A wrong call: the problem, similar names that exist, and where help is. */
     @Override
     public int handleParseException(ParameterException problem, String[] arguments) {
+        answer(problem.getCommandLine(), List.of(arguments));
         say(said(problem));
         return pointToHelp(problem.getCommandLine());
+    }
+
+    private static void answer(CommandLine command, List<String> arguments) {
+        if (command.getCommand() instanceof RefusedCall refused) {
+            refused.refuse(arguments);
+        }
     }
 
     private static String said(ParameterException problem) {
@@ -100,11 +107,13 @@ public final class ErrorHandler implements IParameterExceptionHandler, IExecutio
     public int handleExecutionException(Exception problem, CommandLine command, ParseResult parsed) {
         streams.out().flush();
         if (problem instanceof CallException) {
+            answer(command, parsed.originalArgs());
             say(problem.getMessage());
             return pointToHelp(command);
         }
         if (problem instanceof InputException || problem instanceof SceneException
             || problem instanceof ReplayException || problem instanceof UncheckedIOException) {
+            answer(command, parsed.originalArgs());
             say(problem.getMessage());
             return ExitStatus.UNUSABLE;
         }

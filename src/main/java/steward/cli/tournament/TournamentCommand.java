@@ -187,7 +187,7 @@ public final class TournamentCommand implements Callable<Integer> {
 
     private LeagueSettings settings(LeagueFolder league, boolean before, Protocol spoken) throws IOException {
         LeagueSettings known = before ? league.read() : LeagueSettings.usual(scene, 1);
-        boolean file = Files.isRegularFile(Path.of(scene));
+        boolean file = SceneFiles.file(scene).isPresent();
         if (file) {
             Files.copy(Path.of(scene), league.path().resolve(LeagueFolder.SCENE), StandardCopyOption.REPLACE_EXISTING);
         }

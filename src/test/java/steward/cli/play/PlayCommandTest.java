@@ -50,8 +50,8 @@ class PlayCommandTest {
     void printsOneObject() {
         JsonNode json = play(bots.idler(0), bots.driver(), "--seed", "7");
 
-        assertEquals(List.of("ranks", "errors", "faults", "test_data", "player_data", "attributes"),
-            new ArrayList<>(json.propertyNames()));
+        assertEquals(List.of("ranks", "errors", "faults", "test_data", "player_data", "attributes",
+            "played_again"), new ArrayList<>(json.propertyNames()));
         assertEquals("[1,0]", json.get("ranks").toString());
         assertEquals("[0,0]", json.get("errors").toString());
         assertEquals("{\"seed\":7}", json.get("test_data").toString());

@@ -39,8 +39,31 @@ class RefereeCommandTest {
             "--no-deadline"));
         arguments.addAll(List.of(more));
         Cli cli = Cli.run(arguments.toArray(String[]::new));
-        assertEquals("", cli.err());
-        return cli;
+        assertTrue(cli.err().lines().allMatch(line -> line.matches(
+            "steward: warning: -p[12] has failed in turn \\d+: .*")), cli.err());
+        return new Cli(cli.status(), cli.out(), "");
+    }
+
+    /** The tool prints no word of what a bot did. */
+    @Test
+    @Tag("process")
+    void whyABotFailedIsALineOnStderr() {
+        assumeTrue(ShellBots.runnable(), "there is no /bin/sh");
+        Cli cli = Cli.run("referee", "-p1", bots.idler(0), "-p2", "sh -c 'exit 3'", "-scene", "duel", "--no-deadline",
+            "-seed", "1");
+        assertEquals("1\n-1\n", cli.out());
+        assertEquals("steward: warning: -p2 has failed in turn 1: exited with status 3 before answering\n", cli.err());
+    }
+
+    @Test
+    @Tag("process")
+    void theNumberOfBotsPicksTheNumberOfPlayersWhereTheGameAllowsSeveral() {
+        assumeTrue(ShellBots.runnable(), "there is no /bin/sh");
+        Cli cli = Cli.run("referee", "-scene", "poker-chip-race", "-p1", "true", "-p2", "true", "-p3", "true", "-p4",
+            "true", "--no-deadline", "-seed", "1");
+        assertEquals(0, cli.status(), cli.err());
+        assertEquals("-1\n-1\n-1\n3\n", cli.out(), "the last is not asked any more");
+        assertEquals(3, cli.err().lines().count(), cli.err());
     }
 
     @Test
@@ -118,7 +141,7 @@ class RefereeCommandTest {
         arguments.addAll(List.of(files));
         Cli cli = Cli.run(arguments.toArray(String[]::new));
         assertEquals(2, cli.status(), cli.out());
-        assertEquals("", cli.out());
+        assertEquals("-1\n-1\n", cli.out());
         assertTrue(cli.err().startsWith("steward: " + problem), cli.err());
         assertEquals(before, Files.readString(file));
     }
@@ -170,7 +193,8 @@ class RefereeCommandTest {
             + "is for 1 player, "
             + "and there are no seats to change",
         "-p1 cat -p3 cat | found no -p2, expected",
-        "-p1 cat -p2 cat -p3 cat | found -p3, expected -p1 to -p2",
+        "-scene mean-max -p1 cat -p2 cat | found no -p3, expected -p1 to -p3",
+        "-scene poker-chip-race -p1 cat -p2 cat -p3 cat -p4 cat -p5 cat | found -p3, expected -p1 to -p2",
         "-p1 cat -p2 cat -p9 cat | unknown option '-p9'",
         "-p1 cat -p2 cat -p3name X | found -p3name, expected -p3 with it",
         "-p1 cat -p2 cat -p2 cat | -p2: found twice, expected once",
@@ -190,7 +214,7 @@ class RefereeCommandTest {
         "-p1 cat -p2 cat extra | 'extra': found more than",
         "--old -p1 cat | --old: expected no -p1",
         "--old -l x.json | --old: expected no -p1, -l, -r or -s"})
-    void aWrongCallIsToldOnStderrAlone(String arguments, String problem) {
+    void aWrongCallGivesEachBotThatItNamesMinusOne(String arguments, String problem) {
         List<String> words = new ArrayList<>(List.of("referee"));
         if (arguments == null || !arguments.contains("-scene")) {
             words.addAll(List.of("-scene", "duel"));
@@ -200,7 +224,8 @@ class RefereeCommandTest {
         }
         Cli cli = Cli.run(words.toArray(String[]::new));
         assertEquals(2, cli.status());
-        assertEquals("", cli.out());
+        long bots = words.stream().filter(word -> word.matches("-p[1-8]")).distinct().count();
+        assertEquals("-1\n".repeat((int) bots), cli.out());
         assertTrue(cli.err().contains(problem), cli.err());
     }
 }

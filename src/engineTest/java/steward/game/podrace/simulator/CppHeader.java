@@ -36,7 +36,7 @@ public final class CppHeader implements AutoCloseable {
     private static final List<List<String>> FLAGS =
         List.of(List.of("-O0"), List.of("-O2"), List.of("-O3", "-march=native"));
     private static final int LARGEST_RECORD = 1 << 14;
-    private static final Path HEADER = Path.of(
+    static final Path HEADER = Path.of(
         "src/main/resources/steward/starters/cpp-simulator/steward_podrace.hpp");
     private static final Path SOURCE = Path.of("src/test/resources/steward/podrace/compare.cpp");
     /** As an author of a contest begins a file. */
@@ -102,12 +102,12 @@ public final class CppHeader implements AutoCloseable {
         return call;
     }
 
-    private static boolean isInstalled(String program) {
+    static boolean isInstalled(String program) {
         return Stream.of(System.getenv("PATH").split(File.pathSeparator))
             .anyMatch(folder -> Files.isExecutable(Path.of(folder, program)));
     }
 
-    private static boolean hasAvx2() throws IOException {
+    static boolean hasAvx2() throws IOException {
         Path processor = Path.of("/proc/cpuinfo");
         return Files.isReadable(processor) && Files.readString(processor).contains(" avx2");
     }

@@ -1,0 +1,41 @@
+package steward.bot.command;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+
+/**
+ * Call of Node.js for a bot of CodinGame's site, whose programs find {@code readline}, {@code print} and
+ * {@code printErr} there. They are defined by a text before the bot, which needs no file that a sandbox would have to
+ * show.
+ */
+public final class SiteJavaScript {
+
+    private static final Set<String> PROGRAMS = Set.of("node", "nodejs");
+    private static final String BEFORE = "/steward/codingame/site.js";
+
+    private SiteJavaScript() {
+    }
+
+    /** The command with these functions, if it is {@code node FILE}, and otherwise as it is: options may be any. */
+    public static List<String> words(List<String> words) {
+        if (words.size() < 2 || words.get(1).startsWith("-")
+            || !PROGRAMS.contains(words.get(0).substring(words.get(0).lastIndexOf('/') + 1))) {
+            return words;
+        }
+        List<String> extended = new ArrayList<>(List.of(words.get(0), "-e", before()));
+        extended.addAll(words.subList(1, words.size()));
+        return extended;
+    }
+
+    private static String before() {
+        try (InputStream in = SiteJavaScript.class.getResourceAsStream(BEFORE)) {
+            return new String(in.readAllBytes(), StandardCharsets.UTF_8);
+        } catch (IOException problem) {
+            throw new IllegalStateException("the program is not whole: " + BEFORE, problem);
+        }
+    }
+}
