@@ -1,5 +1,7 @@
 package steward.game;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
@@ -8,6 +10,8 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.Function;
+import java.util.function.ToIntFunction;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.TestReporter;
 
@@ -63,6 +67,34 @@ public enum GroundTruth {
         if (Boolean.getBoolean("steward.tell")) {
             System.out.println(line);
         }
+    }
+
+    /**
+     * Asserts that every match of a published referee is reproduced to the last bit, and reports how many values were
+     * compared.
+     *
+     * @param turns how many a match has
+     */
+    public static <M> void assertReproduced(TestReporter report, String game, String how, Function<Path, M> read,
+                                            ToIntFunction<M> turns, Function<M, Comparison> comparing)
+            throws IOException {
+        List<String> differences = new ArrayList<>();
+        long values = 0;
+        long impacts = 0;
+        int played = 0;
+        List<Path> files = VECTORS.files(game, ".jsonl.gz");
+        for (Path file : files) {
+            M match = read.apply(file);
+            Comparison found = comparing.apply(match);
+            values += found.values();
+            impacts += found.impacts();
+            played += turns.applyAsInt(match);
+            differences.addAll(found.differences());
+        }
+        tell(report, game + ", " + how + ": " + files.size() + " matches, " + played + " turns, " + impacts
+            + " impacts, " + values + " values compared, " + differences.size() + " different");
+        assertTrue(values > 0, "the folder holds matches");
+        assertEquals(List.of(), differences.stream().limit(20).toList());
     }
 
     /** Report of what was compared, file by file, told as it comes. */

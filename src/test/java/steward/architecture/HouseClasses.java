@@ -1,5 +1,9 @@
 package steward.architecture;
 
+import static com.tngtech.archunit.base.DescribedPredicate.describe;
+
+import com.tngtech.archunit.base.DescribedPredicate;
+import com.tngtech.archunit.core.domain.JavaClass;
 import com.tngtech.archunit.core.domain.JavaClasses;
 import com.tngtech.archunit.core.importer.ClassFileImporter;
 import java.net.URI;
@@ -33,10 +37,21 @@ final class HouseClasses {
         return parts().keySet().stream().map(part -> Path.of("src", part, "java")).toList();
     }
 
-    /** All classes of the three parts. */
+    /** All classes of the three parts, read once. */
     static JavaClasses all() {
-        return new ClassFileImporter().importPaths(parts().values().stream().map(HouseClasses::home).map(Path::of)
-            .toList());
+        return Imported.ALL;
+    }
+
+    private static final class Imported {
+        private static final JavaClasses ALL = new ClassFileImporter().importPaths(parts().values().stream()
+            .map(HouseClasses::home).map(Path::of).toList());
+    }
+
+    /** Tests whether a class is of the part of another. */
+    static DescribedPredicate<JavaClass> in(Class<?> type) {
+        Path home = Path.of(home(type));
+        return describe("is of the part of " + type,
+            each -> Path.of(each.getSource().orElseThrow().getUri()).startsWith(home));
     }
 
     /** True if a class file belongs to tests of any part. */

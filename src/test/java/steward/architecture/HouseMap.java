@@ -2,7 +2,6 @@ package steward.architecture;
 
 import com.tngtech.archunit.core.domain.Dependency;
 import com.tngtech.archunit.core.domain.JavaClass;
-import com.tngtech.archunit.core.importer.ClassFileImporter;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -51,7 +50,7 @@ public final class HouseMap {
         Map<String, Set<String>> uses = new TreeMap<>();
         HouseClasses.parts().forEach((part, type) -> {
             Map<String, Set<String>> rooms = new TreeMap<>();
-            for (JavaClass each : new ClassFileImporter().importPath(Path.of(HouseClasses.home(type)))) {
+            for (JavaClass each : HouseClasses.all().that(HouseClasses.in(type))) {
                 Set<String> used = rooms.computeIfAbsent(room(each), name -> new TreeSet<>());
                 for (Dependency dependency : each.getDirectDependenciesFromSelf()) {
                     JavaClass target = dependency.getTargetClass().getBaseComponentType();

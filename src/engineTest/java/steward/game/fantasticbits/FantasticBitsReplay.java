@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.TreeSet;
 import steward.game.Comparison;
 import steward.game.TextCodec;
+import steward.game.fantasticbits.protocol.FantasticBitsType;
 import steward.physics.Bodies;
 import steward.physics.Impact;
 import steward.physics.TurnLog;
@@ -17,10 +18,12 @@ final class FantasticBitsReplay {
     private static final List<String> SIDES = List.of("LEFT", "TOP", "RIGHT", "BOTTOM");
 
     private final FantasticBitsMatch match;
+    private final FantasticBitsType.FantasticBitsSetup setup;
     private final Comparison comparison;
 
     FantasticBitsReplay(FantasticBitsMatch match) {
         this.match = match;
+        setup = match.setup();
         comparison = new Comparison(match.name());
     }
 
@@ -51,7 +54,7 @@ final class FantasticBitsReplay {
     /** Each turn from the recorded state before it. */
     Comparison compareTurnByTurn() {
         JsonNode before = match.start();
-        FantasticBits fresh = match.setup().create(match.seed());
+        FantasticBits fresh = setup.create(match.seed());
         for (JsonNode turn : match.turns()) {
             compareTurn("turn " + turn.get("turn").asInt() + " alone", turn, FantasticBitsMatch.in(fresh, before));
             before = turn.get("state");
@@ -60,7 +63,7 @@ final class FantasticBitsReplay {
     }
 
     private void compareTurn(String when, JsonNode turn, FantasticBits game) {
-        TextCodec lines = match.setup().textCodec(game).orElseThrow();
+        TextCodec lines = setup.textCodec(game).orElseThrow();
         compareInputs(when, turn, lines);
         for (int player = 0; player < game.players(); player++) {
             JsonNode answer = turn.get("commands").get(player);

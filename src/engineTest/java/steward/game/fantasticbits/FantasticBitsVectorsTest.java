@@ -1,15 +1,11 @@
 package steward.game.fantasticbits;
 
-import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertTrue;
-
 import java.io.IOException;
-import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.function.Function;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestReporter;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.game.Comparison;
 import steward.game.GroundTruth;
 
@@ -18,6 +14,7 @@ import steward.game.GroundTruth;
  * sent to bots, from the seed and from every recorded state. Another folder of this form:
  * {@code gradle test --tests '*VectorsTest' -Psteward.vectors=FOLDER}.
  */
+@Execution(ExecutionMode.CONCURRENT)
 class FantasticBitsVectorsTest {
 
     @Test
@@ -31,25 +28,7 @@ class FantasticBitsVectorsTest {
     }
 
     private static void compare(TestReporter report, String how, Function<FantasticBitsMatch, Comparison> comparing)
-        throws IOException {
-        List<String> differences = new ArrayList<>();
-        long values = 0;
-        long impacts = 0;
-        int turns = 0;
-        List<Path> files = GroundTruth.VECTORS.files("fantastic-bits", ".jsonl.gz");
-        for (Path file : files) {
-            FantasticBitsMatch match = FantasticBitsMatch.read(file);
-            Comparison found = comparing.apply(match);
-            values += found.values();
-            impacts += found.impacts();
-            turns += match.turns().size();
-            differences.addAll(found.differences());
-        }
-        GroundTruth.tell(report, "fantastic-bits, " + how + ": " + files.size() + " matches, " + turns + " turns, "
-            + impacts
-            + " impacts, " + values + " values compared, " + differences.size() + " different");
-
-        assertTrue(values > 0, "the folder holds matches");
-        assertEquals(List.of(), differences.stream().limit(20).toList());
+            throws IOException {
+        GroundTruth.assertReproduced(report, "fantastic-bits", how, FantasticBitsMatch::read, match -> match.turns().size(), comparing);
     }
 }

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import steward.game.Comparison;
 import steward.game.TextCodec;
+import steward.game.meanmax.protocol.MeanMaxType;
 import steward.physics.Bodies;
 import steward.physics.Impact;
 import steward.physics.TurnLog;
@@ -14,10 +15,12 @@ import tools.jackson.databind.JsonNode;
 final class MeanMaxReplay {
 
     private final MeanMaxMatch match;
+    private final MeanMaxType.MeanMaxSetup setup;
     private final Comparison comparison;
 
     MeanMaxReplay(MeanMaxMatch match) {
         this.match = match;
+        setup = match.setup();
         comparison = new Comparison(match.name());
     }
 
@@ -48,7 +51,7 @@ final class MeanMaxReplay {
     /** Each turn from the recorded state before it. */
     Comparison compareTurnByTurn() {
         JsonNode before = match.start();
-        MeanMax fresh = match.setup().create(match.seed());
+        MeanMax fresh = setup.create(match.seed());
         for (JsonNode turn : match.turns()) {
             MeanMax game = match.in(fresh, before);
             for (int player = 0; player < game.players(); player++) {
@@ -73,7 +76,7 @@ final class MeanMaxReplay {
     }
 
     private void compareTurn(String when, JsonNode turn, MeanMax game) {
-        TextCodec lines = match.setup().textCodec(game).orElseThrow();
+        TextCodec lines = setup.textCodec(game).orElseThrow();
         compareInputs(when, turn, lines);
         for (int player = 0; player < game.players(); player++) {
             JsonNode answer = turn.get("commands").get(player);

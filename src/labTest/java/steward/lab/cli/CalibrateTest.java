@@ -23,6 +23,7 @@ import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import steward.cli.Cli;
 import steward.cli.ShellBots;
 import steward.cli.shared.ExitStatus;
@@ -189,8 +190,8 @@ class CalibrateTest {
     void anInterruptedRunLeavesOlderFiguresWhereTheyAre() throws Exception {
         Path file = Files.writeString(folder.resolve("d.accuracy.json"), "older");
         ByteArrayOutputStream err = new ByteArrayOutputStream();
-        Calibration calibration = new Calibration(Games.open("duel"),
-            seed -> race(Games.open("duel"), seed), 1000);
+        GameSetup duel = Games.open("duel");
+        Calibration calibration = new Calibration(duel, seed -> race(duel, seed), 1000);
         calibration.time(HERE, () -> { });
         calibration.run(1, () -> { });
         new CalibrationRun(new Streams(new ByteArrayOutputStream(), err, false, false), Games.open("duel"), file,
@@ -221,11 +222,22 @@ class CalibrateTest {
         assertEquals(figures.rungs(), holding.rungs());
     }
 
-    /** The first states of them, played and measured again. */
+    /** The first states of a scene with bodies that meet, and of one without, played and measured again. */
     @ParameterizedTest
     @Tag("slow")
-    @MethodSource("calibrated")
+    @ValueSource(strings = {"duel", "search-race"})
     void aSampleOfTheFiguresIsMeasuredAnew(String name) throws Exception {
+        assertSampleHolds(name);
+    }
+
+    @ParameterizedTest
+    @Tag("campaign")
+    @MethodSource("calibrated")
+    void aSampleOfTheFiguresOfEachSceneIsMeasuredAnew(String name) throws Exception {
+        assertSampleHolds(name);
+    }
+
+    private static void assertSampleHolds(String name) throws Exception {
         GameSetup setup = Games.open(name, Calibration.PLAYED_ON);
         AccuracyFigures figures = shipped(name);
         Calibration sample = new Calibration(setup, seed -> race(setup, seed), Calibration.BLOCK);

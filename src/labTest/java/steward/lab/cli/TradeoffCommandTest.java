@@ -46,7 +46,7 @@ class TradeoffCommandTest {
     }
 
     @Test
-    @Tag("slow")
+    @Tag("campaign")
     @Tag("process")
     void theTableAndTheFilesHoldEveryRung() throws IOException {
         Path out = folder.resolve("results");

@@ -180,7 +180,7 @@ class SelfCheckTest {
     }
 
     @Test
-    @Tag("slow")
+    @Tag("campaign")
     void sequentialTestsErrAsRarelyFarApartAndWhereTheFirstSeedsAreAlike() throws InterruptedException {
         for (Gsprt.Model model : Gsprt.Model.values()) {
             for (double elo : new double[] {200, 500}) {

@@ -29,6 +29,11 @@ public interface Lab {
      */
     void selfCheck(List<String> parts, long leagues, int threads, Consumer<String> out) throws InterruptedException;
 
+    /** Finds the lab on the class path. */
+    static Optional<Lab> find() {
+        return ServiceLoader.load(Lab.class).findFirst();
+    }
+
     /**
      * Returns the lab.
      *
@@ -36,22 +41,13 @@ public interface Lab {
      * @throws InputException if its jar is not on the class path
      */
     static Lab of(String asked) {
-        return Found.LAB.orElseThrow(() -> new InputException(asked
+        return find().orElseThrow(() -> new InputException(asked
             + ": found no lab, expected steward-lab.jar on the class path (an installation has it in lib)"));
     }
 
     /** Creates one of the lab's commands, or without the lab one in its place that only says so. */
     static Object commandOrMissing(String name, Streams streams) {
-        return Found.LAB.map(lab -> lab.command(name, streams)).orElseGet(() -> new Missing(name));
-    }
-
-    /** The lab of the class path, looked for once: every look opens all jars. */
-    final class Found {
-
-        private static final Optional<Lab> LAB = ServiceLoader.load(Lab.class, Lab.class.getClassLoader()).findFirst();
-
-        private Found() {
-        }
+        return find().map(lab -> lab.command(name, streams)).orElseGet(() -> new Missing(name));
     }
 
     /** Command of a lab that is not there. */

@@ -1,12 +1,10 @@
 package steward.game.fantasticbits.protocol;
 
-import java.nio.charset.StandardCharsets;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import steward.game.TextCodec;
+import steward.game.CommandLines;
 import steward.game.fantasticbits.EntityKind;
 import steward.game.fantasticbits.FantasticBits;
 import steward.game.fantasticbits.Pitch;
@@ -15,7 +13,6 @@ import steward.game.fantasticbits.Variant;
 import steward.game.fantasticbits.WizardCommand;
 import steward.physics.Bodies;
 import steward.physics.Motion;
-import steward.text.TextFormat;
 
 /**
  * The site's line protocol of Fantastic Bits. The setup is the player's index. A turn is, in the variant {@code puzzle}
@@ -24,7 +21,7 @@ import steward.text.TextFormat;
  * X Y THRUST}, {@code THROW X Y POWER} or a spell and the id of its target, each with an optional message. Lines
  * before a bad one take effect.
  */
-final class FantasticBitsText implements TextCodec {
+final class FantasticBitsText extends CommandLines<WizardCommand> {
 
     private static final Pattern PLACE =
         Pattern.compile("(MOVE|THROW) (-?[0-9]{1,8})\\s+(-?[0-9]{1,8})\\s+([0-9]{1,8})(?:\\s+(.+))?");
@@ -33,12 +30,11 @@ final class FantasticBitsText implements TextCodec {
 
     private final FantasticBits game;
     private final boolean full;
-    private final String[] messages;
 
     FantasticBitsText(FantasticBits game) {
+        super(game.players(), "MOVE X Y THRUST, THROW X Y POWER, or a spell and a target's id, whole numbers");
         this.game = game;
         full = game.settings().variant() == Variant.PUZZLE;
-        messages = new String[game.players()];
     }
 
     @Override
@@ -89,34 +85,16 @@ final class FantasticBitsText implements TextCodec {
     }
 
     @Override
-    public String readAnswer(int player, byte[] answer, int length) {
-        messages[player] = null;
-        String[] lines = new String(answer, 0, length, StandardCharsets.UTF_8).split("\n", -1);
-        if (lines.length != Pitch.WIZARDS_PER_PLAYER) {
-            return "found " + lines.length + " lines, expected " + Pitch.WIZARDS_PER_PLAYER;
-        }
-        List<String> said = new ArrayList<>();
-        for (int wizard = 0; wizard < lines.length; wizard++) {
-            String line = lines[wizard].endsWith("\r") ? lines[wizard].substring(0, lines[wizard].length() - 1)
-                : lines[wizard];
-            String where = "line " + (wizard + 1) + " of " + lines.length + ": ";
-            WizardCommand command = read(line, said);
-            if (command == null) {
-                return where + "found \"" + TextFormat.beginning(line, 40) + "\", expected MOVE X Y THRUST, THROW X Y "
-                    + "POWER, or a spell and a target's id, whole numbers";
-            }
-            String refusal = game.refusal(player, wizard, command);
-            if (refusal != null) {
-                return where + refusal;
-            }
+    protected String command(int player, int wizard, WizardCommand command) {
+        String refusal = game.refusal(player, wizard, command);
+        if (refusal == null) {
             game.command(player, wizard, command);
         }
-        messages[player] = said.isEmpty() ? null : String.join(" | ", said);
-        return null;
+        return refusal;
     }
 
-    /** @return {@code null} if the line is no command */
-    private static WizardCommand read(String line, List<String> said) {
+    @Override
+    protected WizardCommand read(String line, int player, int index, List<String> said) {
         Matcher place = PLACE.matcher(line);
         if (place.matches()) {
             say(place.group(5), said);
@@ -131,16 +109,5 @@ final class FantasticBitsText implements TextCodec {
             return WizardCommand.cast(Spell.valueOf(cast.group(1)), Integer.parseInt(cast.group(2)));
         }
         return null;
-    }
-
-    private static void say(String message, List<String> said) {
-        if (message != null) {
-            said.add(message);
-        }
-    }
-
-    @Override
-    public String message(int player) {
-        return messages[player];
     }
 }

@@ -1,11 +1,9 @@
 package steward.game.meanmax.protocol;
 
-import java.nio.charset.StandardCharsets;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import steward.game.TextCodec;
+import steward.game.CommandLines;
 import steward.game.meanmax.LooterCommand;
 import steward.game.meanmax.MeanMax;
 import steward.game.meanmax.MeanMaxWorld;
@@ -14,7 +12,6 @@ import steward.game.meanmax.UnitKind;
 import steward.game.meanmax.Wreck;
 import steward.physics.Bodies;
 import steward.physics.Motion;
-import steward.text.TextFormat;
 
 /**
  * The site's line protocol of Mean Max. A turn is the scores and rages, the reader's own first, the number of units,
@@ -23,7 +20,7 @@ import steward.text.TextFormat;
  * {@code WAIT}, each with an optional message. Lines before a bad one take effect; lines for looters that the league
  * does not have are not read.
  */
-final class MeanMaxText implements TextCodec {
+final class MeanMaxText extends CommandLines<LooterCommand> {
 
     private static final int WRECK_TYPE = 4;
 
@@ -34,11 +31,10 @@ final class MeanMaxText implements TextCodec {
         Pattern.compile("SKILL\\s+(-?[0-9]{1,9})\\s+(-?[0-9]{1,9})(?:\\s+(.+))?", Pattern.CASE_INSENSITIVE);
 
     private final MeanMax game;
-    private final String[] messages;
 
     MeanMaxText(MeanMax game) {
+        super(game.players(), "X Y POWER, SKILL X Y or WAIT, whole numbers of at most 9 digits");
         this.game = game;
-        messages = new String[game.players()];
     }
 
     @Override
@@ -107,33 +103,16 @@ final class MeanMaxText implements TextCodec {
     }
 
     @Override
-    public String readAnswer(int player, byte[] answer, int length) {
-        messages[player] = null;
-        String[] lines = new String(answer, 0, length, StandardCharsets.UTF_8).split("\n", -1);
-        if (lines.length != UnitKind.LOOTERS) {
-            return "found " + lines.length + " lines, expected " + UnitKind.LOOTERS;
-        }
-        List<String> said = new ArrayList<>();
-        for (int looter = 0; looter < game.settings().looters(); looter++) {
-            String line = lines[looter].endsWith("\r") ? lines[looter].substring(0, lines[looter].length() - 1)
-                : lines[looter];
-            LooterCommand command = read(line, said);
-            if (command == null) {
-                return "line " + (looter + 1) + " of " + lines.length + ": found \""
-                    + TextFormat.beginning(line, 40) + "\", expected X Y POWER, SKILL X Y or WAIT, whole numbers of at "
-                    + "most 9 digits";
-            }
-            game.command(player, looter, command);
-        }
-        for (int looter = game.settings().looters(); looter < lines.length; looter++) {
-            game.command(player, looter, LooterCommand.WAIT);
-        }
-        messages[player] = said.isEmpty() ? null : String.join(" | ", said);
+    protected String command(int player, int looter, LooterCommand command) {
+        game.command(player, looter, command);
         return null;
     }
 
-    /** @return {@code null} if the line is no command */
-    private static LooterCommand read(String line, List<String> said) {
+    @Override
+    protected LooterCommand read(String line, int player, int index, List<String> said) {
+        if (index >= game.settings().looters()) {
+            return LooterCommand.WAIT;                  // in lower leagues the lines of the others are passed over
+        }
         Matcher wait = WAIT.matcher(line);
         if (wait.matches()) {
             say(wait.group(1), said);
@@ -151,16 +130,5 @@ final class MeanMaxText implements TextCodec {
             return LooterCommand.skill(Integer.parseInt(skill.group(1)), Integer.parseInt(skill.group(2)));
         }
         return null;
-    }
-
-    private static void say(String message, List<String> said) {
-        if (message != null) {
-            said.add(message);
-        }
-    }
-
-    @Override
-    public String message(int player) {
-        return messages[player];
     }
 }

@@ -2,17 +2,14 @@ package steward.game.pokerchiprace.protocol;
 
 import java.math.BigDecimal;
 import java.math.RoundingMode;
-import java.nio.charset.StandardCharsets;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import steward.game.TextCodec;
+import steward.game.CommandLines;
 import steward.game.pokerchiprace.ChipCommand;
 import steward.game.pokerchiprace.ChipTable;
 import steward.game.pokerchiprace.PokerChipRace;
 import steward.physics.Bodies;
-import steward.text.TextFormat;
 import tools.jackson.core.io.NumberOutput;
 
 /**
@@ -21,7 +18,7 @@ import tools.jackson.core.io.NumberOutput;
  * with places counted from the corner of the table. The answer is one line for each of its own chips: {@code WAIT} or
  * {@code X Y}, each with an optional message. Lines before a bad one take effect.
  */
-final class PokerChipRaceText implements TextCodec {
+final class PokerChipRaceText extends CommandLines<ChipCommand> {
 
     private static final int DECIMALS = 6;
 
@@ -29,11 +26,10 @@ final class PokerChipRaceText implements TextCodec {
     private static final Pattern PUSH = Pattern.compile("(\\S+) (\\S+)(?: +(.+))?");
 
     private final PokerChipRace game;
-    private final String[] messages;
 
     PokerChipRaceText(PokerChipRace game) {
+        super(game.players(), "WAIT or X Y, finite numbers with one space between");
         this.game = game;
-        messages = new String[game.players()];
     }
 
     @Override
@@ -82,33 +78,22 @@ final class PokerChipRaceText implements TextCodec {
         return Math.max(1, game.table().owned(player));
     }
 
+    /** Of a player whose chips found no place at the start, nothing is read. */
     @Override
     public String readAnswer(int player, byte[] answer, int length) {
-        messages[player] = null;
-        String[] lines = new String(answer, 0, length, StandardCharsets.UTF_8).split("\n", -1);
-        int own = game.table().owned(player);
-        if (own == 0) {
-            return null;                                // a start without a place for its chips: it says nothing
-        }
-        if (lines.length != own) {
-            return "found " + lines.length + " lines, expected " + own;
-        }
-        List<String> said = new ArrayList<>();
-        for (int k = 0; k < own; k++) {
-            String line = lines[k].endsWith("\r") ? lines[k].substring(0, lines[k].length() - 1) : lines[k];
-            ChipCommand command = read(line, game.bodies().radius[game.table().ownChip(player, k)], said);
-            if (command == null) {
-                return "line " + (k + 1) + " of " + own + ": found \"" + TextFormat.beginning(line, 40)
-                    + "\", expected WAIT or X Y, finite numbers with one space between";
-            }
-            game.command(player, k, command);
-        }
-        messages[player] = said.isEmpty() ? null : String.join(" | ", said);
+        return game.table().owned(player) == 0 ? null : super.readAnswer(player, answer, length);
+    }
+
+    @Override
+    protected String command(int player, int k, ChipCommand command) {
+        game.command(player, k, command);
         return null;
     }
 
-    /** @return {@code null} if the line is no command; the words for a small chip need not be numbers */
-    private static ChipCommand read(String line, double radius, List<String> said) {
+    /** The words for a small chip need not be numbers. */
+    @Override
+    protected ChipCommand read(String line, int player, int index, List<String> said) {
+        double radius = game.bodies().radius[game.table().ownChip(player, index)];
         Matcher wait = WAIT.matcher(line);
         if (wait.matches()) {
             say(wait.group(1), said);
@@ -139,16 +124,5 @@ final class PokerChipRaceText implements TextCodec {
         } catch (NumberFormatException problem) {
             return Double.NaN;
         }
-    }
-
-    private static void say(String message, List<String> said) {
-        if (message != null) {
-            said.add(message);
-        }
-    }
-
-    @Override
-    public String message(int player) {
-        return messages[player];
     }
 }

@@ -14,6 +14,8 @@ import java.util.List;
 import java.util.zip.GZIPInputStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestReporter;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.game.Comparison;
 import steward.game.GroundTruth;
 import steward.game.TextCodec;
@@ -27,6 +29,7 @@ import tools.jackson.databind.json.JsonMapper;
  * the recorded state before each turn; and games of the server. Another folder: {@code gradle test --tests
  * '*VectorsTest' -Psteward.vectors=FOLDER -Psteward.recordings=FOLDER}.
  */
+@Execution(ExecutionMode.CONCURRENT)
 class SearchRaceVectorsTest {
 
     private static final String GAME = "search-race";
@@ -96,8 +99,9 @@ class SearchRaceVectorsTest {
     private static Comparison compareEach(String name, List<JsonNode> lines) {
         Comparison found = new Comparison(name);
         JsonNode before = lines.get(1).get("state");
+        SearchRaceType.SearchRaceSetup setup = SearchRaces.map(lines.get(0).get("map").asString());
         for (JsonNode turn : lines.subList(2, lines.size() - 1)) {
-            SearchRace race = SearchRaces.onMap(lines.get(0).get("map").asString());
+            SearchRace race = setup.create(1);
             race.set(before.get("x").asDouble(), before.get("y").asDouble(), before.get("vx").asDouble(),
                 before.get("vy").asDouble(), before.get("angle").asDouble(), before.get("checkpoint").asInt(),
                 before.get("timer").asInt(), before.get("colTime").asDouble());

@@ -24,13 +24,18 @@ public final class SearchRaces {
         return new SearchRaceType().open(SceneReader.read(text, "search-race.json"));
     }
 
-    /** A race on a map in the form {@code x y;x y}. */
-    public static SearchRace onMap(String map) {
+    /** The official scene on a map in the form {@code x y;x y}. */
+    static SearchRaceType.SearchRaceSetup map(String map) {
         List<String> points = new ArrayList<>();
         for (String point : map.split(";")) {
             String[] words = point.split(" ");
             points.add("{ \"x\": " + words[0] + ", \"y\": " + words[1] + " }");
         }
-        return changed("\"official\": \"by seed\"", "\"points\": [" + String.join(", ", points) + "]").create(1);
+        return changed("\"official\": \"by seed\"", "\"points\": [" + String.join(", ", points) + "]");
+    }
+
+    /** A race on a map in the form {@code x y;x y}. */
+    public static SearchRace onMap(String map) {
+        return map(map).create(1);
     }
 }
