@@ -14,6 +14,8 @@ import java.util.regex.Pattern;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.machines.broker.BrokerClient;
 import steward.machines.broker.BrokerClient.BrokenException;
 import steward.machines.serve.HostileWorker.Way;
@@ -23,17 +25,27 @@ import steward.machines.token.WorkerToken;
 @Tag("process")
 @Tag("slow")
 @Timeout(300)
+@Execution(ExecutionMode.CONCURRENT)
 class WorkerVerdictsTest extends ServedLeague {
+
+    private int lag = 64;
 
     private HostileWorker hostile(Way way) {
         return new HostileWorker(way, folder.resolve("short.json").toString(), (name, honest) -> "codingame:"
             + (name.equals("fast") == honest ? bots.driver() : bots.idler(honest && name.equals("wrong") ? 3 : 0)));
     }
 
-    private void alone(int games) {
+    private void alone(int games) throws Exception {
         make("alone");
+        lag("alone");
         done("run", "TMP/alone", "--games", Integer.toString(games), "--quiet", "--pause-after", "0");
         make("many");
+        lag("many");
+    }
+
+    private void lag(String league) throws Exception {
+        Path settings = folder.resolve(league + "/league.json");
+        Files.writeString(settings, Files.readString(settings).replaceFirst("\"lag\": \\d+", "\"lag\": " + lag));
     }
 
     /** Plays a league beside a hostile worker, which ends with it. */
@@ -157,12 +169,13 @@ class WorkerVerdictsTest extends ServedLeague {
         assertEquals(counting("alone"), counting("many"), said);
     }
 
-    /** The lease is ten minutes, and the schedule may be 64 decisions ahead. */
+    /** The lease is ten minutes, and the schedule may be 4 decisions ahead, so that each game that is kept counts. */
     @Test
     void aWorkerThatKeepsItsGamesStopsNobody() throws Exception {
-        alone(300);
+        lag = 4;
+        alone(60);
         long began = System.nanoTime();
-        String said = beside(hostile(Way.KEEPS), 300, "--threads", "1", "--pause-after", "0");
+        String said = beside(hostile(Way.KEEPS), 60, "--threads", "1", "--pause-after", "0");
         assertTrue(System.nanoTime() - began < TimeUnit.MINUTES.toNanos(4), said);
         assertTrue(said.contains("worker bad could not play a game: it has not finished its games within "), said);
         assertEquals(counting("alone"), counting("many"), said);
@@ -171,9 +184,9 @@ class WorkerVerdictsTest extends ServedLeague {
     /** A full disk, say: it is told once, and the worker is tried less and less often. */
     @Test
     void aWorkerThatFailsAtEachGameIsPaused() throws Exception {
-        alone(120);
+        alone(60);
         HostileWorker full = hostile(Way.FAILS);
-        String said = beside(full, 120, "--threads", "1", "--pause-after", "0");
+        String said = beside(full, 60, "--threads", "1", "--pause-after", "0");
         assertEquals(2, said.split("bad could not play a game: no space left", -1).length, said);
         assertTrue(said.contains("; it is paused, and tried with one job after 1 s, 2 s, 4 s and so on\n"), said);
         assertTrue(full.jobs() <= 15, () -> "found " + full.jobs() + " jobs: " + said);
