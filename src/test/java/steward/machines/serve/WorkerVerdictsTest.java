@@ -7,8 +7,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Collections;
+import java.util.List;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Tag;
@@ -16,10 +20,19 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
+import steward.contest.Contest;
+import steward.league.LeagueFolder;
+import steward.league.LeagueSettings;
+import steward.league.Schedule;
+import steward.league.StoredGame;
+import steward.league.play.Elsewhere;
+import steward.league.play.Roster.Member;
+import steward.league.store.GameStore;
 import steward.machines.broker.BrokerClient;
 import steward.machines.broker.BrokerClient.BrokenException;
 import steward.machines.serve.HostileWorker.Way;
 import steward.machines.token.WorkerToken;
+import steward.match.Protocol;
 
 /** What becomes of workers that lie, fail or keep games, and of honest ones with unusual bots. */
 @Tag("process")
@@ -191,5 +204,51 @@ class WorkerVerdictsTest extends ServedLeague {
         assertTrue(said.contains("; it is paused, and tried with one job after 1 s, 2 s, 4 s and so on\n"), said);
         assertTrue(full.jobs() <= 15, () -> "found " + full.jobs() + " jobs: " + said);
         assertEquals(counting("alone"), counting("many"), said);
+    }
+
+    /** The lease is 8 s; of bots that have not played yet it is what a worker may take, and a quarter of it in a hurry. */
+    @Test
+    void whoHasNothingElseToPlayWaitsForNoLeaseAndTheWorkerIsBlamedWhenItEnds() throws Exception {
+        make("many");
+        WorkerToken token = token("many", "bad");
+        List<String> told = new CopyOnWriteArrayList<>();
+        LeagueSettings settings = new LeagueFolder(folder.resolve("many")).read();
+        List<Member> members = settings.active().subList(0, 2).stream().map(bot -> new Member(bot,
+            new GameStore.Version(1, bot.name(), 1, bot.command(), false, bot.name(), 0),
+            Contest.entrant(bot.typed(), Protocol.JSON), "")).toList();
+        AtomicBoolean over = new AtomicBoolean();
+        try (RemoteGames games = served("many", false, TimeUnit.SECONDS.toNanos(8), told::add);
+             BrokerClient client = client(token)) {
+            CompletableFuture<Void> keeping = CompletableFuture.runAsync(() -> {
+                try {
+                    hostile(Way.KEEPS).play(client, over::get);
+                } catch (BrokenException | InterruptedException closed) {
+                    return;
+                }
+            });
+            while (told.isEmpty()) {
+                TimeUnit.MILLISECONDS.sleep(10);       // until it has joined
+            }
+            CompletableFuture<List<List<StoredGame>>> played = CompletableFuture.supplyAsync(() -> {
+                try {
+                    return games.play(List.of(new Elsewhere.Game(new Schedule.Task(0, 5, 1, 1), settings, members)));
+                } catch (InterruptedException end) {
+                    return List.of();
+                }
+            });
+            while (!played.isDone()) {
+                games.hurry();
+                TimeUnit.MILLISECONDS.sleep(50);
+            }
+            assertEquals(Collections.singletonList(null), played.get());
+            assertEquals(1, told.size(), () -> "nobody is blamed yet: " + told);
+            while (told.size() == 1) {
+                TimeUnit.MILLISECONDS.sleep(50);
+            }
+            assertTrue(told.get(1).startsWith("worker bad could not play a game: it has not finished its games within "
+                + "8 s"), told::toString);
+            over.set(true);
+            keeping.get(20, TimeUnit.SECONDS);
+        }
     }
 }
