@@ -5,7 +5,6 @@ import java.io.OutputStream;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Supplier;
-import steward.Internal;
 import steward.match.MatchListener;
 import steward.match.MatchResult;
 import steward.match.TeeListener;
@@ -20,7 +19,6 @@ import steward.match.TeeListener;
  * @param again     why each attempt before was played again, a sentence each without its full stop
  * @param discarded why the last attempt does not count either, or {@code null}
  */
-@Internal
 public record CountedGame<T extends MatchListener>(MatchResult result, T follower, List<Failure> failures,
                                                    List<String> again, String discarded) {
 

@@ -44,6 +44,8 @@ public final class MeasuredLeague {
 
     /** In how many of the games the bots are asked again, as usual. */
     static final double SHARE = 0.05;
+    /** Tenths of a second for which a first game is waited for. */
+    private static final int PATIENCE_TENTHS = 600;
     private static final double NANOS = 1e9;
     private static final double NANOS_PER_US = 1e3;
     private static final int BOTS = 4;
@@ -192,11 +194,24 @@ public final class MeasuredLeague {
                 TimeUnit.NANOSECONDS.sleep((long) (effort.warmSeconds() * NANOS));
                 Reading before = read(run, metered);
                 TimeUnit.NANOSECONDS.sleep((long) (effort.seconds() * NANOS));
+                for (int tries = 0; tries < PATIENCE_TENTHS && run.stored() == before.games(); tries++) {
+                    TimeUnit.MILLISECONDS.sleep(100);  // figures are of CPU time: on a busy machine it takes longer
+                }
                 return sample(before, read(run, metered), far == null ? 1 : far.perJob(), told);
             } finally {
                 run.breakOff();
                 playing.join();
             }
+        }
+    }
+
+    /** A measurement in which nothing was played. */
+    public static final class NoGameException extends RuntimeException {
+
+        private static final long serialVersionUID = 1;
+
+        NoGameException(String message) {
+            super(message);
         }
     }
 
@@ -240,7 +255,9 @@ public final class MeasuredLeague {
     private static Sample sample(Reading before, Reading after, double perJob, List<String> told) {
         long games = after.games() - before.games();
         if (games == 0) {
-            throw new IllegalStateException("no game was stored: " + told);
+            throw new NoGameException("found no game that was stored within "
+                + (after.nanos() - before.nanos()) / 1_000_000_000L + " s, expected at least one: the machine is too "
+                + "busy" + (told.isEmpty() ? "" : ", or " + told.get(told.size() - 1)));
         }
         Map<Kind, Double> kinds = new EnumMap<>(Kind.class);
         for (Kind kind : Kind.values()) {

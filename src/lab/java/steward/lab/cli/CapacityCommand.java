@@ -47,7 +47,8 @@ import tools.jackson.core.JsonGenerator;
         "Plays a league of bots inside the process, by itself and with a worker that joins",
         "it by TLS as all do, and prints CPU times as they stand in the documentation.",
         "", "Examples:", "  steward league capacity", "  steward league capacity --workers 100 --rate 2",
-        "", "Exit status: 0 done; 2 the call is unusable; 130 interrupted."})
+        "", "Exit status: 0 done; 1 nothing was played, as the machine is too busy; 2 the",
+        "call is unusable; 130 interrupted."})
 final class CapacityCommand implements Callable<Integer> {
 
     private static final String SCENE = "mad-pod-racing";
@@ -115,6 +116,8 @@ final class CapacityCommand implements Callable<Integer> {
             interruption.over();
         } catch (IOException problem) {
             throw unusable(folder, problem);
+        } catch (MeasuredLeague.NoGameException none) {
+            throw new FailedException(none.getMessage());
         } finally {
             delete(folder);
         }
@@ -122,7 +125,8 @@ final class CapacityCommand implements Callable<Integer> {
             Json.print(streams, out -> write(out, capacity));
         } else {
             CapacityText.of(capacity, LocalDate.now(ZoneOffset.UTC) + ", " + Machine.line()
-                + (quick ? ", measured roughly" : "")).forEach(streams.out()::println);
+                + (quick ? ", measured roughly" : "") + (busy > MOST_BUSY ? ", while other programs kept "
+                    + TextFormat.fixed(100 * busy, 0) + "% of the processors busy: of no use" : "")).forEach(streams.out()::println);
         }
         return ExitStatus.DONE;
     }

@@ -105,6 +105,8 @@ final class LeagueWorkerCommand implements Callable<Integer> {
                 streams.out().println("  steward worker --join HOST:PORT --token-file " + file);
             }
             case "revoke" -> {
+                check.that(!aside || WorkerList.read(league).invitation(name).isEmpty(),
+                    "--set-aside: found an invitation, expected a worker, whose games do not count then");
                 WorkerList.revoke(league, name, "by hand", aside);
                 streams.out().println(name + " is revoked");
             }

@@ -126,12 +126,16 @@ public final class LeagueBroker implements AutoCloseable {
         }
     }
 
-    /** Returns an admission that makes the queue of a worker that has just been taken in. */
+    /** Returns an admission that makes the queue of a worker that has just been added or taken in. */
     private Admission opening(Admission admission) {
         return new Admission() {
             @Override
             public boolean admits(String worker, String secret) {
-                return admission.admits(worker, secret);
+                boolean admits = admission.admits(worker, secret);
+                if (admits) {
+                    open(worker);
+                }
+                return admits;
             }
 
             @Override

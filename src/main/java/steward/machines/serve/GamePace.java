@@ -55,7 +55,7 @@ final class GamePace {
                 means.getOrDefault(member.version().id(), Double.POSITIVE_INFINITY)).sum();
             doublings = Math.max(doublings, ended.getOrDefault(game.task().seed(), 0));
         }
-        return (long) Math.min(lease, (hurry ? HURRY : 1) * (START_NANOS + SLOWER * sum) * (1L << doublings));
+        return (long) ((hurry ? HURRY : 1) * Math.min(lease, (START_NANOS + SLOWER * sum) * (1L << doublings)));
     }
 
     /** Notes that these games were taken away. */

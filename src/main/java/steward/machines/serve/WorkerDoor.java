@@ -14,6 +14,8 @@ final class WorkerDoor implements Admission {
     private final LeagueFolder folder;
     private final Consumer<String> teller;
     private volatile WorkerList list;
+    /** Stamp of the file when a worker was not on the list. */
+    private volatile String missed = "";
     /** Used by one thread. */
     private String stamp;
 
@@ -25,8 +27,22 @@ final class WorkerDoor implements Admission {
         list = WorkerList.read(folder);
     }
 
+    /** True if the worker may play; one that has just been added is found in the file. */
     @Override
     public boolean admits(String worker, String secret) {
+        if (list.admits(worker, secret)) {
+            return true;
+        }
+        String now = WorkerList.stamp(folder);
+        if (now.equals(missed)) {
+            return false;
+        }
+        missed = now;
+        try {
+            list = WorkerList.read(folder);
+        } catch (InputException problem) {
+            return false;                              // said by the thread that looks for changes
+        }
         return list.admits(worker, secret);
     }
 

@@ -26,6 +26,8 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.cli.Cli;
 import steward.cli.Main;
 import steward.cli.ShellBots;
@@ -40,6 +42,7 @@ import steward.league.store.GameStore;
 @Tag("process")
 @Tag("slow")
 @Timeout(300)
+@Execution(ExecutionMode.CONCURRENT)
 class WorkerProcessTest {
 
     private static final int INTERRUPTED = 130;
@@ -81,9 +84,23 @@ class WorkerProcessTest {
         return cli.out() + cli.err();
     }
 
-    private CompletableFuture<String> serve(int games) {
+    /** Serves the league, which plays nothing itself unless it is told to. */
+    private CompletableFuture<String> serve(int games, int threads) {
         return CompletableFuture.supplyAsync(() -> done("run", folder.resolve("night").toString(), "--games",
-            Integer.toString(games), "--serve", "127.0.0.1:" + port));
+            Integer.toString(games), "--threads", Integer.toString(threads), "--serve", "127.0.0.1:" + port));
+    }
+
+    /** Plays what is left, in this JVM, and returns what the league has said. */
+    private String rest(CompletableFuture<String> league) throws Exception {
+        done("worker", "add", folder.resolve("night").toString(), "rest", "--out", token("rest").toString());
+        Path stop = folder.resolve("rest.stop");
+        CompletableFuture<Cli> rest = CompletableFuture.supplyAsync(() -> Cli.run("worker", "--join", "127.0.0.1:"
+            + port, "--token-file", token("rest").toString(), "--bundles", folder.resolve("bundles rest").toString(),
+            "--sandbox", "off", "--stop-file", stop.toString()));
+        String said = league.get(200, TimeUnit.SECONDS);
+        Files.createFile(stop);
+        assertEquals(0, rest.get(100, TimeUnit.SECONDS).status());
+        return said;
     }
 
     /** A worker with a new token, after the words of {@code before}. */
@@ -145,7 +162,7 @@ class WorkerProcessTest {
 
     @Test
     void endsAfterSoManyGamesOrSoMuchTime() throws Exception {
-        CompletableFuture<String> league = serve(24);
+        CompletableFuture<String> league = serve(10, 0);
         Process three = worker("three", List.of(), "--games", "3", "--threads", "2");
         assertEquals(0, end(three, league), () -> read("three.err"));
         assertEquals("3 games played\n", read("three.out"));
@@ -153,15 +170,15 @@ class WorkerProcessTest {
         long began = System.nanoTime();
         assertEquals(0, end(brief, league), () -> read("brief.err"));
         assertTrue(System.nanoTime() - began >= TimeUnit.SECONDS.toNanos(3));
-        String said = league.get(200, TimeUnit.SECONDS);
-        assertTrue(said.startsWith("24 games of duel\n"), said);
+        String said = rest(league);
+        assertTrue(said.startsWith("10 games of duel\n"), said);
         assertEquals(3, stored("three"), said);
         assertEquals(stored("brief") + (stored("brief") == 1 ? " game" : " games") + " played\n", read("brief.out"));
     }
 
     @Test
     void ctrlCFinishesTheGamesThatAreUnderWay() throws Exception {
-        CompletableFuture<String> league = serve(24);
+        CompletableFuture<String> league = serve(12, 0);
         Process worker = worker("ending", List.of(), "--threads", "2");
         await(() -> stored("ending") >= 2 || league.isDone());
         int before = stored("ending");
@@ -169,8 +186,8 @@ class WorkerProcessTest {
         assertEquals(INTERRUPTED, end(worker, league), () -> read("ending.err"));
         assertTrue(read("ending.err").contains("the games that are under way are finished, no others begun\n"),
             read("ending.err"));
-        String said = league.get(200, TimeUnit.SECONDS);
-        assertTrue(said.startsWith("24 games of duel\n"), said);
+        String said = rest(league);
+        assertTrue(said.startsWith("12 games of duel\n"), said);
         int after = stored("ending");
         assertTrue(after > before, "found " + after + " games, and " + before + " when it was told to end: one was "
             + "under way, as each takes most of a second");
@@ -179,8 +196,8 @@ class WorkerProcessTest {
 
     @Test
     void endsWhenItIsIdleOrAFileSaysSoAndDiffersWhenItIsRefused() throws Exception {
-        CompletableFuture<String> league = serve(24);
-        Process idle = worker("idle", List.of(), "--idle", "2s", "--json");
+        CompletableFuture<String> league = serve(8, 0);
+        Process idle = worker("idle", List.of(), "--idle", "5s", "--json");
         Process told = worker("told", List.of(), "--stop-file", folder.resolve("stop").toString());
         await(() -> stored("told") >= 1 || league.isDone());
         Files.createFile(folder.resolve("stop"));
@@ -191,7 +208,7 @@ class WorkerProcessTest {
             "--sandbox", "off");
         assertEquals(3, cli.status(), cli.err());
         assertTrue(cli.err().contains("the league refuses the token: it is wrong or revoked"), cli.err());
-        assertTrue(league.get(200, TimeUnit.SECONDS).startsWith("24 games of duel\n"));
+        assertTrue(rest(league).startsWith("8 games of duel\n"));
         assertEquals(0, end(idle, league), () -> read("idle.err"));
         assertTrue(read("idle.err").matches("(?s)\\{\"time\":\"\\d{4}-[^\"]*Z\",\"event\":\"joined 127.0.0.1:.*"),
             read("idle.err"));
@@ -206,7 +223,7 @@ class WorkerProcessTest {
         Files.writeString(settings, Files.readString(settings).replaceFirst("\"name\": \"fast\"", "\"files\": [\""
             + weights + "\", \"" + folder.resolve("pause.sh") + "\", \"" + folder.resolve("text pod.sh")
             + "\"], $0"));
-        CompletableFuture<String> league = serve(8);
+        CompletableFuture<String> league = serve(8, 1);
         Process small = worker("small", List.of("sh", "-c", "ulimit -f 8; exec \"$0\" \"$@\""));
         await(() -> read("small.err").contains("cannot be unpacked") || league.isDone());
         Process other = worker("other", List.of());

@@ -1,13 +1,13 @@
 package steward.machines.broker;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
-import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -24,15 +24,15 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /** Clients that want to fill the broker's memory or keep its connections, with and without a token. */
 @Tag("process")
 @Tag("slow")
 @Timeout(240)
+@Execution(ExecutionMode.CONCURRENT)
 class HostileClientsTest {
-
-    private static final byte[] PREAMBLE = "ARTEMIS".getBytes(StandardCharsets.US_ASCII);
-    private static final byte CREATE_SESSION = -18;
 
     @TempDir
     private Path folder;
@@ -61,8 +61,11 @@ class HostileClientsTest {
         }
     }
 
-    private static byte[] frame(int length, byte type) {
-        return ByteBuffer.allocate(12).put(PREAMBLE).putInt(length).put(type).array();
+    /** The short form of what the Gradle task {@code hostileClients} does with 100 clients. */
+    @Test
+    void honestWorkersGoOnBesideManyThatAttack() throws Exception {
+        StringBuilder said = new StringBuilder();
+        assertNull(HostileClients.play(folder, 12, 3, 256, line -> said.append(line).append('\n')), said::toString);
     }
 
     /** Long games: for minutes nobody says anything, and both connections stay. */
@@ -79,9 +82,9 @@ class HostileClientsTest {
     void strangersAreClosedBeforeTheyTakeMemory() throws Exception {
         try (ServedBroker served = new ServedBroker(folder, "one", "two")) {
             byte[] chunk = new byte[1 << 16];
-            assertClosed(served.stranger(), frame(Integer.MAX_VALUE, CREATE_SESSION), chunk);
-            assertClosed(served.stranger(), frame(-1, CREATE_SESSION), chunk);
-            assertClosed(served.stranger(), frame(100, (byte) 72), chunk);       // a large message before a login
+            assertClosed(served.stranger(), HostileClients.frame(Integer.MAX_VALUE, HostileClients.CREATE_SESSION), chunk);
+            assertClosed(served.stranger(), HostileClients.frame(-1, HostileClients.CREATE_SESSION), chunk);
+            assertClosed(served.stranger(), HostileClients.frame(100, (byte) 72), chunk);       // a large message before a login
             assertClosed(served.stranger(), ("POST / HTTP/1.1\r\nHost: a\r\nContent-Length: 2000000000\r\n\r\n")
                 .getBytes(StandardCharsets.US_ASCII), chunk);
             assertHonestGoesOn(served);
@@ -95,7 +98,7 @@ class HostileClientsTest {
             for (int k = 0; k < 20; k++) {
                 idle.add(served.stranger());
                 if (k % 2 == 0) {
-                    idle.get(k).getOutputStream().write(k % 4 == 0 ? PREAMBLE : frame(100, CREATE_SESSION));
+                    idle.get(k).getOutputStream().write(k % 4 == 0 ? HostileClients.PREAMBLE : HostileClients.frame(100, HostileClients.CREATE_SESSION));
                 }
             }
             assertHonestGoesOn(served);

@@ -42,6 +42,17 @@ final class ServedBroker implements AutoCloseable {
             Arrays.asList(workers), list::admits, Gate.OPEN);
     }
 
+    /** Clients of a broker of another process. */
+    ServedBroker(Path folder, int port) {
+        this.folder = folder;
+        this.port = port;
+        broker = null;
+    }
+
+    int port() {
+        return port;
+    }
+
     WorkerToken token(String worker) {
         return WorkerToken.read(folder.resolve(worker + ".token"));
     }

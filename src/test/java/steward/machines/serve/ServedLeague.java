@@ -187,11 +187,15 @@ abstract class ServedLeague {
     }
 
     RemoteGames served(String league, boolean scaled, Consumer<String> teller) {
+        return served(league, scaled, Long.MAX_VALUE, teller);
+    }
+
+    RemoteGames served(String league, boolean scaled, long leaseNanos, Consumer<String> teller) {
         LeagueFolder here = new LeagueFolder(folder.resolve(league));
         LeagueSettings settings = here.read();
         Contest contest = Contest.withoutBots(Games.open(here.scene(settings.scene())), 1);
         return new RemoteGames(here, Season.of(contest.setup(), settings), contest, settings, Games.types(),
-            new RemoteGames.Service(new InetSocketAddress("127.0.0.1", port), 0.05, Long.MAX_VALUE, "1", scaled),
+            new RemoteGames.Service(new InetSocketAddress("127.0.0.1", port), 0.05, leaseNanos, "1", scaled),
             teller);
     }
 

@@ -16,6 +16,8 @@ import javax.net.ssl.SSLException;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.league.LeagueFolder;
 import steward.machines.broker.BrokerClient;
 import steward.machines.broker.BrokerClient.BrokenException;
@@ -32,6 +34,7 @@ import steward.scene.RungLaw;
 @Tag("process")
 @Tag("slow")
 @Timeout(300)
+@Execution(ExecutionMode.CONCURRENT)
 class WorkerTest extends ServedLeague {
 
     @Test
@@ -286,5 +289,16 @@ class WorkerTest extends ServedLeague {
         String said = run.get(200, TimeUnit.SECONDS);
         assertTrue(games("many").stream().allMatch(row -> row.machine().matches(
             "worker slow: a machine of the test, time limits times [0-9.]+")), said);
+    }
+
+    /** The league looks at its list some times a second; who joins at once need not wait for that. */
+    @Test
+    void aWorkerMayJoinAsSoonAsItIsAdded() throws Exception {
+        make("many");
+        try (RemoteGames games = served("many")) {
+            for (String name : List.of("one", "two", "three", "four")) {
+                new BrokerClient("127.0.0.1", port, token("many", name), "p").close();
+            }
+        }
     }
 }

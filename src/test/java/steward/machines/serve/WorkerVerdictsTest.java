@@ -7,33 +7,58 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Collections;
+import java.util.List;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
+import steward.contest.Contest;
+import steward.league.LeagueFolder;
+import steward.league.LeagueSettings;
+import steward.league.Schedule;
+import steward.league.StoredGame;
+import steward.league.play.Elsewhere;
+import steward.league.play.Roster.Member;
+import steward.league.store.GameStore;
 import steward.machines.broker.BrokerClient;
 import steward.machines.broker.BrokerClient.BrokenException;
 import steward.machines.serve.HostileWorker.Way;
 import steward.machines.token.WorkerToken;
+import steward.match.Protocol;
 
 /** What becomes of workers that lie, fail or keep games, and of honest ones with unusual bots. */
 @Tag("process")
 @Tag("slow")
 @Timeout(300)
+@Execution(ExecutionMode.CONCURRENT)
 class WorkerVerdictsTest extends ServedLeague {
+
+    private int lag = 64;
 
     private HostileWorker hostile(Way way) {
         return new HostileWorker(way, folder.resolve("short.json").toString(), (name, honest) -> "codingame:"
             + (name.equals("fast") == honest ? bots.driver() : bots.idler(honest && name.equals("wrong") ? 3 : 0)));
     }
 
-    private void alone(int games) {
+    private void alone(int games) throws Exception {
         make("alone");
+        lag("alone");
         done("run", "TMP/alone", "--games", Integer.toString(games), "--quiet", "--pause-after", "0");
         make("many");
+        lag("many");
+    }
+
+    private void lag(String league) throws Exception {
+        Path settings = folder.resolve(league + "/league.json");
+        Files.writeString(settings, Files.readString(settings).replaceFirst("\"lag\": \\d+", "\"lag\": " + lag));
     }
 
     /** Plays a league beside a hostile worker, which ends with it. */
@@ -157,12 +182,13 @@ class WorkerVerdictsTest extends ServedLeague {
         assertEquals(counting("alone"), counting("many"), said);
     }
 
-    /** The lease is ten minutes, and the schedule may be 64 decisions ahead. */
+    /** The lease is ten minutes, and the schedule may be 4 decisions ahead, so that each game that is kept counts. */
     @Test
     void aWorkerThatKeepsItsGamesStopsNobody() throws Exception {
-        alone(300);
+        lag = 4;
+        alone(60);
         long began = System.nanoTime();
-        String said = beside(hostile(Way.KEEPS), 300, "--threads", "1", "--pause-after", "0");
+        String said = beside(hostile(Way.KEEPS), 60, "--threads", "1", "--pause-after", "0");
         assertTrue(System.nanoTime() - began < TimeUnit.MINUTES.toNanos(4), said);
         assertTrue(said.contains("worker bad could not play a game: it has not finished its games within "), said);
         assertEquals(counting("alone"), counting("many"), said);
@@ -171,12 +197,58 @@ class WorkerVerdictsTest extends ServedLeague {
     /** A full disk, say: it is told once, and the worker is tried less and less often. */
     @Test
     void aWorkerThatFailsAtEachGameIsPaused() throws Exception {
-        alone(120);
+        alone(60);
         HostileWorker full = hostile(Way.FAILS);
-        String said = beside(full, 120, "--threads", "1", "--pause-after", "0");
+        String said = beside(full, 60, "--threads", "1", "--pause-after", "0");
         assertEquals(2, said.split("bad could not play a game: no space left", -1).length, said);
         assertTrue(said.contains("; it is paused, and tried with one job after 1 s, 2 s, 4 s and so on\n"), said);
         assertTrue(full.jobs() <= 15, () -> "found " + full.jobs() + " jobs: " + said);
         assertEquals(counting("alone"), counting("many"), said);
+    }
+
+    /** The lease is 8 s; of bots that have not played yet it is what a worker may take, and a quarter of it in a hurry. */
+    @Test
+    void whoHasNothingElseToPlayWaitsForNoLeaseAndTheWorkerIsBlamedWhenItEnds() throws Exception {
+        make("many");
+        WorkerToken token = token("many", "bad");
+        List<String> told = new CopyOnWriteArrayList<>();
+        LeagueSettings settings = new LeagueFolder(folder.resolve("many")).read();
+        List<Member> members = settings.active().subList(0, 2).stream().map(bot -> new Member(bot,
+            new GameStore.Version(1, bot.name(), 1, bot.command(), false, bot.name(), 0),
+            Contest.entrant(bot.typed(), Protocol.JSON), "")).toList();
+        AtomicBoolean over = new AtomicBoolean();
+        try (RemoteGames games = served("many", false, TimeUnit.SECONDS.toNanos(8), told::add);
+             BrokerClient client = client(token)) {
+            CompletableFuture<Void> keeping = CompletableFuture.runAsync(() -> {
+                try {
+                    hostile(Way.KEEPS).play(client, over::get);
+                } catch (BrokenException | InterruptedException closed) {
+                    return;
+                }
+            });
+            while (told.isEmpty()) {
+                TimeUnit.MILLISECONDS.sleep(10);       // until it has joined
+            }
+            CompletableFuture<List<List<StoredGame>>> played = CompletableFuture.supplyAsync(() -> {
+                try {
+                    return games.play(List.of(new Elsewhere.Game(new Schedule.Task(0, 5, 1, 1), settings, members)));
+                } catch (InterruptedException end) {
+                    return List.of();
+                }
+            });
+            while (!played.isDone()) {
+                games.hurry();
+                TimeUnit.MILLISECONDS.sleep(50);
+            }
+            assertEquals(Collections.singletonList(null), played.get());
+            assertEquals(1, told.size(), () -> "nobody is blamed yet: " + told);
+            while (told.size() == 1) {
+                TimeUnit.MILLISECONDS.sleep(50);
+            }
+            assertTrue(told.get(1).startsWith("worker bad could not play a game: it has not finished its games within "
+                + "8 s"), told::toString);
+            over.set(true);
+            keeping.get(20, TimeUnit.SECONDS);
+        }
     }
 }
