@@ -29,6 +29,7 @@ class FantasticBitsVectorsTest {
 
     private static void compare(TestReporter report, String how, Function<FantasticBitsMatch, Comparison> comparing)
             throws IOException {
-        GroundTruth.assertReproduced(report, "fantastic-bits", how, FantasticBitsMatch::read, match -> match.turns().size(), comparing);
+        GroundTruth.assertReproduced(report, "fantastic-bits", how, FantasticBitsMatch::read,
+            match -> match.turns().size(), comparing);
     }
 }

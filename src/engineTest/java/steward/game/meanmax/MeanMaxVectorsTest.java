@@ -29,6 +29,7 @@ class MeanMaxVectorsTest {
 
     private static void compare(TestReporter report, String how, Function<MeanMaxMatch, Comparison> comparing)
             throws IOException {
-        GroundTruth.assertReproduced(report, "mean-max", how, MeanMaxMatch::read, match -> match.turns().size(), comparing);
+        GroundTruth.assertReproduced(report, "mean-max", how, MeanMaxMatch::read, match -> match.turns().size(),
+            comparing);
     }
 }

@@ -29,6 +29,7 @@ class PokerChipRaceVectorsTest {
 
     private static void compare(TestReporter report, String how, Function<PokerMatch, Comparison> comparing)
             throws IOException {
-        GroundTruth.assertReproduced(report, "poker-chip-race", how, PokerMatch::read, match -> match.turns().size(), comparing);
+        GroundTruth.assertReproduced(report, "poker-chip-race", how, PokerMatch::read, match -> match.turns().size(),
+            comparing);
     }
 }
