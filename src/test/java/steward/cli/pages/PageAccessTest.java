@@ -26,7 +26,7 @@ import steward.replay.page.PageTestBrowser;
 class PageAccessTest {
 
     private static final String AXE = "/META-INF/resources/webjars/axe-core/4.6.3/axe.min.js";
-    /** Colours that this axe does not know, as it knows them: without it no contrast of a page with one is looked at. */
+    /** Colours that this axe does not know, as it knows them; without it no contrast of a page is looked at. */
     private static final String OLDER_COLOURS = """
         ;(() => {
           const share = /color\\(srgb ([\\d.e-]+) ([\\d.e-]+) ([\\d.e-]+)(?: \\/ ([\\d.e-]+))?\\)/g;
