@@ -258,8 +258,8 @@ class AccuracyFiguresTest {
         "\"maxPositionError\": 1, \"share\": \"most\" | accuracy.share: found the text \"most\", "
             + "expected a number 0..1",
         "\"maxCost\": 0 | accuracy.maxCost: found 0, expected a number above 0",
-        "\"maxCost\": \"2 h\" | accuracy.maxCost: found \"2 h\", expected a number above 0, or a time such as \"2us\" or "
-            + "\"500ns\"",
+        "\"maxCost\": \"2 h\" | accuracy.maxCost: found \"2 h\", expected a number above 0, or a time such as \"2us\" "
+            + "or \"500ns\"",
         "\"maxPositionError\": 1, \"share\": 1, \"advance\": \"event\" | accuracy.advance: found an unknown field, "
             + "expected one of \"maxCost\", \"maxPositionError\", \"share\""})
     void aWrongDemandIsRefused(String accuracy, String message) throws IOException {

@@ -30,8 +30,8 @@ import tools.jackson.core.JacksonException;
 public final class ReplayReader implements AutoCloseable {
 
     /**
-     * The longest line that is read, in bytes: a header with 200,000 bodies, whose scene may have taken in 64 MiB of CSV,
-     * with their drawing and their places.
+     * The longest line that is read, in bytes: a header with 200,000 bodies, whose scene may have taken in 64 MiB of
+     * CSV, with their drawing and their places.
      */
     static final int LONGEST_LINE = 1 << 27;
 

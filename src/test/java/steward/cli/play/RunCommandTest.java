@@ -69,8 +69,8 @@ class RunCommandTest {
     void whatIsNotARunIsRefused() {
         Cli players = Cli.run("run", "duel");
         assertEquals(ExitStatus.UNUSABLE, players.status());
-        assertEquals("steward: found a scene for 2 players, expected one for 0: 'steward match' plays it between bots\n",
-            players.err());
+        assertEquals("steward: found a scene for 2 players, expected one for 0: 'steward match' plays it between "
+            + "bots\n", players.err());
         assertEquals(ExitStatus.UNUSABLE, Cli.run("run", "gas", "--turns", "0").status());
     }
 }
