@@ -58,8 +58,8 @@ final class LeagueWorkerCommand implements Callable<Integer> {
     @Option(names = "--count", paramLabel = "N", description = "With invite: so many machines may use it.")
     private Integer count;
 
-    @Option(names = "--until", paramLabel = "DATE", description = "With invite: the last day on which a machine may use "
-        + "it, such as 2030-12-24, or a moment, such as 2030-12-24T18:00.")
+    @Option(names = "--until", paramLabel = "DATE", description = "With invite: the last day on which a machine may "
+        + "use it, such as 2030-12-24, or a moment, such as 2030-12-24T18:00.")
     private String until;
 
     @Option(names = "--set-aside", description = "With revoke: the worker's games do not count, and 'league run "

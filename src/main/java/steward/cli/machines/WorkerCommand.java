@@ -31,10 +31,10 @@ import steward.text.TextFormat;
 /** {@code steward worker}: plays games of a league that is on another machine. */
 @Command(name = "worker", description = "Plays games of a league that runs elsewhere with 'league run --serve'.",
     footer = {"",
-        "The token comes from 'steward league worker add' or 'invite'; without --token-file it is",
-        "the text in the variable STEWARD_TOKEN. Bots are kept apart strictly unless",
-        "told otherwise: they are programs of whoever keeps the league. After Ctrl-C the",
-        "games that are under way are finished, and no others begun.",
+        "The token comes from 'steward league worker add' or 'invite'; without a",
+        "--token-file it is the text in the variable STEWARD_TOKEN. Bots are kept apart",
+        "strictly unless told otherwise: they are programs of whoever keeps the league.",
+        "After Ctrl-C the games that are under way are finished, and no others begun.",
         "", "Example:", "  steward worker --join attic.example:7161 --token-file mine.token",
         "", "Exit status: 0 told to end; 1 broken: what the league says cannot be used; 2 the",
         "call or a file is unusable; 3 refused: the token, the program's version or the",
@@ -171,13 +171,16 @@ public final class WorkerCommand implements Callable<Integer> {
         Invitation.Letter letter = file == null ? Invitation.letter(text, VARIABLE) : Invitation.letter(file);
         check.that(letter != null || keyFile == null, "--key-file is for an invitation, expected a token of this "
             + "worker without it");
+        WorkerToken token = letter != null ? invited(letter) : file == null ? WorkerToken.parse(text, VARIABLE)
+            : WorkerToken.read(file);
         String warning = file == null ? null : PrivateFile.warning(file);
         if (warning != null) {
             log.warn(warning);
         }
-        if (letter == null) {
-            return file == null ? WorkerToken.parse(text, VARIABLE) : WorkerToken.read(file);
-        }
+        return token;
+    }
+
+    private WorkerToken invited(Invitation.Letter letter) {
         String host = host();
         return WorkerToken.invited(letter, keyFile != null ? OutputFiles.path(keyFile)
             : user("XDG_STATE_HOME", ".local/state").resolve("keys").resolve(letter.broker().substring(0, BROKER_DIGITS)

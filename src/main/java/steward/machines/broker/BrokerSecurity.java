@@ -17,8 +17,9 @@ import org.apache.activemq.artemis.spi.core.security.jaas.UserPrincipal;
 final class BrokerSecurity implements ActiveMQSecurityManager5 {
 
     /**
-     * Mark in a password: between a worker's secret, the secret of an invitation, which may be empty, and the name of its
-     * process, so that the process is known when the first session is made. Artemis has a client's id for that, but sends it only once it knows the broker's version.
+     * Mark in a password between its three parts: a worker's secret; the secret of an invitation, which may be empty;
+     * and the name of the worker's process, so that it is known when the first session is made. Artemis has a client's
+     * id for that, but sends it only once it knows the broker's version.
      */
     static final String MARK = " ";
     /** Beginning of a client's id, before the reason, for {@link WorkerSessions} to refuse it with. */

@@ -19,7 +19,7 @@ public final class MachineSpeed {
     private MachineSpeed() {
     }
 
-    /** Returns the speed: the best of some samples of a few milliseconds, as compiling and interrupts only slow down. */
+    /** Returns the speed: the best of some samples of a few milliseconds, as all that interferes only slows down. */
     public static int measure() {
         ThreadMXBean threads = ManagementFactory.getThreadMXBean();
         boolean cpu = threads.isCurrentThreadCpuTimeSupported();

@@ -52,7 +52,7 @@ final class OfferedJobs {
 
     /** Time for which a worker may keep a job. */
     interface Patience {
-        /** Returns it in nanoseconds, as of now: what is known grows. @param hurry true if others have nothing to play */
+        /** Returns it in nanoseconds, by what is known now. @param hurry true if others have nothing to play */
         long nanos(boolean hurry);
     }
 

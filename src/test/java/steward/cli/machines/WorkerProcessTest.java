@@ -230,8 +230,8 @@ class WorkerProcessTest {
         String said = league.get(200, TimeUnit.SECONDS);
         assertTrue(said.contains("8 games of duel\n"), said);
         assertEquals(0, stored("small"));
-        assertTrue(read("small.err").matches("(?s).*steward: \\S+ fast: \\S.*: the bundle cannot be unpacked: [^\n]*\n.*"),
-            read("small.err"));
+        assertTrue(read("small.err").matches("(?s).*steward: \\S+ fast: \\S.*: the bundle cannot be unpacked: [^\n]*\n"
+            + ".*"), read("small.err"));
         assertTrue(said.contains("Z worker small cannot play a bot: fast: "), said);
         assertTrue(small.isAlive() && other.isAlive(), "it waits for games that it can play");
         try (Stream<Path> left = Files.list(folder.resolve("bundles small"))) {

@@ -4,6 +4,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static steward.machines.broker.HostileClients.CREATE_SESSION;
+import static steward.machines.broker.HostileClients.PREAMBLE;
+import static steward.machines.broker.HostileClients.frame;
 
 import java.io.IOException;
 import java.io.InputStream;
@@ -82,9 +85,9 @@ class HostileClientsTest {
     void strangersAreClosedBeforeTheyTakeMemory() throws Exception {
         try (ServedBroker served = new ServedBroker(folder, "one", "two")) {
             byte[] chunk = new byte[1 << 16];
-            assertClosed(served.stranger(), HostileClients.frame(Integer.MAX_VALUE, HostileClients.CREATE_SESSION), chunk);
-            assertClosed(served.stranger(), HostileClients.frame(-1, HostileClients.CREATE_SESSION), chunk);
-            assertClosed(served.stranger(), HostileClients.frame(100, (byte) 72), chunk);       // a large message before a login
+            assertClosed(served.stranger(), frame(Integer.MAX_VALUE, CREATE_SESSION), chunk);
+            assertClosed(served.stranger(), frame(-1, CREATE_SESSION), chunk);
+            assertClosed(served.stranger(), frame(100, (byte) 72), chunk);       // a large message before a login
             assertClosed(served.stranger(), ("POST / HTTP/1.1\r\nHost: a\r\nContent-Length: 2000000000\r\n\r\n")
                 .getBytes(StandardCharsets.US_ASCII), chunk);
             assertHonestGoesOn(served);
@@ -98,7 +101,7 @@ class HostileClientsTest {
             for (int k = 0; k < 20; k++) {
                 idle.add(served.stranger());
                 if (k % 2 == 0) {
-                    idle.get(k).getOutputStream().write(k % 4 == 0 ? HostileClients.PREAMBLE : HostileClients.frame(100, HostileClients.CREATE_SESSION));
+                    idle.get(k).getOutputStream().write(k % 4 == 0 ? PREAMBLE : frame(100, CREATE_SESSION));
                 }
             }
             assertHonestGoesOn(served);

@@ -206,7 +206,7 @@ class WorkerVerdictsTest extends ServedLeague {
         assertEquals(counting("alone"), counting("many"), said);
     }
 
-    /** The lease is 8 s; of bots that have not played yet it is what a worker may take, and a quarter of it in a hurry. */
+    /** With bots that have not played yet a worker may take the lease, 8 s, and in a hurry a quarter of it. */
     @Test
     void whoHasNothingElseToPlayWaitsForNoLeaseAndTheWorkerIsBlamedWhenItEnds() throws Exception {
         make("many");
