@@ -67,8 +67,10 @@ public final class CapacityText {
         String machine = percent(LITTLE) + " of a machine of " + number(Math.floor(league / LITTLE) + 1)
             + " processors.";
         if (capacity.overhead() < capacity.leagueOverhead()) {
-            lines.add("A worker adds less overhead than the broker, TLS and the checks take together, as a league by itself");
-            lines.add("writes a replay of each game, in case it fails, and a worker sends the commands alone. Broker, TLS and");
+            lines.add("A worker adds less overhead than the broker, TLS and the checks take together, as a league by "
+                + "itself");
+            lines.add("writes a replay of each game, in case it fails, and a worker sends the commands alone. Broker, "
+                + "TLS and");
             lines.add("checks are under " + machine);
         } else {
             lines.add("Broker, TLS and checks are under " + machine);

@@ -126,7 +126,8 @@ final class CapacityCommand implements Callable<Integer> {
         } else {
             CapacityText.of(capacity, LocalDate.now(ZoneOffset.UTC) + ", " + Machine.line()
                 + (quick ? ", measured roughly" : "") + (busy > MOST_BUSY ? ", while other programs kept "
-                    + TextFormat.fixed(100 * busy, 0) + "% of the processors busy: of no use" : "")).forEach(streams.out()::println);
+                    + TextFormat.fixed(100 * busy, 0) + "% of the processors busy: of no use" : ""))
+                .forEach(streams.out()::println);
         }
         return ExitStatus.DONE;
     }
