@@ -21,6 +21,8 @@ public final class BodiesGame extends AbstractGame {
     private final PlayRules rules;
     private final Plan plan;
     private final List<Body> discs;
+    /** Of the rules, as an array: the iterator of a list is allocated. */
+    private final Zone[] zones;
     private final Bodies bodies;
     private final Advance advance;
     private final TurnSink sink;
@@ -63,6 +65,7 @@ public final class BodiesGame extends AbstractGame {
         rules = other.rules;
         plan = other.plan;
         discs = other.discs;
+        zones = other.zones;
         owned = other.owned;
         bodies = other.bodies.copy();
         thrusts = new Thrust[discs.size()];
@@ -76,6 +79,7 @@ public final class BodiesGame extends AbstractGame {
         this.rules = rules;
         this.plan = plan;
         this.discs = discs;
+        zones = rules.zones().toArray(Zone[]::new);
         this.owned = owned;
         bodies = new Bodies(discs.size() + bumpers);
         thrusts = new Thrust[discs.size()];
@@ -166,7 +170,7 @@ public final class BodiesGame extends AbstractGame {
 
     /** Gives points, and ends the game if a body has reached a zone that ends it. */
     private boolean visitZones() {
-        for (Zone zone : rules.zones()) {
+        for (Zone zone : zones) {
             for (int k = 0; k < discs.size(); k++) {
                 if (zone.holds(bodies.x[k], bodies.y[k])) {
                     score(owner(k), zone.points());

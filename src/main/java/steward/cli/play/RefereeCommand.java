@@ -45,7 +45,7 @@ import tools.jackson.databind.node.ObjectNode;
         "", "A game that a bot lost on time while others used the processors is played again,",
         "as 'match --games' does; the standard error says why, and why a bot failed. In a",
         "call that is refused each bot named gets -1. With --old the tool runs the bots:",
-        "of those that are silent, crash or are missing nothing is known; use -r for them.",
+        "of those that are silent, crash or are missing nothing is known: use -r.",
         "", "Files of -l and -r are replaced if they are empty or a file of their own kind,",
         "since tools name the same files again; any other file is kept, and refused.",
         "", "Examples:",
