@@ -147,12 +147,12 @@ class OutsideGameTest {
             "--games", "4", "--threads", "0", "--serve", address));
         Path others = Files.createDirectories(folder.resolve("far"));
         Cli none = worker(others, address, token);
-        assertEquals(ExitStatus.FAILED, none.status(), none.err());
-        assertTrue(none.err().matches("(?s).*steward: found no jar of the league's game, expected sha256:\\w{64} .*"),
+        assertEquals(ExitStatus.REFUSED, none.status(), none.err());
+        assertTrue(none.err().matches("(?s).*found no jar of the league's game, expected sha256:\\w{64} .*"),
             none.err());
         pack(others.resolve("sumo.jar"), folder.resolve("classes"), "far");
         Cli other = worker(others, address, token);
-        assertEquals(ExitStatus.FAILED, other.status(), other.err());
+        assertEquals(ExitStatus.REFUSED, other.status(), other.err());
         assertTrue(other.err().contains("found the jar sha256:"), other.err());
         Cli same = worker(games, address, token, "--games", "4");
         assertEquals(ExitStatus.DONE, same.status(), same.err());

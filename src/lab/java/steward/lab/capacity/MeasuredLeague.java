@@ -11,12 +11,16 @@ import java.net.ServerSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
+import java.util.Set;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import steward.bot.isolation.Isolation;
 import steward.contest.BotStarter;
@@ -50,11 +54,14 @@ public final class MeasuredLeague {
     private static final double NANOS_PER_US = 1e3;
     private static final int BOTS = 4;
     private static final String HOST = "127.0.0.1";
+    private static final String COMMON_POOL = "ForkJoinPool.commonPool";
     private static final String WORKER = "measured";
 
     private final MeasuredBots bots;
     private final Path folder;
     private final ThreadMXBean threads = ManagementFactory.getThreadMXBean();
+    /** Threads that were there before, but for the JVM's common pool: other leagues of the process may be closing. */
+    private Set<Long> strangers = Set.of();
     private final OperatingSystemMXBean system =
         (OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean();
 
@@ -81,7 +88,7 @@ public final class MeasuredLeague {
             if (thread.contains("activemq-client-factory") || thread.contains("activemq-client-remoting")) {
                 return WORKER_BROKER;
             }
-            return thread.contains("activemq") || thread.startsWith("ForkJoinPool.commonPool") ? BROKER
+            return thread.contains("activemq") || thread.startsWith(COMMON_POOL) ? BROKER
                 : switch (thread) {
                     case "what workers say" -> MESSAGES;
                     case "league" -> GAMES;
@@ -136,6 +143,9 @@ public final class MeasuredLeague {
      * @throws IllegalStateException if no games are played
      */
     public Sample measure(boolean served, Effort effort) throws InterruptedException, IOException {
+        strangers = Arrays.stream(threads.getThreadInfo(threads.getAllThreadIds())).filter(Objects::nonNull)
+            .filter(info -> !info.getThreadName().startsWith(COMMON_POOL)).map(ThreadInfo::getThreadId)
+            .collect(Collectors.toSet());
         LeagueFolder league = new LeagueFolder(Files.createTempDirectory(folder, "league"));
         LeagueSettings settings = LeagueSettings.usual(bots.setup().scene().name(), 1).with(null,
             Double.POSITIVE_INFINITY, KeptReplays.FAILED).withBots(IntStream.rangeClosed(1, BOTS).mapToObj(k ->
@@ -240,7 +250,7 @@ public final class MeasuredLeague {
         for (long id : threads.getAllThreadIds()) {
             ThreadInfo info = threads.getThreadInfo(id);
             long cpu = threads.getThreadCpuTime(id);
-            if (info != null && cpu > 0) {
+            if (info != null && cpu > 0 && !strangers.contains(id)) {
                 kinds.merge(Kind.of(info.getThreadName()), cpu, Long::sum);
             }
         }

@@ -102,7 +102,7 @@ class AccuracyOptionTest {
     private static void refused(String call, String... messages) {
         Cli cli = Cli.run("--cli", call);
         assertEquals(ExitStatus.UNUSABLE, cli.status(), cli.err());
-        assertEquals(call.startsWith("referee") ? "-1\n-1\n" : "", cli.out());
+        assertEquals(call.startsWith("referee -p") ? "-1\n-1\n" : "", cli.out());
         for (String message : messages) {
             assertTrue(cli.err().startsWith("steward: --accuracy: ")
                 && cli.err().contains(message), cli.err());

@@ -42,7 +42,8 @@ class GameInvariantsTest {
         GameSetup setup = Games.open(scene, Accuracy.parse(rung));
         int impacts = 0;
         int turns = 0;
-        for (int seed = 1; seed <= GAMES; seed++) {
+        int games = setup.scene().players() == 0 ? 1 : GAMES;               // nobody plays otherwise there
+        for (int seed = 1; seed <= games; seed++) {
             Game game = setup.create(seed);
             Game again = setup.create(seed);
             Pilot pilot = setup.pilot(seed % 2 == 0 ? Pilot.Aim.WIN : Pilot.Aim.MINGLE);
@@ -65,7 +66,7 @@ class GameInvariantsTest {
                 turns++;
             }
         }
-        assertTrue(turns >= GAMES * 20, turns + " turns");
+        assertTrue(turns >= games * 20, turns + " turns");
         assertTrue(impacts > 0 || setup.scene().players() == 1, "bodies of several players meet");
     }
 
