@@ -171,6 +171,7 @@ class LeagueCommandTest {
     }
 
     @Test
+    @Tag("process")
     void everyCommandThatWritesTakesTheFolderFromOthers() throws IOException {
         assumeTrue(folder.getFileSystem().supportedFileAttributeViews().contains("posix"), "skipped: no POSIX files");
         generated("a", 6);
