@@ -26,8 +26,6 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.api.parallel.Execution;
-import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.cli.Cli;
 import steward.cli.Main;
 import steward.cli.ShellBots;
@@ -42,7 +40,6 @@ import steward.league.store.GameStore;
 @Tag("process")
 @Tag("slow")
 @Timeout(300)
-@Execution(ExecutionMode.CONCURRENT)
 class WorkerProcessTest {
 
     private static final int INTERRUPTED = 130;

@@ -23,14 +23,11 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.function.Executable;
 import org.junit.jupiter.api.function.ThrowingConsumer;
 import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.api.parallel.Execution;
-import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /** Rights of a worker with a good token, tried with a client of Artemis that is not ours. */
 @Tag("process")
 @Tag("slow")
 @Timeout(120)
-@Execution(ExecutionMode.CONCURRENT)
 class BrokerRightsTest {
 
     @TempDir

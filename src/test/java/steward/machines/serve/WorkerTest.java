@@ -16,8 +16,6 @@ import javax.net.ssl.SSLException;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.api.parallel.Execution;
-import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.league.LeagueFolder;
 import steward.machines.broker.BrokerClient;
 import steward.machines.broker.BrokerClient.BrokenException;
@@ -34,7 +32,6 @@ import steward.scene.RungLaw;
 @Tag("process")
 @Tag("slow")
 @Timeout(300)
-@Execution(ExecutionMode.CONCURRENT)
 class WorkerTest extends ServedLeague {
 
     @Test

@@ -18,8 +18,6 @@ import java.util.regex.Pattern;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.api.parallel.Execution;
-import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.contest.Contest;
 import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
@@ -38,7 +36,6 @@ import steward.match.Protocol;
 @Tag("process")
 @Tag("slow")
 @Timeout(300)
-@Execution(ExecutionMode.CONCURRENT)
 class WorkerVerdictsTest extends ServedLeague {
 
     private int lag = 64;
