@@ -65,7 +65,7 @@ export function connectControls(page) {
   });
   connectMenus();
   page.pointer.connect(control('field'));
-  addEventListener('hashchange', () => page.followLink());
+  addEventListener('hashchange', ({ newURL }) => page.followLink(new URL(newURL).hash));  // playing may have set another
 }
 
 function onKey(event, actions, page) {

@@ -171,9 +171,9 @@ export class Page {
     }
   }
 
-  /** Goes to the moment that the link names, #t=28.66 or #turn=57; returns whether it names one. */
-  followLink() {
-    const named = /^#(?:t|turn)=(\d+(?:\.\d+)?)$/.exec(location.hash);
+  /** Goes to the moment that a link names, #t=28.66 or #turn=57; returns whether it names one. */
+  followLink(link = location.hash) {
+    const named = /^#(?:t|turn)=(\d+(?:\.\d+)?)$/.exec(link);
     if (named && Math.abs(Number(named[1]) - this.playback.time) > 0.005) this.playback.seek(Number(named[1]));
     return Boolean(named);
   }
