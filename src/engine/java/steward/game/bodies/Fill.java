@@ -53,7 +53,7 @@ public record Fill(Shape shape, int count, double[] place, double radiusLow, dou
             angle.turn(speed == 0 ? 0 : 2 * Math.PI * random.nextDouble());
             double vx = speed * angle.cos();
             double vy = speed * angle.sin();
-            int tries = shape == Shape.RANDOM ? TRIES : 1;
+            int tries = shape != Shape.RANDOM ? 1 : fits(radius) ? TRIES : 0;
             do {
                 if (tries-- == 0) {
                     return k;
@@ -64,6 +64,11 @@ public record Fill(Shape shape, int count, double[] place, double radiusLow, dou
             to.add(like.at(at[0], at[1], vx, vy, radius));
         }
         return count;
+    }
+
+    /** True if a disc of this size has room in the place, were nothing else there. */
+    private boolean fits(double radius) {
+        return place.length == 3 ? radius <= place[2] : 2 * radius <= Math.min(place[2], place[3]);
     }
 
     private static double between(SplitMix64 random, double low, double high) {
