@@ -5,25 +5,20 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
-import org.junit.jupiter.api.AfterAll;
-import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import steward.replay.page.PageTestBrowser;
 
 /** Every page, asked by axe: light and dark, on a desk and on a phone. */
 @Tag("browser")
 @Tag("process")
 @Tag("slow")
 @Timeout(300)
-class PageAccessTest {
+class PageAccessTest extends GalleryTest {
 
     private static final String AXE = "/META-INF/resources/webjars/axe-core/4.6.3/axe.min.js";
     /** Colours that this axe does not know, as it knows them; without it no contrast of a page is looked at. */
@@ -39,25 +34,6 @@ class PageAccessTest {
         })();
         """;
     private static final int[][] SIZES = {{1280, 720}, {390, 844}, {844, 390}};
-
-    @TempDir
-    static Path folder;
-
-    private static PageTestBrowser browser;
-    private static PageGallery gallery;
-
-    @BeforeAll
-    static void start() {
-        browser = PageTestBrowser.start(folder.resolve("profile"));
-        gallery = new PageGallery(folder);
-    }
-
-    @AfterAll
-    static void quit() {
-        if (browser != null) {
-            browser.close();
-        }
-    }
 
     static Stream<String> pages() {
         return PageGallery.ALL.stream();
@@ -96,7 +72,7 @@ class PageAccessTest {
         }
     }
 
-    /** What axe finds wrong with the page that is open: the rule, and where; also a rule that axe could not ask. */
+    /** Findings of axe on the page that is open, the rule and the place; also rules that axe could not ask. */
     @SuppressWarnings("unchecked")
     private static List<String> violations() throws IOException {
         if (!browser.is("window.axe")) {

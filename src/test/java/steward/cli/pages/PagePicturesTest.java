@@ -10,16 +10,12 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
-import org.junit.jupiter.api.AfterAll;
-import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
-import steward.replay.page.PageTestBrowser;
 
 /**
  * Every page beside a reference picture of few large pixels, so that fonts and smoothing of another machine make no
@@ -29,7 +25,7 @@ import steward.replay.page.PageTestBrowser;
 @Tag("process")
 @Tag("slow")
 @Timeout(300)
-class PagePicturesTest {
+class PagePicturesTest extends GalleryTest {
 
     /** The side of a large pixel, in pixels of the page. */
     private static final int CELL = 24;
@@ -39,25 +35,6 @@ class PagePicturesTest {
     private static final double OTHERS = 0.004;
     /** The details of a match, in which answer times differ from run to run. */
     private static final int DETAILS = 344;
-
-    @TempDir
-    static Path folder;
-
-    private static PageTestBrowser browser;
-    private static PageGallery gallery;
-
-    @BeforeAll
-    static void start() {
-        browser = PageTestBrowser.start(folder.resolve("profile"));
-        gallery = new PageGallery(folder);
-    }
-
-    @AfterAll
-    static void quit() {
-        if (browser != null) {
-            browser.close();
-        }
-    }
 
     static Stream<Arguments> pages() {
         return PageGallery.ALL.stream()
