@@ -40,7 +40,7 @@ public record Layout(Field field, List<Body> listed, List<Fill> fills) {
             return fill;
         }
 
-        /** How many discs there was room for. */
+        /** Number of discs that there was room for. */
         public int placed() {
             return placed;
         }

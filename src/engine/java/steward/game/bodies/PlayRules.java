@@ -8,9 +8,9 @@ import java.util.List;
  * @param maximumTurns  after this many turns the game ends
  * @param restBelow     the game ends when every body of finite mass is slower, in u per turn; 0 for never
  * @param forceX        an impulse on every body of finite mass at the start of each turn
- * @param forceY        the same
+ * @param forceY        its part downwards
  * @param gravityX      what the speed of every body of finite mass changes by at the start of each turn, in u per turn
- * @param gravityY      the same
+ * @param gravityY      its part downwards
  * @param maximumThrust the longest thrust of a command, an impulse; 0 where there are no players
  * @param contactPoints for each impact of a player's body with one that is not the player's
  * @param zones         in the order of the file

@@ -19,7 +19,10 @@ import steward.league.rating.LeagueTable;
 import steward.league.rating.RatingPath;
 import steward.league.rating.Results;
 
-/** Queries on the games of one season: sums, decisions, lists. */
+/**
+ * Queries on the games of one season: sums, decisions, lists. Over 400 lines, because each query stands beside the method
+ * that reads its rows.
+ */
 public final class GameQueries {
 
     private static final String SUMS = "SELECT version, count(*), sum(score), count(fault), sum(answers), "

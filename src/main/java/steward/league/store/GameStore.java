@@ -15,6 +15,8 @@ import steward.league.StoredGame;
 /**
  * The games of a league: seasons, versions of bots, games. Every method is one transaction; all may be called by any
  * thread. Each throws {@link InputException} if the database cannot be used.
+ *
+ * <p>Over 400 lines, because each statement stands beside the method that runs it.
  */
 public final class GameStore implements AutoCloseable {
 

@@ -24,7 +24,7 @@ import steward.replay.ReplayWriter;
 import steward.replay.verify.Verification;
 
 /**
- * BundledBotMatches between bots that speak lines and bots that speak JSON, recorded in memory.
+ * Matches between bots that speak lines and bots that speak JSON, recorded in memory.
  *
  * @param result what the referee said
  * @param replay the replay

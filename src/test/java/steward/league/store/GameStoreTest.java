@@ -37,7 +37,10 @@ import steward.league.rating.RatingPath;
 import steward.league.rating.Results;
 import steward.league.store.GameStore.Version;
 
-/** Games go into a database and come out again; databases that cannot be used are refused with a reason. */
+/**
+ * Games go into a database and come out again; databases that cannot be used are refused with a reason. One long file:
+ * all of its tests fill the same league.
+ */
 class GameStoreTest {
 
     static final Season SEASON = Season.of("duel", "key", "limits", "rules", 2, false);

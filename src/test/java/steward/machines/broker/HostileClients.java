@@ -53,7 +53,7 @@ public final class HostileClients {
     private volatile String problem;
     private volatile boolean over;
 
-    /** What a client does until the broker closes its connection. */
+    /** Attack of a client, repeated until the broker closes its connection. */
     private enum Attack {
         LONG_FRAME, NO_LOGIN, WEB, LARGE_MESSAGE, TRANSACTION, SCHEDULED
     }

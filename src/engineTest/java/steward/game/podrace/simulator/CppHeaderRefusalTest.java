@@ -61,7 +61,7 @@ class CppHeaderRefusalTest {
         return new Said(process.waitFor(), text.strip());
     }
 
-    /** What the program says that these words compile. */
+    /** Output of the program that these words compile. */
     private String said(String... words) throws IOException, InterruptedException {
         List<String> call = new ArrayList<>(List.of(words));
         call.addAll(List.of("-std=c++17", "-o", "program"));
