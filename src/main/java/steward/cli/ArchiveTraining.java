@@ -3,7 +3,7 @@ package steward.cli;
 import java.nio.file.Path;
 import java.util.List;
 import steward.cli.shared.ExitStatus;
-import steward.cli.shared.Streams;
+import steward.cli.streams.Streams;
 
 /**
  * Commands that many calls are of, run one after the other, so that an archive of classes has what they load. The

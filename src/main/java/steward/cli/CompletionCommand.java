@@ -10,7 +10,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Spec;
 import steward.cli.shared.ExitStatus;
-import steward.cli.shared.Streams;
+import steward.cli.streams.Streams;
 
 /** {@code steward completion}: lets a shell complete commands and options. */
 @Command(name = CompletionCommand.NAME, description = "Prints a script for bash and zsh that completes commands.",

@@ -4,15 +4,15 @@ import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.Callable;
-import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
+import picocli.CommandLine;
 import steward.cli.shared.ExitStatus;
-import steward.cli.shared.Streams;
 import steward.cli.shared.UnknownWord;
+import steward.cli.streams.Streams;
 
 /** {@code steward help}: the help of the program, or of a command. */
 @Command(name = HelpCommand.NAME, description = "Prints the help of the program, or of a command.",

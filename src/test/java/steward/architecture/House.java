@@ -38,7 +38,7 @@ final class House {
         "league.tune", "league.store", "league.play", "league.page",
         "machines.check", "machines.part", "machines.token", "machines.wire", "machines.bundle", "machines.broker",
         "machines.serve", "machines.worker",
-        "cli.shared", "cli.options", "cli.explain", "cli.replay", "cli.play", "cli.sequential",
+        "cli.streams", "cli.shared", "cli.options", "cli.explain", "cli.replay", "cli.play", "cli.sequential",
         "cli.check", "cli.league.view", "cli.league.run", "cli.league", "cli.tournament", "cli.machines",
         "cli.setup", "cli",
         "lab.oracle", "lab.trial", "lab.stability.pairs", "lab.stability.crowds", "lab.stability",

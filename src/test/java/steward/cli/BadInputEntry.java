@@ -8,7 +8,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import steward.bot.command.CommandLine;
-import steward.cli.shared.Streams;
+import steward.cli.streams.Streams;
 
 /**
  * One entry of the table of bad inputs: a call, its files, and what comes of it. The lines of an entry, in this order:

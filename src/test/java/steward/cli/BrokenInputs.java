@@ -22,7 +22,7 @@ import steward.bot.InProcessPlayer;
 import steward.bot.command.BotCommand;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Games;
-import steward.cli.shared.Streams;
+import steward.cli.streams.Streams;
 import steward.codingame.recording.OfficialGame;
 import steward.game.GameSetup;
 import steward.match.MatchListener;

@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Test;
 import steward.cli.shared.ErrorHandler;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.OutOfMemory;
-import steward.cli.shared.Streams;
+import steward.cli.streams.Streams;
 
 /** When the memory does not suffice: one line with advice, and exit status 1, wherever it happened. */
 @Tag("process")

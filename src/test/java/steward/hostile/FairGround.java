@@ -11,12 +11,12 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.StreamSupport;
 import steward.bot.hold.HoldPolicy;
+import steward.bot.isolation.HoldMeans;
 import steward.bot.isolation.Isolation;
 import steward.bot.isolation.SandboxLevel;
 import steward.bot.isolation.SandboxSupport;
-import steward.bot.isolation.HoldMeans;
 import steward.cli.Main;
-import steward.cli.shared.Streams;
+import steward.cli.streams.Streams;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 

@@ -12,7 +12,7 @@ import java.util.TreeSet;
 import java.util.concurrent.TimeUnit;
 import steward.bot.isolation.SandboxLevel;
 import steward.cli.Main;
-import steward.cli.shared.Streams;
+import steward.cli.streams.Streams;
 import steward.hostile.Attack.Effect;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;

@@ -15,7 +15,7 @@ import java.util.stream.Stream;
 import steward.bot.isolation.SandboxLevel;
 import steward.bot.isolation.SandboxSupport;
 import steward.cli.Main;
-import steward.cli.shared.Streams;
+import steward.cli.streams.Streams;
 
 /**
  * Ends a series of matches at random moments, by SIGKILL, SIGTERM and SIGINT, and looks at what is left: no process and

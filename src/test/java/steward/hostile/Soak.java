@@ -8,7 +8,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import steward.cli.Main;
-import steward.cli.shared.Streams;
+import steward.cli.streams.Streams;
 
 /**
  * Plays thousands of quick matches between two programs in one JVM and prints how many threads, descriptors and files

@@ -15,7 +15,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import picocli.CommandLine;
 import steward.cli.Main;
-import steward.cli.shared.Streams;
+import steward.cli.streams.Streams;
 
 /** Check of a call of the program or of Gradle that a page shows: could it be made. Nothing is executed. */
 final class DocumentedCall {

@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.function.Function;
 import steward.cli.shared.Games;
-import steward.cli.shared.StandardFiles;
+import steward.cli.streams.StandardFiles;
 import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.game.GameSetup;

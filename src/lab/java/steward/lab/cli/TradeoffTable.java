@@ -2,7 +2,7 @@ package steward.lab.cli;
 
 import java.util.List;
 import java.util.Locale;
-import steward.cli.shared.Streams;
+import steward.cli.streams.Streams;
 import steward.lab.tradeoff.TradeoffHeadings;
 import steward.lab.tradeoff.TradeoffRow;
 import steward.lab.tradeoff.TradeoffScene;

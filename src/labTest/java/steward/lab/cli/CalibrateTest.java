@@ -28,7 +28,7 @@ import steward.cli.Cli;
 import steward.cli.ShellBots;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Games;
-import steward.cli.shared.Streams;
+import steward.cli.streams.Streams;
 import steward.game.GameSetup;
 import steward.game.Pilot;
 import steward.lab.calibration.Calibration;

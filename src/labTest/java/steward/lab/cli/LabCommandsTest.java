@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import steward.cli.shared.Games;
 import steward.cli.shared.Lab;
-import steward.cli.shared.Streams;
+import steward.cli.streams.Streams;
 import steward.game.GameSetup;
 import steward.scene.Part;
 import steward.scene.price.MeasuredPrices;

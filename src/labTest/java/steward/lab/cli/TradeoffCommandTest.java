@@ -21,7 +21,7 @@ import steward.cli.Cli;
 import steward.cli.Main;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Games;
-import steward.cli.shared.Streams;
+import steward.cli.streams.Streams;
 import steward.lab.tradeoff.TradeoffScene;
 import steward.lab.tradeoff.report.TradeoffReport;
 import steward.physics.Bodies;

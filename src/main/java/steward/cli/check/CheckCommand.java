@@ -16,7 +16,7 @@ import steward.cli.options.TimeLimitOptions;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.FailureText;
 import steward.cli.shared.Games;
-import steward.cli.shared.Streams;
+import steward.cli.streams.Streams;
 import steward.contest.Contest;
 import steward.files.InputException;
 import steward.game.GameSetup;

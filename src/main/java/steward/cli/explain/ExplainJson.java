@@ -1,8 +1,8 @@
 package steward.cli.explain;
 
 import java.util.Locale;
-import steward.cli.shared.Json;
-import steward.cli.shared.Streams;
+import steward.cli.streams.Json;
+import steward.cli.streams.Streams;
 import steward.game.GameSetup;
 import steward.json.JsonObject;
 import steward.scene.AccuracyChoice;

@@ -13,7 +13,7 @@ import steward.cli.league.view.LeagueArgument;
 import steward.cli.league.view.LeagueOpening;
 import steward.cli.options.BuiltinBotWords;
 import steward.cli.shared.ExitStatus;
-import steward.cli.shared.Streams;
+import steward.cli.streams.Streams;
 import steward.contest.Contest;
 import steward.files.InputException;
 import steward.league.BotIdentity;

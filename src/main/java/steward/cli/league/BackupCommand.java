@@ -12,7 +12,7 @@ import steward.cli.league.view.LeagueArgument;
 import steward.cli.league.view.LeagueOpening;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.FailedException;
-import steward.cli.shared.Streams;
+import steward.cli.streams.Streams;
 import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.text.TextFormat;

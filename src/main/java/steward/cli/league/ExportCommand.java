@@ -17,8 +17,8 @@ import steward.cli.league.view.LeagueOpening;
 import steward.cli.options.CallCheck;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.FailedException;
-import steward.cli.shared.StandardFiles;
-import steward.cli.shared.Streams;
+import steward.cli.streams.StandardFiles;
+import steward.cli.streams.Streams;
 import steward.files.OutputFiles;
 import steward.league.store.GameStore.Version;
 

@@ -11,7 +11,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.BiConsumer;
 import java.util.stream.Stream;
-import steward.cli.shared.Json;
+import steward.cli.streams.Json;
 import steward.files.InputException;
 import steward.league.Season;
 import steward.league.StoredGame;

@@ -11,7 +11,7 @@ import steward.cli.league.view.LeagueArgument;
 import steward.cli.league.view.LeagueOpening;
 import steward.cli.options.CallCheck;
 import steward.cli.shared.ExitStatus;
-import steward.cli.shared.Streams;
+import steward.cli.streams.Streams;
 import steward.files.InputException;
 import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;

@@ -18,7 +18,7 @@ import steward.cli.options.SeedOption;
 import steward.cli.options.ShippedScenes;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Games;
-import steward.cli.shared.Streams;
+import steward.cli.streams.Streams;
 import steward.contest.KeptReplays;
 import steward.files.InputException;
 import steward.files.OutputFiles;

@@ -12,7 +12,7 @@ import steward.cli.league.view.GamesCommand;
 import steward.cli.league.view.LeagueSprtCommand;
 import steward.cli.league.view.PageCommand;
 import steward.cli.league.view.TableCommand;
-import steward.cli.shared.Streams;
+import steward.cli.streams.Streams;
 
 /** {@code steward league}: bots that play each other for as long as one likes, every game kept. */
 @Command(name = "league", synopsisSubcommandLabel = "COMMAND",

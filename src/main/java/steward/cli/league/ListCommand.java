@@ -7,7 +7,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import steward.cli.league.view.LeagueArgument;
 import steward.cli.shared.ExitStatus;
-import steward.cli.shared.Streams;
+import steward.cli.streams.Streams;
 import steward.league.LeagueBot;
 import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;

@@ -19,7 +19,7 @@ import steward.cli.league.view.LeagueArgument;
 import steward.cli.league.view.LeagueOpening;
 import steward.cli.options.CallCheck;
 import steward.cli.shared.ExitStatus;
-import steward.cli.shared.Streams;
+import steward.cli.streams.Streams;
 import steward.league.LeagueFolder;
 import steward.league.StoredGame;
 import steward.text.TextFormat;

@@ -8,7 +8,7 @@ import picocli.CommandLine.Parameters;
 import steward.cli.league.view.LeagueArgument;
 import steward.cli.league.view.LeagueOpening;
 import steward.cli.shared.ExitStatus;
-import steward.cli.shared.Streams;
+import steward.cli.streams.Streams;
 import steward.files.InputException;
 import steward.league.LeagueBot;
 import steward.league.LeagueFolder;

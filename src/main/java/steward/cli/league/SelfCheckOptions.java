@@ -8,7 +8,7 @@ import steward.cli.options.CallCheck;
 import steward.cli.options.ThreadsOption;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Lab;
-import steward.cli.shared.Streams;
+import steward.cli.streams.Streams;
 
 /** {@code steward league --self-check}: what ratings and tests promise, measured on made-up leagues. */
 final class SelfCheckOptions {

@@ -9,7 +9,7 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import steward.cli.league.view.LeagueArgument;
 import steward.cli.shared.ExitStatus;
-import steward.cli.shared.Streams;
+import steward.cli.streams.Streams;
 import steward.files.InputException;
 import steward.league.FolderLock;
 import steward.league.LeagueFolder;

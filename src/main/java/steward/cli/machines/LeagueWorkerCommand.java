@@ -9,7 +9,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import steward.cli.options.CallCheck;
 import steward.cli.shared.ExitStatus;
-import steward.cli.shared.Streams;
+import steward.cli.streams.Streams;
 import steward.files.OutputFiles;
 import steward.league.LeagueFolder;
 import steward.machines.token.BrokerKey;

@@ -4,7 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import steward.cli.league.run.RunCommand;
 import steward.cli.shared.Lab;
-import steward.cli.shared.Streams;
+import steward.cli.streams.Streams;
 
 /** Commands of a league that are about several machines. */
 public final class MachineCommands {

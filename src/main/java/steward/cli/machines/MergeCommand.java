@@ -12,7 +12,7 @@ import steward.cli.league.view.LeagueOpening;
 import steward.cli.options.CallCheck;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Games;
-import steward.cli.shared.Streams;
+import steward.cli.streams.Streams;
 import steward.contest.Contest;
 import steward.files.OutputFiles;
 import steward.league.FolderLock;

@@ -5,7 +5,7 @@ import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.TypeConversionException;
 import steward.cli.shared.Games;
-import steward.cli.shared.Streams;
+import steward.cli.streams.Streams;
 import steward.game.GameSetup;
 import steward.scene.Accuracy;
 

@@ -19,7 +19,7 @@ import steward.bot.isolation.Isolation;
 import steward.bot.isolation.ResourceLimits;
 import steward.bot.isolation.SandboxLevel;
 import steward.bot.isolation.SandboxSupport;
-import steward.cli.shared.Streams;
+import steward.cli.streams.Streams;
 import steward.files.InputException;
 import steward.text.NearestName;
 

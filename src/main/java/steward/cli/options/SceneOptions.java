@@ -2,8 +2,8 @@ package steward.cli.options;
 
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
-import steward.cli.shared.StandardFiles;
-import steward.cli.shared.Streams;
+import steward.cli.streams.StandardFiles;
+import steward.cli.streams.Streams;
 import steward.game.GameSetup;
 
 /** The options that say which scene is played, and on which rung of accuracy. */

@@ -5,7 +5,7 @@ import java.lang.management.ManagementFactory;
 import java.util.Iterator;
 import java.util.List;
 import picocli.CommandLine.Option;
-import steward.cli.shared.Streams;
+import steward.cli.streams.Streams;
 
 /** The option that says how many games are played at the same time. */
 public final class ThreadsOption {

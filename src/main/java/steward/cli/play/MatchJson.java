@@ -6,14 +6,14 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
 import steward.cli.shared.FailureJson;
-import steward.cli.shared.Json;
-import steward.cli.shared.Streams;
+import steward.cli.streams.Json;
+import steward.cli.streams.Streams;
 import steward.contest.Contest;
 import steward.contest.Failure;
 import steward.json.JsonNumbers;
 import steward.json.JsonObject;
-import steward.match.MatchResult;
 import steward.match.MatchResult.PlayerResult;
+import steward.match.MatchResult;
 import steward.text.TextFormat;
 import tools.jackson.core.JsonGenerator;
 

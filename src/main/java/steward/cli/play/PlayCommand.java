@@ -15,13 +15,14 @@ import steward.cli.options.SeedOption;
 import steward.cli.options.TimeLimitOptions;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Games;
-import steward.cli.shared.Streams;
+import steward.cli.streams.Streams;
 import steward.codingame.LeagueAttributes;
 import steward.codingame.LeagueJson;
 import steward.contest.Contest;
 import steward.contest.CountedGame;
 import steward.files.InputException;
 import steward.game.GameSetup;
+import steward.json.JsonObject;
 import steward.match.Protocol;
 import steward.text.TextFormat;
 
@@ -87,9 +88,7 @@ public final class PlayCommand implements Callable<Integer> {
         RefereeGame.tell(streams, game);
         MatchJson.printObject(streams, out -> {
             LeagueJson.write(out, used, game.result(), game.follower());
-            out.writeArrayPropertyStart("played_again");
-            game.again().forEach(out::writeString);
-            out.writeEndArray();
+            JsonObject.writeTexts(out, "played_again", game.again());
         });
         return ExitStatus.DONE;
     }

@@ -21,7 +21,7 @@ import steward.cli.options.TimeLimitOptions;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Games;
 import steward.cli.shared.RefusedCall;
-import steward.cli.shared.Streams;
+import steward.cli.streams.Streams;
 import steward.codingame.OldReferee;
 import steward.contest.Contest;
 import steward.files.InputException;

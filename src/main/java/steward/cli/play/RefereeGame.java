@@ -10,7 +10,7 @@ import steward.cli.options.SeedOption;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.FailedException;
 import steward.cli.shared.Pages;
-import steward.cli.shared.Streams;
+import steward.cli.streams.Streams;
 import steward.codingame.GameResultLog;
 import steward.codingame.GameResultScores;
 import steward.contest.Contest;

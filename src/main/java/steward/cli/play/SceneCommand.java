@@ -12,7 +12,7 @@ import picocli.CommandLine.Parameters;
 import steward.cli.options.ShippedScenes;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Games;
-import steward.cli.shared.Streams;
+import steward.cli.streams.Streams;
 import steward.game.GameType;
 import steward.scene.SceneFiles;
 import steward.text.TextFormat;

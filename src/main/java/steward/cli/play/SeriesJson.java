@@ -3,7 +3,7 @@ package steward.cli.play;
 import java.nio.file.Path;
 import java.util.List;
 import steward.cli.shared.FailureJson;
-import steward.cli.shared.Streams;
+import steward.cli.streams.Streams;
 import steward.contest.AnswerTimes;
 import steward.contest.Contest;
 import steward.contest.Failure;

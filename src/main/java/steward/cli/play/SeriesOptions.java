@@ -8,7 +8,7 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import steward.cli.options.CallCheck;
 import steward.cli.options.ThreadsOption;
-import steward.cli.shared.Streams;
+import steward.cli.streams.Streams;
 import steward.contest.Hiccups;
 import steward.contest.KeptReplays;
 import steward.text.NearestName;

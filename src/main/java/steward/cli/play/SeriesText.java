@@ -2,7 +2,7 @@ package steward.cli.play;
 
 import java.io.PrintStream;
 import java.util.List;
-import steward.cli.shared.Colour;
+import steward.cli.streams.Colour;
 import steward.contest.AnswerTimes;
 import steward.contest.Contest;
 import steward.contest.Failure;

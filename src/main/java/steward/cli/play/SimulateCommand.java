@@ -9,8 +9,8 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import steward.cli.options.SceneOptions;
 import steward.cli.shared.ExitStatus;
-import steward.cli.shared.StandardFiles;
-import steward.cli.shared.Streams;
+import steward.cli.streams.StandardFiles;
+import steward.cli.streams.Streams;
 import steward.files.InputException;
 import steward.game.GameSetup;
 

@@ -2,8 +2,8 @@ package steward.cli.play;
 
 import java.util.List;
 import java.util.function.UnaryOperator;
-import steward.cli.shared.Colour;
-import steward.cli.shared.Streams;
+import steward.cli.streams.Colour;
+import steward.cli.streams.Streams;
 import steward.game.FrameCodec;
 import steward.game.Game;
 import steward.game.TurnEvent;

@@ -2,7 +2,7 @@ package steward.cli.replay;
 
 import java.util.List;
 import java.util.stream.IntStream;
-import steward.cli.shared.Json;
+import steward.cli.streams.Json;
 import steward.replay.ReplayHeader;
 import steward.text.TextFormat;
 

@@ -1,6 +1,6 @@
 package steward.cli.replay;
 
-import steward.cli.shared.Json;
+import steward.cli.streams.Json;
 import steward.text.TextFormat;
 
 /** Headings for people: a replay has them in radians, plus any number of whole turns; these are degrees in [0, 360). */

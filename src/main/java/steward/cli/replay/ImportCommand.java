@@ -22,9 +22,9 @@ import steward.bot.command.CommandLine;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.FailedException;
 import steward.cli.shared.Games;
-import steward.cli.shared.Json;
-import steward.cli.shared.StandardFiles;
-import steward.cli.shared.Streams;
+import steward.cli.streams.Json;
+import steward.cli.streams.StandardFiles;
+import steward.cli.streams.Streams;
 import steward.codingame.recording.DifferentGameException;
 import steward.codingame.recording.RecordingImport;
 import steward.files.InputException;
@@ -32,8 +32,8 @@ import steward.files.OutputFiles;
 import steward.game.podrace.RulesEdition;
 import steward.replay.page.UnclosedOutputStream;
 import steward.text.TextFormat;
-import steward.text.Utf8Text;
 import steward.text.Utf8Text.NotUtf8Exception;
+import steward.text.Utf8Text;
 
 /** {@code steward import}: makes a replay from an official recording. */
 @Command(name = "import", description = "Makes a replay from CodinGame's own JSON of a game. Verifying it compares "

@@ -10,7 +10,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import steward.cli.shared.ExitStatus;
-import steward.cli.shared.Streams;
+import steward.cli.streams.Streams;
 import steward.files.OutputFiles;
 import steward.replay.sign.SignerKey;
 import steward.replay.sign.SigningKey;

@@ -3,7 +3,7 @@ package steward.cli.replay;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import steward.cli.shared.Json;
+import steward.cli.streams.Json;
 import steward.match.MatchResult;
 import steward.replay.ReplayReader;
 

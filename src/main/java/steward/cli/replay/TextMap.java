@@ -5,7 +5,7 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import steward.cli.shared.Json;
+import steward.cli.streams.Json;
 import steward.replay.RecordedTurn;
 import steward.replay.ReplayReader;
 

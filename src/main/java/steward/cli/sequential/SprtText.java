@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
-import steward.cli.shared.Colour;
+import steward.cli.streams.Colour;
 import steward.json.JsonNumbers;
 import steward.league.sequential.ExpectedLength;
 import steward.league.sequential.Gsprt;

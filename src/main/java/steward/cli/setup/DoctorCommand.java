@@ -5,10 +5,10 @@ import java.util.List;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
-import steward.cli.shared.Colour;
 import steward.cli.shared.ExitStatus;
-import steward.cli.shared.Json;
-import steward.cli.shared.Streams;
+import steward.cli.streams.Colour;
+import steward.cli.streams.Json;
+import steward.cli.streams.Streams;
 import steward.json.JsonObject;
 import steward.text.TextFormat;
 

@@ -14,7 +14,7 @@ import picocli.CommandLine.Parameters;
 import steward.bot.command.CommandLine;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Games;
-import steward.cli.shared.Streams;
+import steward.cli.streams.Streams;
 import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.scene.SceneFiles;

@@ -1,6 +1,8 @@
 package steward.cli.shared;
 
 import java.util.List;
+import steward.cli.streams.StandardFiles;
+import steward.cli.streams.Streams;
 import steward.files.InputException;
 import steward.game.GameSetup;
 import steward.game.GameType;

@@ -7,6 +7,7 @@ import java.util.concurrent.Callable;
 import java.util.function.Consumer;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Unmatched;
+import steward.cli.streams.Streams;
 import steward.files.InputException;
 import steward.game.GameSetup;
 import steward.scene.price.MeasuredPrices;

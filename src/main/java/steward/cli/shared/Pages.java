@@ -8,6 +8,7 @@ import java.net.URI;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import steward.cli.streams.Streams;
 import steward.files.InputException;
 import steward.live.Browser;
 import steward.replay.page.PageExtras;

@@ -1,4 +1,2 @@
-/**
- * Common parts of several commands: streams and terminals, messages of errors and their exit status, the list of games.
- */
+/** Common parts of several commands: messages of errors and their exit status, pages, the list of games. */
 package steward.cli.shared;

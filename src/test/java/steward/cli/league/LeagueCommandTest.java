@@ -23,7 +23,7 @@ import picocli.CommandLine;
 import steward.cli.Cli;
 import steward.cli.Main;
 import steward.cli.league.view.LeagueOpening;
-import steward.cli.shared.Streams;
+import steward.cli.streams.Streams;
 import steward.league.LeagueFolder;
 import steward.league.Season;
 import steward.league.store.GameStore;

@@ -20,14 +20,14 @@ import java.util.function.Consumer;
 import java.util.stream.Stream;
 import steward.cli.Main;
 import steward.cli.TextShellBots;
-import steward.cli.shared.Streams;
+import steward.cli.streams.Streams;
 import steward.files.InputException;
 import steward.league.LeagueFolder;
 import steward.league.Season;
 import steward.league.store.GameQueries;
 import steward.league.store.GameStore;
-import steward.machines.broker.BrokerClient;
 import steward.machines.broker.BrokerClient.BrokenException;
+import steward.machines.broker.BrokerClient;
 import steward.machines.serve.HostileWorker;
 import steward.machines.token.WorkerToken;
 

@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 import steward.cli.Cli;
 import steward.cli.Main;
 import steward.cli.shared.ExitStatus;
-import steward.cli.shared.Streams;
+import steward.cli.streams.Streams;
 import steward.scene.SceneFiles;
 
 /** {@code steward scene}: shipped scenes and the JSON Schema, as they are in the program. */

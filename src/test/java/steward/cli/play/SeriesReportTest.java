@@ -19,8 +19,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import steward.cli.Cli;
 import steward.cli.ShellBots;
-import steward.cli.shared.Colour;
 import steward.cli.shared.ExitStatus;
+import steward.cli.streams.Colour;
 import tools.jackson.databind.JsonNode;
 
 /** Report and files of a series. */

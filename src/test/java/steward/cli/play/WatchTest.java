@@ -34,7 +34,7 @@ import steward.cli.Cli;
 import steward.cli.Main;
 import steward.cli.ShellBots;
 import steward.cli.shared.ExitStatus;
-import steward.cli.shared.Streams;
+import steward.cli.streams.Streams;
 import steward.live.Clients;
 
 /** {@code steward match --watch} as a whole. */

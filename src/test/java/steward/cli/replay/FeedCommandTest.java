@@ -27,7 +27,7 @@ import steward.cli.Main;
 import steward.cli.ProcessTest;
 import steward.cli.ShellBots;
 import steward.cli.shared.ExitStatus;
-import steward.cli.shared.Streams;
+import steward.cli.streams.Streams;
 
 /** {@code steward feed} with bots that are shell scripts. */
 @Tag("process")

@@ -24,7 +24,7 @@ import steward.cli.Main;
 import steward.cli.ProcessTest;
 import steward.cli.ShellBots;
 import steward.cli.shared.ExitStatus;
-import steward.cli.shared.Streams;
+import steward.cli.streams.Streams;
 import steward.codingame.recording.OfficialGame;
 import steward.codingame.recording.ServerMeanMax;
 import steward.match.TestScenes;

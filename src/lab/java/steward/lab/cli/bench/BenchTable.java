@@ -3,7 +3,7 @@ package steward.lab.cli.bench;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import steward.cli.shared.Streams;
+import steward.cli.streams.Streams;
 import steward.lab.bench.Row;
 import steward.lab.bench.Section;
 import steward.text.TextFormat;

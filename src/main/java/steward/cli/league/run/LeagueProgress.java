@@ -8,7 +8,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Supplier;
 import steward.cli.league.view.LeagueOpening;
 import steward.cli.league.view.TableText;
-import steward.cli.shared.Colour;
+import steward.cli.streams.Colour;
 import steward.league.LeagueSettings;
 import steward.league.StoredGame;
 import steward.league.play.LeagueRun;

@@ -15,7 +15,7 @@ import java.util.regex.Pattern;
 import steward.cli.league.view.PageCommand;
 import steward.cli.options.WatchOptions;
 import steward.cli.shared.Pages;
-import steward.cli.shared.Streams;
+import steward.cli.streams.Streams;
 import steward.files.InputException;
 import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;

@@ -2,7 +2,7 @@ package steward.cli.league.view;
 
 import java.nio.file.Path;
 import picocli.CommandLine.Parameters;
-import steward.cli.shared.Streams;
+import steward.cli.streams.Streams;
 import steward.files.OutputFiles;
 import steward.league.LeagueFolder;
 

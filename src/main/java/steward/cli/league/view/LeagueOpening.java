@@ -13,7 +13,7 @@ import steward.bot.isolation.Isolation;
 import steward.cli.options.SandboxOptions;
 import steward.cli.shared.CallException;
 import steward.cli.shared.Games;
-import steward.cli.shared.Streams;
+import steward.cli.streams.Streams;
 import steward.contest.Contest;
 import steward.files.InputException;
 import steward.game.GameSetup;

@@ -15,7 +15,7 @@ import steward.cli.options.CallCheck;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.FailedException;
 import steward.cli.shared.Pages;
-import steward.cli.shared.Streams;
+import steward.cli.streams.Streams;
 import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.league.StoredGame;

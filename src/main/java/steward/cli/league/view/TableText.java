@@ -3,7 +3,7 @@ package steward.cli.league.view;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import steward.cli.shared.Colour;
+import steward.cli.streams.Colour;
 import steward.league.Season;
 import steward.league.page.WorkerRow;
 import steward.league.rating.Difference;

@@ -17,7 +17,7 @@ import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import steward.cli.Cli;
-import steward.cli.shared.Colour;
+import steward.cli.streams.Colour;
 import steward.league.LeagueSettings;
 import steward.league.Season;
 import steward.league.page.LeaguePage;

@@ -1,4 +1,4 @@
-package steward.cli.shared;
+package steward.cli.streams;
 
 import java.io.BufferedOutputStream;
 import java.io.Console;

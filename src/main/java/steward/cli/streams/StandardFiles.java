@@ -1,4 +1,4 @@
-package steward.cli.shared;
+package steward.cli.streams;
 
 import java.io.BufferedInputStream;
 import java.io.ByteArrayInputStream;
@@ -77,7 +77,7 @@ public final class StandardFiles {
     }
 
     /** A scene that comes on the standard input. */
-    static SceneText readScene(Streams streams) {
+    public static SceneText readScene(Streams streams) {
         try {
             return SceneFiles.read(new BufferedInputStream(streams.in()), INPUT);
         } catch (IOException problem) {

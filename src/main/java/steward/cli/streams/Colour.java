@@ -1,4 +1,4 @@
-package steward.cli.shared;
+package steward.cli.streams;
 
 /**
  * Colours for a terminal, by the escape sequences of ECMA-48 (select graphic rendition); plain text elsewhere, and

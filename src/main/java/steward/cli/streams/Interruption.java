@@ -1,4 +1,4 @@
-package steward.cli.shared;
+package steward.cli.streams;
 
 import java.nio.file.Path;
 import java.util.function.Supplier;

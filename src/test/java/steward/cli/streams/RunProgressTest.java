@@ -1,4 +1,4 @@
-package steward.cli.shared;
+package steward.cli.streams;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
