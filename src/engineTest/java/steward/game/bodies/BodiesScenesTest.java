@@ -56,7 +56,7 @@ class BodiesScenesTest {
         "listed": [ {"colour": "red", "radius": 10} ]        | 4:24: bodies.listed[0].colour: found "red", expected a
         "fill": {"count": 30, "radius": 60}                  | 4:9: bodies.fill: found room for \\d+ of 30 bodies, exp
         "fill": {"shape": "line", "count": 11, "radius": 10, "in": ENDS} | 4:9: bodies.fill: found room for 1 of 11 b
-        "fill": {"count": 3, "radius": 60, "in": {"x": 99, "y": 99, "radius": 50}} | 4:9: bodies.fill: found room for 0 of
+        "fill": {"count": 3, "radius": 60, "in": {"x": 99, "y": 99, "radius": 50}} | 4:9: bodies.fill: found room for 0
         "fill": {"count": 3, "radius": [9, 8]}               | 4:32: bodies.fill.radius: found 9.0 before 8.0, expected
         "fill": []                                           | 3:13: bodies: found no body, expected bodies that are
         """)
