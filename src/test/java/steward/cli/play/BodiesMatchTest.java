@@ -48,8 +48,8 @@ class BodiesMatchTest {
     void twoProgramsPushOneDiscEach() throws IOException {
         assumeTrue(ShellBots.runnable(), "there is no /bin/sh");
         String replay = folder.resolve("push.jsonl").toString();
-        Cli match = Cli.run("match", "--scene", written("push.json", SCENE), "--sandbox", "off", "--seed", "1", "--json",
-            "--out", replay, "--bot", "a=sh " + written("a.sh", JSON), "--bot",
+        Cli match = Cli.run("match", "--scene", written("push.json", SCENE), "--sandbox", "off", "--seed", "1",
+            "--json", "--out", replay, "--bot", "a=sh " + written("a.sh", JSON), "--bot",
             "b=codingame:sh " + written("b.sh", LINES));
         assertEquals(ExitStatus.DONE, match.status(), match.err());
         JsonNode players = JsonMapper.shared().readTree(match.out()).get("players");
