@@ -3,6 +3,7 @@ package steward.cli.sequential;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.function.DoubleFunction;
 import java.util.stream.Collectors;
 import steward.cli.streams.Colour;
 import steward.json.JsonNumbers;
@@ -101,7 +102,7 @@ final class SprtText {
         if (scores.observations() > 1) {
             lines.add("Score " + TextFormat.fixed(scores.mean(), 4) + (isVoid(scores)
                 ? ", of too few seeds for a bar"
-                : " (" + range(SequentialBar.ofMean(scores), "%.4f") + "), " + elo(scores) + ", 95% at any time"));
+                : " (" + range(SequentialBar.ofMean(scores), mean -> TextFormat.fixed(mean, 4)) + "), " + elo(scores) + ", 95% at any time"));
         }
         return lines;
     }
@@ -112,17 +113,23 @@ final class SprtText {
         return Math.min(1, bar.high()) - Math.max(0, bar.low()) > VOID;
     }
 
-    private static String range(SequentialBar bar, String format) {
-        String low = String.format(Locale.ROOT, format, bar.low());
-        String high = String.format(Locale.ROOT, format, bar.high());
+    private static String range(SequentialBar bar, DoubleFunction<String> form) {
+        String low = form.apply(bar.low());
+        String high = form.apply(bar.high());
         return bar.isOpenAbove() ? "> " + low : bar.isOpenBelow() ? "< " + high : low + " to " + high;
     }
 
     private String elo(ScoreCounts scores) {
         SequentialBar bar = test.range(scores);
-        String range = range(bar, "%+.1f");
+        String range = range(bar, SprtText::signed);
         return model() + " Elo " + (bar.isOpenAbove() || bar.isOpenBelow() ? range
-            : String.format(Locale.ROOT, "%+.1f (%s)", test.elo(scores.mean(), scores), range));
+            : signed(test.elo(scores.mean(), scores)) + " (" + range + ")");
+    }
+
+    /** One decimal, with its sign unless that is a zero. */
+    private static String signed(double elo) {
+        String text = TextFormat.fixed(elo, 1);
+        return text.startsWith("-") || Double.parseDouble(text) == 0 ? text : "+" + text;
     }
 
     /** The fields of JSON. */

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
+import steward.cli.streams.Colour;
 import steward.league.sequential.Gsprt;
 import steward.league.sequential.ScoreCounts;
 
@@ -28,5 +29,15 @@ class SprtTextTest {
             }
         }
         assertTrue(found > 0, "no ratio is just below 0");
+    }
+
+    @Test
+    void aDifferenceThatRoundsToZeroHasNoSign() {
+        ScoreCounts scores = new ScoreCounts(2);
+        scores.add(0, 10_001);
+        scores.add(1, 10_000);
+        String text = new SprtText(new Gsprt(0, 10, 0.05, 0.05, Gsprt.Model.LOGISTIC), "one", "other")
+            .lines(scores, new SprtText.Unused(0, 0, 0), Colour.NONE).get(4);
+        assertTrue(text.contains("), logistic Elo 0.0 (-"), text);
     }
 }
