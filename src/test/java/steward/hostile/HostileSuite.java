@@ -18,7 +18,8 @@ import steward.text.TextFormat;
  * {@code escapes} or {@code succeeds}, and after how many milliseconds the match was over. With {@code --markdown FILE}
  * the tables of {@code docs/security.md} and the day are written. Exit status 1 if anything is not as expected.
  *
- * <p>{@code --short} plays the attacks of the usual tests, {@code --only WORD} those of this word.
+ * <p>{@code --short} plays the attacks of the usual tests and leaves out those on files, pages and leagues; {@code
+ * --only guards} plays these, {@code --only WORD} those of this word.
  */
 public final class HostileSuite {
 
@@ -54,7 +55,8 @@ public final class HostileSuite {
             rows.add(row(trial, attack, next, problems));
         }
         int attacks = rows.size();
-        if (!options.contains("--only")) {
+        int only = options.indexOf("--only");
+        if (only >= 0 ? options.get(only + 1).equals("guards") : !options.contains("--short")) {
             guards(new Guards(Files.createDirectory(work.resolve("guards"))).run(), rows, problems);
         }
         String day = "Printed on " + LocalDate.now() + ".";

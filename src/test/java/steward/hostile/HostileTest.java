@@ -52,6 +52,12 @@ class HostileTest {
         run(report, HostileSuite.class, "--short");
     }
 
+    @Test
+    @Tag("campaign")
+    void attacksOnFilesPagesAndLeagues(TestReporter report) throws Exception {
+        run(report, HostileSuite.class, "--only", "guards");
+    }
+
     /** Once at every level by every signal. */
     @Test
     void aSeriesThatIsKilledLeavesNothing(TestReporter report) throws Exception {

@@ -134,12 +134,18 @@ class CalibrateTest {
     }
 
     @Test
-    @Tag("process")
-    void figuresThatExistAreKeptUnlessTheyAreToBeReplaced() throws IOException {
+    void figuresThatExistAreKept() throws IOException {
         Path scene = scene("{ \"maxPositionError\": 400, \"share\": 0.99 }");
         Path figures = Files.writeString(folder.resolve("mine.accuracy.json"), "old");
         refused("exists already, and is kept", "tradeoff --calibrate " + scene);
         assertEquals("old", Files.readString(figures));
+    }
+
+    @Test
+    @Tag("campaign")
+    void figuresAreReplacedOnDemand() throws IOException {
+        Path scene = scene("{ \"maxPositionError\": 400, \"share\": 0.99 }");
+        Path figures = Files.writeString(folder.resolve("mine.accuracy.json"), "old");
         Cli cli = Cli.run("--cli", "tradeoff --calibrate " + scene + " --states 10 --overwrite");
         assertEquals(ExitStatus.DONE, cli.status(), cli.err());
         assertEquals(10, AccuracyFigures.read(Files.readString(figures), "new").states());

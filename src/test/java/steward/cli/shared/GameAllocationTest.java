@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
 import java.nio.charset.StandardCharsets;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import steward.game.FrameCodec;
@@ -17,6 +19,7 @@ import steward.numerics.SplitMix64;
  * A turn of every shipped scene allocates nothing once its buffers have grown, births, deaths, skills and passed
  * checkpoints included: counted by the JVM, to the byte.
  */
+@Execution(ExecutionMode.CONCURRENT)
 class GameAllocationTest {
 
     private static final int COUNTS = 5;

@@ -6,6 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.nio.charset.StandardCharsets;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -22,6 +24,7 @@ import steward.scene.SceneFiles;
  * Invariants of every turn of every shipped scene on every kind of rung: states are finite, impacts are in order, what
  * one body gains the other loses, energies follow from the velocities, and a copy of a game goes on as the game does.
  */
+@Execution(ExecutionMode.CONCURRENT)
 class GameInvariantsTest {
 
     private static final int GAMES = 2;

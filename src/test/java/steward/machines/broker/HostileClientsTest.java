@@ -72,7 +72,7 @@ class HostileClientsTest {
     @Test
     void aBrokerAndAWorkerThatAreSilentForLongStillHearEachOther() throws Exception {
         try (ServedBroker served = new ServedBroker(folder, "one"); BrokerClient client = served.client("one", "p")) {
-            TimeUnit.MILLISECONDS.sleep(LeagueBroker.TTL_MS * 5 / 2);
+            TimeUnit.MILLISECONDS.sleep(LeagueBroker.TTL_MS * 3 / 2);
             client.say("still here".getBytes(StandardCharsets.UTF_8));
             assertEquals(List.of("one", "still here"), served.report());
         }
