@@ -24,7 +24,7 @@ final class DocumentedCall {
     /** Tasks that Gradle's plugins bring. */
     private static final Set<String> PLUGIN_TASKS = Set.of("run", "test", "javadoc", "installDist", "classes",
         "labTestClasses",
-        "checkstyleMain", "checkstyleTest", "checkstyleBots");
+        "checkstyleMain", "checkstyleTest", "checkstyleBots", "publishToMavenLocal");
     private static final Pattern OWN_TASK = Pattern.compile("tasks\\.create\\('(\\w+)'");
     private static final Pattern PROPERTY = Pattern.compile("findProperty\\('([\\w.]+)'\\)");
     /** The list of properties that are handed to tests. */
@@ -158,7 +158,7 @@ final class DocumentedCall {
 
     private static String build() {
         try {
-            return Files.readString(Path.of("build.gradle"));
+            return Files.readString(Path.of("build.gradle")) + Files.readString(Path.of("gradle/publish.gradle"));
         } catch (IOException problem) {
             throw new UncheckedIOException(problem);
         }

@@ -102,7 +102,8 @@ final class SprtText {
         if (scores.observations() > 1) {
             lines.add("Score " + TextFormat.fixed(scores.mean(), 4) + (isVoid(scores)
                 ? ", of too few seeds for a bar"
-                : " (" + range(SequentialBar.ofMean(scores), mean -> TextFormat.fixed(mean, 4)) + "), " + elo(scores) + ", 95% at any time"));
+                : " (" + range(SequentialBar.ofMean(scores), mean -> TextFormat.fixed(mean, 4)) + "), " + elo(scores)
+                + ", 95% at any time"));
         }
         return lines;
     }
