@@ -10,17 +10,22 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import picocli.CommandLine;
+import steward.cli.options.SandboxOptions;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.UnknownWord;
 import steward.cli.streams.Streams;
 
 /** {@code steward help}: the help of the program, or of a command. */
 @Command(name = HelpCommand.NAME, description = "Prints the help of the program, or of a command.",
-    footer = {"", "Examples:", "  steward help match", "  steward help league run"})
+    footer = {"", "'steward help sandbox' tells of the options by which bots are isolated.",
+        "", "Examples:", "  steward help match", "  steward help league run"})
 final class HelpCommand implements Callable<Integer> {
 
     /** The name of the command. */
     static final String NAME = "help";
+
+    /** The word for options that several commands take. */
+    private static final String SANDBOX = "sandbox";
 
     private final Streams streams;
 
@@ -46,6 +51,10 @@ final class HelpCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
+        if (words.equals(List.of(SANDBOX))) {
+            streams.out().print(sandbox());
+            return ExitStatus.DONE;
+        }
         CommandLine found = spec.root().commandLine();
         for (String word : words) {
             Map<String, CommandLine> commands = found.getSubcommands();
@@ -60,5 +69,14 @@ final class HelpCommand implements Callable<Integer> {
         }
         found.usage(streams.out());
         return ExitStatus.DONE;
+    }
+
+    private static String sandbox() {
+        CommandSpec options = CommandSpec.forAnnotatedObject(new SandboxOptions());
+        options.usageMessage().sortOptions(false).width(Main.WIDTH);
+        return "How bots are isolated from this machine and from each other: options of 'match',\n"
+            + "'play', 'referee', 'check', 'sprt', 'tune' and 'worker'. docs/security.md says\n"
+            + "what each level holds, 'steward doctor' what works here.\n"
+            + new CommandLine.Help(options, CommandLine.Help.Ansi.OFF).optionList();
     }
 }

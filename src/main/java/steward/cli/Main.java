@@ -51,7 +51,8 @@ public final class Main {
     /** An option that passes a whole command line as one argument. */
     private static final String WHOLE = "--cli";
 
-    private static final int WIDTH = 80;
+    /** The columns of a terminal. */
+    static final int WIDTH = 80;
 
     private static final List<String> COMMANDS = List.of("match", "run", "replay", "feed", "scene", "explain", "demo",
         "league", "worker", "sprt", "tune", "check", "tournament",
@@ -190,5 +191,9 @@ public final class Main {
         spec.addMixin("standardOptions", CommandSpec.forAnnotatedObject(new StandardOptions()));
         spec.versionProvider(new Version());
         spec.usageMessage().sortOptions(false);
+        if (!spec.name().equals("referee")) {                 // its one-letter options are those of tools that call it
+            OptionForms.shorten(spec);
+        }
+        OptionForms.arrange(spec);
     }
 }

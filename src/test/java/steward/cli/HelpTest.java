@@ -68,6 +68,10 @@ class HelpTest {
         assertEquals(Cli.run("match", "--help").out(), Cli.run("help", "match").out());
         assertEquals(Cli.run("league", "run", "--help").out(), Cli.run("help", "league", "run").out());
         assertEquals(2, Cli.run("help", "match", "run").status());
+        Cli sandbox = Cli.run("help", "sandbox");
+        assertEquals(ExitStatus.DONE, sandbox.status(), sandbox.err());
+        assertTrue(sandbox.out().contains("\n      --memory=SIZE "), sandbox.out());
+        assertEquals(List.of(), sandbox.out().lines().filter(line -> line.length() > 80).toList());
         assertEquals(2, Cli.run("help", "league", "rnu").status());
         Cli wrong = Cli.run("help", "mtach");
         assertEquals(ExitStatus.UNUSABLE, wrong.status());

@@ -24,6 +24,7 @@ import steward.files.InputException;
 import steward.text.NearestName;
 
 /** The options that say how far bots are kept from this machine and from each other. */
+@OptionSection(value = "Isolation", elsewhere = "sandbox")
 public final class SandboxOptions {
 
     /** How the warning begins that the usual level does not work here. */

@@ -7,6 +7,7 @@ import steward.bot.TimeBasis;
 import steward.bot.accounting.TreeSampler;
 
 /** The options that change a scene's time limits. */
+@OptionSection("Time limits")
 public final class TimeLimitOptions {
 
     private static final String WALL = "wall";

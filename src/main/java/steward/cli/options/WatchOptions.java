@@ -7,6 +7,7 @@ import steward.files.InputException;
 import steward.live.LiveServer;
 
 /** The options of a page that follows what is played. */
+@OptionSection("Watching")
 public final class WatchOptions {
 
     private static final int MOST_PORT = 65_535;

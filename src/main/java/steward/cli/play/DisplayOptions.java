@@ -3,9 +3,11 @@ package steward.cli.play;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import steward.cli.options.CallCheck;
+import steward.cli.options.OptionSection;
 import steward.cli.options.WatchOptions;
 
 /** The options of a match by which people see it. */
+@OptionSection("Watching")
 final class DisplayOptions {
 
     @Option(names = "--view", paramLabel = "HTML",

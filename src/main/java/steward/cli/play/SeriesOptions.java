@@ -7,6 +7,7 @@ import java.util.Optional;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import steward.cli.options.CallCheck;
+import steward.cli.options.OptionSection;
 import steward.cli.options.ThreadsOption;
 import steward.cli.streams.Streams;
 import steward.contest.Hiccups;
@@ -14,6 +15,7 @@ import steward.contest.KeptReplays;
 import steward.text.NearestName;
 
 /** The options of many matches. */
+@OptionSection("Many games")
 final class SeriesOptions {
 
     /** Values of {@code --keep}. */
