@@ -70,6 +70,10 @@ public final class MatchInside {
 
     /** @param arguments the file for the replay */
     public static void main(String[] arguments) throws IOException, InterruptedException {
+        if (arguments.length != 1) {
+            System.err.println("expected one argument, the file for the replay");
+            System.exit(2);
+        }
         try (OutputStream replay = Files.newOutputStream(Path.of(arguments[0]))) {
             MatchResult result = play(7, replay);
             System.out.println(result.players().get(result.winner()).name() + " wins: " + result.ending());

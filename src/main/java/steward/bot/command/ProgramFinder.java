@@ -5,11 +5,13 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.regex.Pattern;
 
 /** Finds programs the way the system does: by path when the name has a slash, otherwise along {@code PATH}. */
 public final class ProgramFinder {
 
     private static final String FALLBACK_PATH = "/usr/bin:/bin";
+    private static final Pattern SOURCE = Pattern.compile(".*\\.(c|cc|cpp|cs|go|java|kt|rs|swift)");
 
     private ProgramFinder() {
     }
@@ -44,7 +46,8 @@ public final class ProgramFinder {
                     + " name its interpreter before it, or move it elsewhere";
             }
             if (Files.isRegularFile(file)) {
-                return "'" + file + "' is not executable; make it so with chmod +x, or name its interpreter before it";
+                return "'" + file + "' is not executable; " + (SOURCE.matcher(program).matches()
+                    ? "compile it, and name the program" : "make it so with chmod +x, or name its interpreter before it");
             }
         }
         if (isPath(program)) {

@@ -29,7 +29,7 @@ import steward.match.Protocol;
         "A bot is written [NAME=][builtin:|json:|codingame:]COMMAND, as in 'steward",
         "match'. Paths in it are those of the folder from which 'league run' is called.",
         "", "Examples:",
-        "  steward league add night 'mine=python3 bot.py'",
+        "  steward league add night 'mine=python3 bot.py' builtin:racer builtin:veteran",
         "  steward league add night 'net=python3 net.py' --file net.py --file model.bin"})
 final class AddCommand implements Callable<Integer> {
 
@@ -38,9 +38,9 @@ final class AddCommand implements Callable<Integer> {
     @Mixin
     private final LeagueArgument league = new LeagueArgument();
 
-    @Parameters(index = "1", paramLabel = "BOT", completionCandidates = BuiltinBotWords.class,
-        description = "The bot; see below.")
-    private String bot;
+    @Parameters(index = "1..*", arity = "1..*", paramLabel = "BOT", completionCandidates = BuiltinBotWords.class,
+        description = "A bot; see below.")
+    private List<String> bots;
 
     @Option(names = "--file", paramLabel = "FILE", description = "A file that makes it this bot: when it changes, the "
         + "bot is a new version; can be repeated (default: every word of the command that is a file).")
@@ -60,8 +60,21 @@ final class AddCommand implements Callable<Integer> {
     @Override
     public Integer call() throws InterruptedException {
         LeagueFolder folder = league.openToWrite(streams);
+        if (files != null && bots.size() > 1) {
+            throw new InputException("--file: found " + bots.size() + " bots with it, expected one");
+        }
+        for (String bot : bots) {
+            int status = add(folder, bot);
+            if (status != ExitStatus.DONE) {
+                return status;
+            }
+        }
+        return ExitStatus.DONE;
+    }
+
+    private int add(LeagueFolder folder, String bot) throws InterruptedException {
         LeagueSettings settings = folder.read();
-        LeagueBot added = parsed();
+        LeagueBot added = parsed(bot);
         if (settings.bot(added.name()).isPresent()) {
             throw new InputException("found a bot '" + added.name() + "' in the league, expected another name"
                 + (settings.bot(added.name()).get().retired() ? "; 'steward league retire --back' lets it play again"
@@ -84,7 +97,7 @@ final class AddCommand implements Callable<Integer> {
         return ExitStatus.DONE;
     }
 
-    private LeagueBot parsed() {
+    private LeagueBot parsed(String bot) {
         BotCommand command;
         try {
             command = BotCommand.parse(bot);

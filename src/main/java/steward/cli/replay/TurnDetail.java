@@ -35,9 +35,8 @@ final class TurnDetail {
 
     /** The refusal of a turn that was not played. */
     static InputException noSuchTurn(ReplayReader replay, int number, int last) {
-        return new InputException(replay.source() + ": found " + (last == 0 ? "no turns" : "turns 1 to " + last)
-            + ", expected turn " + number + " among them" + (replay.warning() == null ? ""
-            : " (the file was cut off)"));
+        return new InputException(replay.source() + ": found no turn " + number + (last == 0 ? ": it has none"
+            : ", expected 1 to " + last) + (replay.warning() == null ? "" : " (the file was cut off)"));
     }
 
     private static void print(PrintStream out, ReplayReader replay, RecordedTurn turn) {

@@ -90,7 +90,8 @@ public final class NewCommand implements Callable<Integer> {
         } catch (IOException problem) {
             throw new InputException(path + ": cannot be written into: " + OutputFiles.reason(path, problem));
         }
-        streams.out().println("Written: " + path.resolve(starter.files().get(0)) + ". To race it:");
+        streams.out().println("Written: " + path.resolve(starter.files().get(0)) + ". It speaks "
+            + (starter.bot().startsWith("codingame:") ? "CodinGame's lines" : "JSON") + ". To race it:");
         streams.out().println("  cd " + CommandLine.quote(List.of(folder)));
         starter.compile().forEach(command -> streams.out().println("  " + command));
         String bot = " --bot " + CommandLine.quote(List.of("me=" + starter.bot()));

@@ -120,6 +120,9 @@ class BotCommandTest {
             failure(folder.toString()));
         assertEquals("bot '" + plain + "': '" + plain + "' is not executable; make it so with chmod +x,"
             + " or name its interpreter before it", failure(plain.toString()));
+        Path source = Files.createFile(folder.resolve("bot.cpp"));
+        assertEquals("bot '" + source + "': '" + source + "' is not executable; compile it, and name the program",
+            failure(source.toString()));
         assertTrue(plain.toFile().setExecutable(true));
         assumeTrue(Files.isExecutable(plain), "files in the temporary directory cannot be executable");
         assertEquals(List.of(plain.toString()), BotCommand.parse(plain.toString()).resolve());

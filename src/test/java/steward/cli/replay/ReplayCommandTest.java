@@ -120,7 +120,7 @@ class ReplayCommandTest {
         Cli beyond = replay(whole, "--from", "900");
         assertEquals(ExitStatus.UNUSABLE, beyond.status());
         assertEquals("", beyond.out());
-        assertTrue(beyond.err().contains("found turns 1 to " + duel.result().turns() + ", expected turn 900"));
+        assertTrue(beyond.err().contains("found no turn 900, expected 1 to " + duel.result().turns()));
     }
 
     @Test
@@ -131,7 +131,7 @@ class ReplayCommandTest {
         assertTrue(cli.out().contains("  command  x 10500  y 3500  thrust 120\n  message  t2\n"), cli.out());
         assertTrue(cli.out().contains("heading\u00b0 "), cli.out());
         assertEquals(ExitStatus.UNUSABLE, replay(whole, "--turn", "900").status());
-        assertTrue(replay(whole, "--turn", "900", "--impacts").err().contains("expected turn 900"));
+        assertTrue(replay(whole, "--turn", "900", "--impacts").err().contains("found no turn 900, expected 1 to "));
     }
 
     @Test
