@@ -14,8 +14,8 @@ import steward.cli.options.OptionSection;
 /** What the options of all commands share: short names of the usual ones, and sections in the help. */
 final class OptionForms {
 
-    private static final Map<String, String> SHORT = Map.of("--bot", "-b", "--games", "-g", "--json", "-j", "--out", "-o",
-        "--protocol", "-p", "--quiet", "-q", "--scene", "-s", "--threads", "-t", "--view", "-v", "--watch", "-w");
+    private static final Map<String, String> SHORT = Map.of("--bot", "-b", "--games", "-g", "--json", "-j", "--out",
+        "-o", "--protocol", "-p", "--quiet", "-q", "--scene", "-s", "--threads", "-t", "--view", "-v", "--watch", "-w");
     /** Of more options the line of usage does not tell. */
     private static final int MOST_IN_SYNOPSIS = 12;
 
@@ -27,8 +27,9 @@ final class OptionForms {
         List<OptionSpec> all = List.copyOf(spec.options());
         all.forEach(spec::remove);
         for (OptionSpec option : all) {
-            String name = SHORT.get(option.longestName());
-            spec.addOption(name == null ? option : OptionSpec.builder(option).names(name, option.longestName()).build());
+            String full = option.longestName();
+            String name = SHORT.get(full);
+            spec.addOption(name == null ? option : OptionSpec.builder(option).names(name, full).build());
         }
     }
 

@@ -47,7 +47,8 @@ public final class ProgramFinder {
             }
             if (Files.isRegularFile(file)) {
                 return "'" + file + "' is not executable; " + (SOURCE.matcher(program).matches()
-                    ? "compile it, and name the program" : "make it so with chmod +x, or name its interpreter before it");
+                    ? "compile it, and name the program"
+                    : "make it so with chmod +x, or name its interpreter before it");
             }
         }
         if (isPath(program)) {
