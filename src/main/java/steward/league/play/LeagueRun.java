@@ -71,6 +71,7 @@ public final class LeagueRun {
     private String stopped;
     private long handed;
     private Pauses pauses;
+    private final Standstill standstill;
 
     /**
      * Limits of a run.
@@ -101,6 +102,7 @@ public final class LeagueRun {
         this.limits = limits;
         this.teller = teller;
         this.listener = listener;
+        standstill = new Standstill(limits.threads() > 0, teller);
         play = new GamePlay(key, contest, new KeptGames(folder), machine, System::currentTimeMillis);
         queries = new GameQueries(store, season, key);
         EarlierGames earlier = queries.earlier();
@@ -125,6 +127,7 @@ public final class LeagueRun {
         members = next.byVersion();
         LeagueSettings settings = next.settings();
         pauses.use(next, schedule);
+        schedule.meeting(next.meeting());
         schedule.play(next.versions(), versions -> pairing(settings, versions, next));
     }
 
@@ -212,7 +215,7 @@ public final class LeagueRun {
     private Void playHere() throws InterruptedException {
         boolean more = true;
         while (more) {
-            List<Elsewhere.Game> games = takeOrEnd(1, members -> true);
+            List<Elsewhere.Game> games = takeOrEnd(1, Standstill::isForHere);
             more = !games.isEmpty() && play(games, one -> List.of(play.play(one.get(0).task(), one.get(0).settings(),
                 one.get(0).members())));
         }
@@ -237,6 +240,13 @@ public final class LeagueRun {
         @Override
         public void play(List<Elsewhere.Game> games) throws InterruptedException {
             LeagueRun.this.play(games, elsewhere::play);
+        }
+
+        @Override
+        public void waits() {
+            synchronized (LeagueRun.this) {
+                lookWhetherAnyoneCanPlay();
+            }
         }
 
         @Override
@@ -362,7 +372,21 @@ public final class LeagueRun {
             if (elsewhere != null && underWay > 0) {
                 elsewhere.hurry();
             }
+            lookWhetherAnyoneCanPlay();
             wait(WAIT_MS);
+        }
+    }
+
+    /** Ends the run where games wait that none of the machines can play, and says if they wait for a machine. */
+    private void lookWhetherAnyoneCanPlay() {
+        if (underWay > 0 || watch.isPaused() || isAtEnd()) {
+            standstill.moves();
+            return;
+        }
+        String why = standstill.look(schedule.waiting(limits.games()).stream().map(this::members).toList(), elsewhere,
+            System.nanoTime());
+        if (why != null) {
+            stop(why);
         }
     }
 

@@ -8,6 +8,7 @@ import java.util.Collection;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.concurrent.TimeUnit;
@@ -56,6 +57,8 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
     public static final int MOST = 2500;
     private static final long POLL_MS = 200;
     private static final int LONGEST_TEXT = 200;
+    /** How many workers' reasons are told. */
+    private static final int MOST_REASONS = 3;
 
     private final LeagueFolder folder;
     private final Contest contest;
@@ -248,7 +251,28 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
     /** True if a worker that is connected has not said of any of these bundles that it does not run there. */
     private synchronized boolean canPlay(Collection<String> needs) {
         return !anyConnected || workers.values().stream().anyMatch(worker -> slots(worker) > 0
-            && Collections.disjoint(worker.unfit, needs));
+            && Collections.disjoint(worker.unfit.keySet(), needs));
+    }
+
+    @Override
+    public synchronized boolean isAway() {
+        return workers.values().stream().noneMatch(worker -> worker.slots > 0);
+    }
+
+    @Override
+    public synchronized String obstacle(List<Member> members) {
+        List<String> needs = bundles.known(members);
+        List<String> reasons = new ArrayList<>();
+        for (WorkerState worker : workers.values()) {
+            if (worker.slots > 0) {
+                String why = needs.stream().map(worker.unfit::get).filter(Objects::nonNull).findFirst().orElse(null);
+                if (why == null) {
+                    return null;
+                }
+                reasons.add("worker " + worker.name + ": " + why);
+            }
+        }
+        return reasons.isEmpty() ? null : String.join("; ", reasons.subList(0, Math.min(MOST_REASONS, reasons.size())));
     }
 
     /** The game as its transcripts tell it; {@code null} if they are disproved, with consequences for the worker. */
@@ -459,7 +483,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
     private void unfit(WorkerState state, WorkerWord.Unfit unfit) {
         boolean isNew;
         synchronized (this) {
-            isNew = bundles.has(unfit.bundle()) && state.unfit.add(unfit.bundle());
+            isNew = bundles.has(unfit.bundle()) && state.unfit.put(unfit.bundle(), shown(unfit.reason())) == null;
         }
         if (isNew) {
             say("worker " + state.name + " cannot play a bot: " + shown(unfit.reason()));

@@ -1,8 +1,8 @@
 package steward.machines.serve;
 
-import java.util.HashSet;
 import java.util.List;
-import java.util.Set;
+import java.util.Map;
+import java.util.TreeMap;
 
 /** State of a worker, as the league knows it. Guarded by {@link RemoteGames}. */
 final class WorkerState {
@@ -18,8 +18,8 @@ final class WorkerState {
     long began;
     long lastWord;
     boolean caught;
-    /** Bundles that do not run there. */
-    final Set<String> unfit = new HashSet<>();
+    /** Bundles that do not run there, and why. */
+    final Map<String, String> unfit = new TreeMap<>();
 
     WorkerState(String name) {
         this.name = name;
