@@ -56,8 +56,8 @@ final class AddCommand implements Callable<Integer> {
     @Option(names = "--random", description = "Says that it draws by lot: its games cannot be played again alike.")
     private boolean random;
 
-    @Option(names = "--platform", paramLabel = "PLATFORM", description = "Adds a command that is for one platform, such "
-        + "as linux-aarch64, as a version of its own, called NAME@PLATFORM.")
+    @Option(names = "--platform", paramLabel = "PLATFORM", description = "Adds a command for one platform, such as "
+        + "linux-aarch64, as a version of its own, called NAME@PLATFORM.")
     private String platform;
 
     @Option(names = "--same", description = "With --platform: it is the same version as the bot of this name, which "
@@ -130,8 +130,8 @@ final class AddCommand implements Callable<Integer> {
             throw new InputException("bot '" + bot + "': found the name '" + name + "', expected "
                 + LeagueReader.NAME_FORM + "; write NAME=" + bot);
         }
-        return new LeagueBot(platform == null || same ? name : name + LeagueBot.AT + platform, new BotCommand(null, command.prefix(), command.words()).toString(), files, random,
-            false);
+        return new LeagueBot(platform == null || same ? name : name + LeagueBot.AT + platform,
+            new BotCommand(null, command.prefix(), command.words()).toString(), files, random, false);
     }
 
     private static void refuseTwins(LeagueSettings settings, LeagueBot added) {

@@ -111,7 +111,8 @@ public final class WorkerCommand implements Callable<Integer> {
         WorkerToken token = token();
         Worker worker = new Worker(new Worker.Options(found.getHostString(), found.getPort(), token,
             threads.count(streams), games == null ? Long.MAX_VALUE : games, nanos, isolation, folder(),
-            platform == null ? Platform.here() : platform, ProgramVersion.text(), RunCommand.machine(isolation.get().level().word()), null), Games.types(),
+            platform == null ? Platform.here() : platform, ProgramVersion.text(),
+            RunCommand.machine(isolation.get().level().word()), null), Games.types(),
             what -> log.err().println("steward: " + TextFormat.plain(what)));
         watch(worker, idleNanos, stopFile == null ? null : OutputFiles.path(stopFile));
         return play(worker);

@@ -245,6 +245,7 @@ public final class LeagueRun {
         @Override
         public void waits() {
             synchronized (LeagueRun.this) {
+                ended |= underWay == 0 && (isAtEnd() || takeNow(task -> false) == null && isNothingLeft());
                 lookWhetherAnyoneCanPlay();
             }
         }
@@ -315,23 +316,13 @@ public final class LeagueRun {
             return List.of();
         }
         know(game.members(), attempts);
-        schedule.over(game.task(), failed(attempts));
+        schedule.over(game.task(), attempts.get(attempts.size() - 1).failed());
         handed += attempts.size();
         if (!writer.add(attempts)) {
             stop(writer.problem().getMessage());
             return List.of();
         }
         return attempts;
-    }
-
-    /** By seat, whether the bot failed in the game that counts; nothing if there is none. */
-    private static boolean[] failed(List<StoredGame> attempts) {
-        StoredGame game = attempts.get(attempts.size() - 1);
-        boolean[] failed = new boolean[game.counts() ? game.seats().size() : 0];
-        for (int seat = 0; seat < failed.length; seat++) {
-            failed[seat] = game.seats().get(seat).fault() != null;
-        }
-        return failed;
     }
 
     /** The next games, one if there is any, and more as long as none has to be waited for; none at the end. */
@@ -366,7 +357,7 @@ public final class LeagueRun {
                 stop("found " + TextFormat.count(schedule.active().size(), "bot") + " that is not paused, expected at "
                     + "least " + Math.max(1, play.season().players()));
             }
-            if (task != null || underWay == 0 && !watch.isPaused() && !schedule.isLeft(limits.games())) {
+            if (task != null || isNothingLeft()) {
                 return task;
             }
             if (elsewhere != null && underWay > 0) {
@@ -383,11 +374,13 @@ public final class LeagueRun {
             standstill.moves();
             return;
         }
-        String why = standstill.look(schedule.waiting(limits.games()).stream().map(this::members).toList(), elsewhere,
-            System.nanoTime());
-        if (why != null) {
-            stop(why);
-        }
+        standstill.look(schedule.waiting(limits.games()).stream().map(this::members).toList(), elsewhere,
+            System.nanoTime()).ifPresent(this::stop);
+    }
+
+    /** True if nothing is under way and there is nothing left to play. */
+    private boolean isNothingLeft() {
+        return underWay == 0 && !watch.isPaused() && !schedule.isLeft(limits.games());
     }
 
     private boolean isAtEnd() {
@@ -502,10 +495,5 @@ public final class LeagueRun {
     /** Returns how many have been stored in this run, attempts included. */
     public long stored() {
         return writer.stored();
-    }
-
-    /** In how many transactions. */
-    public long transactions() {
-        return writer.transactions();
     }
 }

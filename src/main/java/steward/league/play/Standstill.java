@@ -1,8 +1,11 @@
 package steward.league.play;
 
 import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
+import java.util.stream.Collectors;
 import steward.bot.command.Platform;
 import steward.league.play.Roster.Member;
 
@@ -39,40 +42,37 @@ final class Standstill {
      * @param waiting   the bots of each game, none if no game has been decided on
      * @param elsewhere other machines, or {@code null}
      * @param now       as of {@link System#nanoTime}
-     * @return why none of them can be played by the machines that are there, or {@code null}
+     * @return why none of them can be played by the machines that are there; empty if one may be
      */
-    String look(List<List<Member>> waiting, Elsewhere elsewhere, long now) {
+    Optional<String> look(List<List<Member>> waiting, Elsewhere elsewhere, long now) {
         boolean away = elsewhere == null || elsewhere.isAway();
         boolean here = playsHere && (waiting.isEmpty() || waiting.stream().anyMatch(Standstill::isForHere));
-        if (here || !away && waiting.stream().anyMatch(bots -> elsewhere.obstacle(bots) == null)) {
+        List<String> obstacles = away ? List.of() : waiting.stream().map(elsewhere::obstacle).toList();
+        if (here || obstacles.stream().anyMatch(Objects::isNull)) {
             moves();
-            return null;
+            return Optional.empty();
         }
         since = still ? since : now;
         still = true;
         if (now - since < PATIENCE_NANOS) {
-            return null;
+            return Optional.empty();
         }
-        if (elsewhere == null || !away && !waiting.isEmpty()) {
-            List<Member> bots = waiting.get(0);
-            return "no machine can play " + String.join(" against ", bots.stream().map(bot -> bot.bot().name())
-                .distinct().toList()) + ": " + (elsewhere == null ? notHere() : notHereNor(elsewhere.obstacle(bots)))
-                + "; expected a machine that can, or another command, or 'steward league retire'";
+        if (elsewhere == null || !obstacles.isEmpty()) {
+            return Optional.of("no machine can play " + waiting.get(0).stream().map(bot -> bot.bot().name()).distinct()
+                .collect(Collectors.joining(" against ")) + ": " + (playsHere ? notHere() : "")
+                + (playsHere && !obstacles.isEmpty() ? "; " : "") + (obstacles.isEmpty() ? "" : obstacles.get(0))
+                + "; expected a machine that can, or another command, or 'steward league retire'");
         }
         if (away && !said) {
             said = true;
             teller.accept("games wait for a worker: none is connected, and "
                 + (playsHere ? notHere() : "this league plays none itself"));
         }
-        return null;
+        return Optional.empty();
     }
 
     static boolean isForHere(List<Member> bots) {
         return bots.stream().allMatch(Member::playsHere);
-    }
-
-    private String notHereNor(String obstacle) {
-        return (playsHere ? notHere() + "; " : "") + obstacle;
     }
 
     private static String notHere() {

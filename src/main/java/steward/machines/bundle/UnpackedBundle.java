@@ -142,7 +142,8 @@ public record UnpackedBundle(Path folder, BotCommand command, List<String> words
         }
         String command = list.text("command");
         for (Block each : list.has("platforms") ? list.blocks("platforms") : List.<Block>of()) {
-            command = each.text("platform").equals(here) ? each.text("command") : command;
+            String other = each.text("command");
+            command = each.text("platform").equals(here) ? other : command;
         }
         return command;
     }
