@@ -87,7 +87,9 @@ final class AddCommand implements Callable<Integer> {
                 : ""));
         }
         Contest.Entrant entrant = Contest.entrant(added.typed(), Protocol.JSON);
-        if (entrant.problem() != null && (platform == null || platform.equals(Platform.here()))) {
+        boolean programElsewhere = platform != null && !platform.equals(Platform.here())
+            && added.parsed().prefix() != BotCommand.Prefix.BUILTIN;
+        if (entrant.problem() != null && !programElsewhere) {
             throw new InputException(entrant.problem());
         }
         Contest.checkProtocols(LeagueOpening.setup(folder, settings), List.of(entrant));
@@ -103,7 +105,7 @@ final class AddCommand implements Callable<Integer> {
         }
         folder.write(other == null ? settings.with(added) : settings.replaced(other.name(),
             other.with(new LeagueBot.ForPlatform(platform, added.command(), added.files()))));
-        streams.out().println(added.name() + " plays from now on" + (same ? " on " + platform : "") + ": "
+        streams.out().println(added.name() + " plays " + (same ? "on " + platform + " " : "") + "from now on: "
             + added.command());
         return ExitStatus.DONE;
     }

@@ -96,10 +96,11 @@ class PlatformTest extends ServedLeague {
         make("few");
         done("add", "TMP/few", "a=codingame:" + bots.driver(), "--platform", FAR);
         done("add", "TMP/few", "b=codingame:" + bots.driver(), "--platform", FARTHER);
-        Cli ended = Cli.league(folder, "run", "TMP/few", "--games", "1000", "--quiet");
+        Cli ended = Cli.league(folder, "run", "TMP/few", "--games", "1000");
         assertEquals(1, ended.status(), ended.err());
         assertTrue(ended.err().matches("(?s).*the league ends: no machine can play (\\S+ against [ab]@\\S+|[ab]@\\S+ "
             + "against \\S+): this machine is " + Platform.here() + "; expected a machine that can, .*"), ended.err());
+        assertTrue(ended.err().contains("a round takes 18 games: 9 pairings "), ended.err());
         assertTrue(games("few").size() >= 8, "the others have played: " + games("few").size());
         List.of("fast", "still", "wrong").forEach(bot -> done("retire", "TMP/few", bot));
         Cli.league(folder, "run", "TMP/few").assertRefused("found at most 1 bot for any one platform, expected at "

@@ -223,7 +223,8 @@ public final class RunCommand implements Callable<Integer> {
                     say(screen.get(), contest.hold());
                 }
                 say(screen.get(), RoundText.length(settings, roster.versions(), season.players(),
-                    settings.gauntlet() == null ? -1 : roster.versionOf(settings.gauntlet()).orElse(-1)));
+                    settings.gauntlet() == null ? -1 : roster.versionOf(settings.gauntlet()).orElse(-1),
+                    roster.meeting()));
             }
             run.play();
             if (told.getAndSet(true)) {
