@@ -42,7 +42,7 @@ public final class BotIdentity {
     }
 
     /**
-     * The identity of a bot as it is now.
+     * The identity of a bot as it is now. Its commands for other platforms do not count: they are the same version.
      *
      * @return 32 hexadecimal digits
      * @throws InputException if one of its files cannot be read
@@ -50,6 +50,9 @@ public final class BotIdentity {
     public String of(LeagueBot bot) {
         BotCommand command = bot.parsed();
         TextHash hash = new TextHash().add(command.prefix().name()).addAll(command.words());
+        if (bot.platform() != null) {
+            hash.add(LeagueBot.AT + bot.platform());
+        }
         environment.forEach((name, value) -> hash.add(name).add(value));
         for (Path file : files(bot, command)) {
             hash.add(file.toString()).add(content(bot, file));
@@ -57,8 +60,15 @@ public final class BotIdentity {
         return hash.hex();
     }
 
-    /** Returns a stamp of the bot: it changes when any of its files has been touched. No file is read. */
+    /** Returns a stamp of the bot: it changes when a file of any platform has been touched. No file is read. */
     public String stamp(LeagueBot bot) {
+        StringBuilder stamps = new StringBuilder(programStamp(bot));
+        bot.platforms().forEach(each -> stamps.append('\n').append(each.platform()).append('\n')
+            .append(programStamp(bot.on(each.platform()))));
+        return stamps.toString();
+    }
+
+    private static String programStamp(LeagueBot bot) {
         StringBuilder stamps = new StringBuilder(bot.typed());
         BotCommand command = bot.parsed();
         if (bot.files() == null && command.prefix() == BotCommand.Prefix.BUILTIN) {

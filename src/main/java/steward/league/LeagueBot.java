@@ -1,39 +1,88 @@
 package steward.league;
 
 import java.util.List;
+import java.util.stream.Stream;
 import steward.bot.command.BotCommand;
 
 /**
  * A bot as league.json names it.
  *
- * @param name    unlike the others' names
- * @param command {@code [builtin:|json:|codingame:]COMMAND}
- * @param files   what its identity is made of besides the command; {@code null} for every argument that is a file
- * @param random  whether it draws by lot: its games cannot be played again to the bit
- * @param retired whether it plays no more; its games stay
- * @param resumed the decision from which on failures in a row pause it; 0 for all
+ * @param name      unlike the others' names; {@code NAME@PLATFORM} plays on that platform only
+ * @param command   {@code [builtin:|json:|codingame:]COMMAND}
+ * @param files     what its identity is made of besides the command; {@code null} for every argument that is a file
+ * @param random    whether it draws by lot: its games cannot be played again to the bit
+ * @param retired   whether it plays no more; its games stay
+ * @param resumed   the decision from which on failures in a row pause it; 0 for all
+ * @param platforms its commands for some platforms, where it is the same version all the same
  */
 public record LeagueBot(String name, String command, List<String> files, boolean random, boolean retired,
-                        int resumed) {
+                        int resumed, List<ForPlatform> platforms) {
 
-    /** Copies the list. */
-    public LeagueBot {
-        files = files == null ? null : List.copyOf(files);
+    /** Sign between a bot's name and the platform that it plays on. */
+    public static final char AT = '@';
+
+    /**
+     * Command of a bot on one platform.
+     *
+     * @param platform see {@link steward.bot.command.Platform}
+     * @param command  as that of a bot
+     * @param files    as those of a bot
+     */
+    public record ForPlatform(String platform, String command, List<String> files) {
+
+        /** Copies the list. */
+        public ForPlatform {
+            files = files == null ? null : List.copyOf(files);
+        }
     }
 
-    /** One whose failures all matter. */
+    /** Copies the lists. */
+    public LeagueBot {
+        files = files == null ? null : List.copyOf(files);
+        platforms = List.copyOf(platforms);
+    }
+
+    /** One whose failures all matter, with one command. */
     public LeagueBot(String name, String command, List<String> files, boolean random, boolean retired) {
-        this(name, command, files, random, retired, 0);
+        this(name, command, files, random, retired, 0, List.of());
+    }
+
+    /** Returns the only platform that it plays on, or {@code null}. */
+    public String platform() {
+        return platform(name);
+    }
+
+    /** Returns the platform in a name, or {@code null}. */
+    public static String platform(String name) {
+        int at = name.indexOf(AT);
+        return at < 0 ? null : name.substring(at + 1);
+    }
+
+    /** True if it has nothing to do with other platforms than this. */
+    public boolean playsOn(String here) {
+        return platform() == null || platform().equals(here);
+    }
+
+    /** Returns this bot with the command and the files of a platform, if there are any for it. */
+    public LeagueBot on(String here) {
+        return platforms.stream().filter(each -> each.platform().equals(here)).findFirst().map(each ->
+            new LeagueBot(name, each.command(), each.files(), random, retired, resumed, List.of())).orElse(this);
+    }
+
+    /** Returns this bot with a command for one platform more. */
+    public LeagueBot with(ForPlatform more) {
+        return new LeagueBot(name, command, files, random, retired, resumed,
+            Stream.concat(platforms.stream(), Stream.of(more)).toList());
     }
 
     /** Returns this bot; its failures before a decision do not matter. */
     public LeagueBot resumed(int decision) {
-        return new LeagueBot(name, command, files, random, retired, decision);
+        return new LeagueBot(name, command, files, random, retired, decision, platforms);
     }
 
-    /** Returns the bot as it would be typed in a call. */
+    /** Returns the bot as it would be typed in a call, where no name has a platform. */
     public String typed() {
-        return name + "=" + command;
+        return name.replace(AT, '.') + "=" + command;
     }
 
     /** @throws IllegalArgumentException if it has no command, or that cannot be split into words */
@@ -43,11 +92,11 @@ public record LeagueBot(String name, String command, List<String> files, boolean
 
     /** Returns this bot under another name. */
     public LeagueBot named(String other) {
-        return new LeagueBot(other, command, files, random, retired, resumed);
+        return new LeagueBot(other, command, files, random, retired, resumed, platforms);
     }
 
     /** Returns this bot, to play no more or again. */
     public LeagueBot retired(boolean now) {
-        return new LeagueBot(name, command, files, random, now, resumed);
+        return new LeagueBot(name, command, files, random, now, resumed, platforms);
     }
 }

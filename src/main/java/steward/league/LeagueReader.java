@@ -9,6 +9,7 @@ import java.util.Set;
 import java.util.function.Function;
 import java.util.regex.Pattern;
 import steward.bot.TimeBasis;
+import steward.bot.command.Platform;
 import steward.bot.hold.HoldPolicy;
 import steward.contest.Hiccups;
 import steward.contest.KeptReplays;
@@ -38,6 +39,8 @@ public final class LeagueReader {
     private static final String BOTS = "bots";
     private static final String NAME_FIELD = "name";
     private static final String KEEP = "keep";
+    private static final String PLATFORMS = "platforms";
+    private static final String PLATFORM = "platform";
     private static final String PAIRING = "pairing";
     private static final String SEED = "seed";
     private static final String FACTOR = "factor";
@@ -185,23 +188,58 @@ public final class LeagueReader {
         Set<String> names = new HashSet<>();
         for (Block block : root.has(BOTS) ? root.blocks(BOTS) : List.<Block>of()) {
             String name = block.text(NAME_FIELD);
-            if (!NAME.matcher(name).matches()) {
-                throw block.error(NAME_FIELD, block.shown(NAME_FIELD), NAME_FORM);
+            if (!isName(name)) {
+                throw block.error(NAME_FIELD, block.shown(NAME_FIELD), name.indexOf(LeagueBot.AT) < 0 ? NAME_FORM
+                    : "NAME@PLATFORM with " + Platform.FORM);
             }
             if (!names.add(name)) {
                 throw block.error(NAME_FIELD, block.shown(NAME_FIELD) + " a second time", "each name once");
             }
             LeagueBot bot = new LeagueBot(name, block.text("command"),
                 block.has("files") ? texts(block, "files") : null, block.flag("random", false),
-                block.flag("retired", false), block.integer("resumed", 0, Integer.MAX_VALUE, 0));
-            try {
-                bot.parsed();
-            } catch (IllegalArgumentException problem) {
-                throw block.error("command", problem.getMessage(), "a program and its arguments");
-            }
+                block.flag("retired", false), block.integer("resumed", 0, Integer.MAX_VALUE, 0),
+                block.has(PLATFORMS) ? platforms(block, name) : List.of());
+            parse(block, bot);
             bots.add(bot);
         }
         return bots;
+    }
+
+    /** True if this is a bot's name, with or without a platform. */
+    public static boolean isName(String name) {
+        int at = name.indexOf(LeagueBot.AT);
+        return NAME.matcher(at < 0 ? name : name.substring(0, at)).matches()
+            && (at < 0 || Platform.isWritten(name.substring(at + 1)));
+    }
+
+    private static void parse(Block block, LeagueBot bot) {
+        try {
+            bot.parsed();
+        } catch (IllegalArgumentException problem) {
+            throw block.error("command", problem.getMessage(), "a program and its arguments");
+        }
+    }
+
+    /** Commands of a bot that are for one platform each. */
+    private static List<LeagueBot.ForPlatform> platforms(Block bot, String name) {
+        List<LeagueBot.ForPlatform> platforms = new ArrayList<>();
+        for (Block block : bot.blocks(PLATFORMS)) {
+            String platform = block.text(PLATFORM);
+            if (!Platform.isWritten(platform)) {
+                throw block.error(PLATFORM, block.shown(PLATFORM), Platform.FORM);
+            }
+            if (name.indexOf(LeagueBot.AT) >= 0) {
+                throw block.error(PLATFORM, block.shown(PLATFORM), "none: the bot plays on the platform of its name");
+            }
+            if (platforms.stream().anyMatch(other -> other.platform().equals(platform))) {
+                throw block.error(PLATFORM, block.shown(PLATFORM) + " a second time", "each platform once");
+            }
+            LeagueBot.ForPlatform one = new LeagueBot.ForPlatform(platform, block.text("command"),
+                block.has("files") ? texts(block, "files") : null);
+            parse(block, new LeagueBot(name, one.command(), one.files(), false, false));
+            platforms.add(one);
+        }
+        return platforms;
     }
 
     private String gauntlet(List<LeagueBot> bots) {

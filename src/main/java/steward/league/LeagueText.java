@@ -55,7 +55,14 @@ final class LeagueText {
             + (bot.files() == null ? "" : ", " + field("files", list(bot.files())))
             + (bot.random() ? ", " + field("random", "true") : "")
             + (bot.retired() ? ", " + field("retired", "true") : "")
-            + (bot.resumed() > 0 ? ", " + field("resumed", Integer.toString(bot.resumed())) : "") + " }";
+            + (bot.resumed() > 0 ? ", " + field("resumed", Integer.toString(bot.resumed())) : "")
+            + (bot.platforms().isEmpty() ? "" : ", " + field("platforms", "[" + String.join(", ",
+                bot.platforms().stream().map(LeagueText::forPlatform).toList()) + "]")) + " }";
+    }
+
+    private static String forPlatform(LeagueBot.ForPlatform one) {
+        return "{ " + field("platform", text(one.platform())) + ", " + field("command", text(one.command()))
+            + (one.files() == null ? "" : ", " + field("files", list(one.files()))) + " }";
     }
 
     private static String sandbox(List<String> words) {

@@ -46,6 +46,7 @@ public final class Schedule {
     private List<Integer> active = List.of();
     private Pairing pairing;
     private RepeatedGroups repeated;
+    private Predicate<int[]> mayMeet = group -> true;
     private IntPredicate end = number -> false;
     private boolean ended;
     private int next;
@@ -150,10 +151,19 @@ public final class Schedule {
         repeated = groups;
     }
 
+    /** Says which versions may play together, ascending; before {@link #play}. */
+    public void meeting(Predicate<int[]> versions) {
+        mayMeet = versions;
+    }
+
+    private boolean isWanted(int... group) {
+        return mayMeet.test(group) && !repeated.isRepeated(group);
+    }
+
     /** True if it has ended since all groups only repeat games. */
     public boolean isRepeated() {
         return ended && (players == 1 ? repeated.isRepeated()
-            : pairing.choose(group -> !repeated.isRepeated(group)) == null);
+            : pairing.choose(this::isWanted) == null);
     }
 
     /** Ends it before the first decision without games of which this is true; each is asked about when it is due. */
@@ -227,6 +237,15 @@ public final class Schedule {
         return games < most && !waiting.isEmpty();
     }
 
+    /**
+     * Returns the games that have been decided on and are not begun.
+     *
+     * @param most games in all
+     */
+    public List<Task> waiting(long most) {
+        return waiting.stream().limit(Math.max(0, most - games)).toList();
+    }
+
     private void decide() {
         int number = next++;
         if (players > 1 && earlier.takeWhole(number, players)) {
@@ -275,7 +294,7 @@ public final class Schedule {
         untold.forEach((group, times) -> pairing.made(times, group.stream().mapToInt(version -> version).toArray()));
         untold.clear();
         pairing.next(number);
-        return pairing.choose(group -> !repeated.isRepeated(group));
+        return pairing.choose(this::isWanted);
     }
 
     /**

@@ -51,6 +51,15 @@ public record StoredGame(long id, byte[] name, int decision, long seed, int atte
             seats);
     }
 
+    /** By seat, whether the bot failed in this game; nothing if it does not count. */
+    public boolean[] failed() {
+        boolean[] failed = new boolean[counts ? seats.size() : 0];
+        for (int seat = 0; seat < failed.length; seat++) {
+            failed[seat] = seats.get(seat).fault() != null;
+        }
+        return failed;
+    }
+
     /**
      * One player of a game.
      *

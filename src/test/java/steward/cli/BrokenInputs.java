@@ -58,7 +58,9 @@ final class BrokenInputs {
           "bots": [
             { "name": "b-1", "command": "codingame:./no-such-program --level 3", "files": ["a", "b"], "resumed": 2 },
             { "name": "c", "command": "./no-such-program", "retired": true, "random": true },
-            { "name": "d", "command": "builtin:racer" }
+            { "name": "d", "command": "builtin:racer", "platforms": [
+              { "platform": "linux-aarch64", "command": "./no-such-program", "files": ["a"] } ] },
+            { "name": "d@linux-arm", "command": "./no-such-program" }
           ]
         }
         """;

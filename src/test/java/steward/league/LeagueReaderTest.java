@@ -24,7 +24,9 @@ class LeagueReaderTest {
           "sandbox": { "level": "strict", "memory": "2G", "processes": 9, "network": true, "environment": ["X", "Y"] },
           "replays": { "keep": "lost", "of": ["a"] },
           "bots": [ { "name": "a", "command": "python3 'b c.py'", "files": ["b c.py"], "random": true },
-                    { "name": "b", "command": "codingame:./b", "retired": true } ] }
+                    { "name": "b", "command": "codingame:./b", "retired": true,
+                      "platforms": [ { "platform": "linux-aarch64", "command": "./b-arm", "files": ["b-arm"] } ] },
+                    { "name": "b@linux-arm", "command": "./b-a" } ] }
         """;
 
     private static LeagueSettings read(String text) {
@@ -43,7 +45,9 @@ class LeagueReaderTest {
                 "Y"),
             KeptReplays.LOST, List.of("a"), List.of(
                 new LeagueBot("a", "python3 'b c.py'", List.of("b c.py"), true, false),
-                new LeagueBot("b", "codingame:./b", null, false, true))), settings);
+                new LeagueBot("b", "codingame:./b", null, false, true, 0,
+                    List.of(new LeagueBot.ForPlatform("linux-aarch64", "./b-arm", List.of("b-arm")))),
+                new LeagueBot("b@linux-arm", "./b-a", null, false, false))), settings);
         assertEquals(settings, read(LeagueText.write(settings)));
         LeagueSettings usual = LeagueSettings.usual("duel", 3);
         assertEquals(usual, read(LeagueText.write(usual)));
@@ -79,6 +83,15 @@ class LeagueReaderTest {
             refusal(WHOLE.replace("gauntlet a", "gauntlet c")).replaceAll("2:\\d+", "2:95"));
         assertEquals("league.json:7:23: bots[1].name: found \"a\" a second time, expected each name once",
             refusal(WHOLE.replace("\"name\": \"b\"", "\"name\": \"a\"")).replaceAll("7:\\d+", "7:23"));
+        assertEquals("league.json:9:23: bots[2].name: found \"b@arm\", expected NAME@PLATFORM with a platform such as "
+            + "linux-x86_64 or linux-aarch64: linux, macos or windows, and x86_64, aarch64, arm, loongarch64, ppc64le, "
+            + "riscv64, s390x or x86", refusal(WHOLE.replace("@linux-arm", "@arm")).replaceAll("9:\\d+", "9:23"));
+        assertEquals("league.json:8:41: bots[1].platforms[1].platform: found \"linux-aarch64\" a second time, expected "
+            + "each platform once", refusal(WHOLE.replace("[\"b-arm\"] }", "[] }, { \"platform\": \"linux-aarch64\", "
+                + "\"command\": \"x\" }")).replaceAll("8:\\d+", "8:41"));
+        assertEquals("bots[2].platforms[0].platform: found \"linux-x86\", expected none: the bot plays on the platform "
+            + "of its name", refusal(WHOLE.replace("\"./b-a\"", "\"./b-a\", \"platforms\": [ { \"platform\": "
+                + "\"linux-x86\", \"command\": \"x\" } ]")).replaceAll("^league.json:\\d+:\\d+: ", ""));
         assertEquals("league.json:1:27: seed: found nothing, expected a text",
             refusal("{\"league\":1,\"scene\":\"duel\"}").replaceAll("1:\\d+", "1:27"));
         assertEquals("league.json:1:45: bost: found an unknown field", refusal(

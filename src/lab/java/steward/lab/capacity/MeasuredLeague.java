@@ -22,6 +22,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import steward.bot.command.Platform;
 import steward.bot.isolation.Isolation;
 import steward.contest.BotStarter;
 import steward.contest.Contest;
@@ -172,7 +173,7 @@ public final class MeasuredLeague {
         }
         Worker worker = new Worker(new Worker.Options(HOST, address.getPort(), WorkerToken.read(token),
             effort.slots(), Long.MAX_VALUE, Long.MAX_VALUE, () -> Isolation.OFF, league.path().resolve("bundles"),
-            "measured", "this process", paced), bots.types(), told::add);
+            Platform.here(), "measured", "this process", paced), bots.types(), told::add);
         try (RemoteGames far = new RemoteGames(league, Season.of(contest.setup(), settings), contest, settings,
                 bots.types(), new RemoteGames.Service(address, SHARE, Long.MAX_VALUE, "measured", false), told::add)) {
             start("worker of the measurement", worker::play, told::add);

@@ -8,10 +8,12 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import steward.bot.command.BotCommand;
+import steward.bot.command.Platform;
 import steward.cli.check.CheckCommand;
 import steward.cli.league.view.LeagueArgument;
 import steward.cli.league.view.LeagueOpening;
 import steward.cli.options.BuiltinBotWords;
+import steward.cli.options.CallCheck;
 import steward.cli.shared.ExitStatus;
 import steward.cli.streams.Streams;
 import steward.contest.Contest;
@@ -30,7 +32,8 @@ import steward.match.Protocol;
         "match'. Paths in it are those of the folder from which 'league run' is called.",
         "", "Examples:",
         "  steward league add night 'mine=python3 bot.py' builtin:racer builtin:veteran",
-        "  steward league add night 'net=python3 net.py' --file net.py --file model.bin"})
+        "  steward league add night 'net=python3 net.py' --file net.py --file model.bin",
+        "  steward league add night mine=./mine-arm --platform linux-aarch64 --same"})
 final class AddCommand implements Callable<Integer> {
 
     private final Streams streams;
@@ -53,12 +56,27 @@ final class AddCommand implements Callable<Integer> {
     @Option(names = "--random", description = "Says that it draws by lot: its games cannot be played again alike.")
     private boolean random;
 
+    @Option(names = "--platform", paramLabel = "PLATFORM", description = "Adds a command for one platform, such as "
+        + "linux-aarch64, as a version of its own, called NAME@PLATFORM.")
+    private String platform;
+
+    @Option(names = "--same", description = "With --platform: it is the same version as the bot of this name, which "
+        + "takes this command there.")
+    private boolean same;
+
     AddCommand(Streams streams) {
         this.streams = streams;
     }
 
     @Override
     public Integer call() throws InterruptedException {
+        CallCheck options = CallCheck.withHelp();
+        options.that(!same || platform != null, "--same is for --platform, expected both");
+        options.that(platform == null || Platform.isWritten(platform), "--platform: found '" + platform
+            + "', expected " + Platform.FORM);
+        options.that(!check || platform == null || platform.equals(Platform.here()), "--check: found a command for "
+            + platform + ", expected one for this machine, which is " + Platform.here());
+        options.that(!same || !random, "--random: expected none with --same: the bot draws by lot or not");
         LeagueFolder folder = league.openToWrite(streams);
         if (files != null && bots.size() > 1) {
             throw new InputException("--file: found " + bots.size() + " bots with it, expected one");
@@ -75,26 +93,44 @@ final class AddCommand implements Callable<Integer> {
     private int add(LeagueFolder folder, String bot) throws InterruptedException {
         LeagueSettings settings = folder.read();
         LeagueBot added = parsed(bot);
-        if (settings.bot(added.name()).isPresent()) {
+        boolean another = !same && settings.bot(added.name()).isPresent();
+        if (another) {
             throw new InputException("found a bot '" + added.name() + "' in the league, expected another name"
                 + (settings.bot(added.name()).get().retired() ? "; 'steward league retire --back' lets it play again"
                 : ""));
         }
         Contest.Entrant entrant = Contest.entrant(added.typed(), Protocol.JSON);
-        if (entrant.problem() != null) {
+        boolean programElsewhere = platform != null && !platform.equals(Platform.here())
+            && added.parsed().prefix() != BotCommand.Prefix.BUILTIN;
+        if (entrant.problem() != null && !programElsewhere) {
             throw new InputException(entrant.problem());
         }
         Contest.checkProtocols(LeagueOpening.setup(folder, settings), List.of(entrant));
-        refuseTwins(settings, added);
+        LeagueBot other = same ? other(settings, added) : null;
+        if (other == null) {
+            refuseTwins(settings, added);
+        }
         int status = check ? CheckCommand.run(streams, LeagueOpening.contest(folder, settings, streams), entrant)
             : ExitStatus.DONE;
         if (status != ExitStatus.DONE) {
             streams.err().println("steward: " + added.name() + " is not added");
             return status;
         }
-        folder.write(settings.with(added));
-        streams.out().println(added.name() + " plays from now on: " + added.command());
+        folder.write(other == null ? settings.with(added) : settings.replaced(other.name(),
+            other.with(new LeagueBot.ForPlatform(platform, added.command(), added.files()))));
+        streams.out().println(added.name() + " plays " + (same ? "on " + platform + " " : "") + "from now on: "
+            + added.command());
         return ExitStatus.DONE;
+    }
+
+    /** The bot to which a command for one platform more is added. */
+    private LeagueBot other(LeagueSettings settings, LeagueBot added) {
+        LeagueBot bot = LeagueOpening.bot(settings, added.name());
+        if (bot.platforms().stream().anyMatch(each -> each.platform().equals(platform))) {
+            throw new InputException("bot '" + bot.name() + "': found a command for " + platform + " already, expected "
+                + "another platform; its commands stand in " + LeagueFolder.SETTINGS);
+        }
+        return bot;
     }
 
     private LeagueBot parsed(String bot) {
@@ -109,8 +145,8 @@ final class AddCommand implements Callable<Integer> {
             throw new InputException("bot '" + bot + "': found the name '" + name + "', expected "
                 + LeagueReader.NAME_FORM + "; write NAME=" + bot);
         }
-        return new LeagueBot(name, new BotCommand(null, command.prefix(), command.words()).toString(), files, random,
-            false);
+        return new LeagueBot(platform == null || same ? name : name + LeagueBot.AT + platform,
+            new BotCommand(null, command.prefix(), command.words()).toString(), files, random, false);
     }
 
     private static void refuseTwins(LeagueSettings settings, LeagueBot added) {

@@ -52,6 +52,8 @@ final class ListCommand implements Callable<Integer> {
     private void print(LeagueBot bot, List<GameStore.Version> versions, GameStore store) {
         streams.out().println(TextFormat.plain("  " + bot.name() + (bot.retired() ? " (retired)" : "")
             + (bot.random() ? " (random)" : "") + ": " + bot.command()));
+        bot.platforms().forEach(each -> streams.out().println(TextFormat.plain("    on " + each.platform() + ": "
+            + each.command())));
         versions.stream().filter(version -> version.bot().equals(bot.name())).forEach(version ->
             streams.out().println("    " + version.display() + ": "
                 + TextFormat.count(store.gamesOf(version.id()), "game") + ", program "

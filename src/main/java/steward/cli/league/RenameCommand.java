@@ -1,6 +1,7 @@
 package steward.cli.league;
 
 import java.nio.file.Files;
+import java.util.Objects;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -41,8 +42,9 @@ final class RenameCommand implements Callable<Integer> {
         LeagueFolder folder = league.openToWrite(streams);
         LeagueSettings settings = folder.read();
         LeagueBot bot = LeagueOpening.bot(settings, name);
-        if (!LeagueReader.NAME.matcher(other).matches()) {
-            throw new InputException("found the name '" + other + "', expected " + LeagueReader.NAME_FORM);
+        if (!LeagueReader.isName(other) || !Objects.equals(bot.platform(), LeagueBot.platform(other))) {
+            throw new InputException("found the name '" + other + "', expected " + LeagueReader.NAME_FORM
+                + (bot.platform() == null ? "" : ", and '" + LeagueBot.AT + bot.platform() + "' after them"));
         }
         boolean taken = settings.bot(other).isPresent();
         if (Files.exists(folder.database())) {

@@ -11,6 +11,7 @@ import java.util.function.Supplier;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
+import steward.bot.command.Platform;
 import steward.bot.isolation.Isolation;
 import steward.cli.league.run.RunCommand;
 import steward.cli.options.CallCheck;
@@ -74,6 +75,10 @@ public final class WorkerCommand implements Callable<Integer> {
         + "steward/bundles in the user's cache folder).")
     private String bundles;
 
+    @Option(names = "--platform", paramLabel = "PLATFORM", description = "Takes bots and commands that are for this "
+        + "platform, such as linux-aarch64 (default: that of this machine).")
+    private String platform;
+
     @Option(names = "--idle", paramLabel = "TIME", description = "Ends after so long without a game, such as 10m.")
     private String idle;
 
@@ -99,12 +104,15 @@ public final class WorkerCommand implements Callable<Integer> {
         InetSocketAddress found = ServeOptions.address(check, "--join", address);
         long nanos = RunCommand.nanos(time);
         long idleNanos = RunCommand.nanos("--idle", idle);
+        check.that(platform == null || Platform.isWritten(platform), "--platform: found '" + platform + "', expected "
+            + Platform.FORM);
         check.that(!sandbox.isHold(), "--hold: expected none: the league says which bots are held");
         Supplier<Isolation> isolation = sandbox.isolation(streams, "strict");
         WorkerToken token = token();
         Worker worker = new Worker(new Worker.Options(found.getHostString(), found.getPort(), token,
             threads.count(streams), games == null ? Long.MAX_VALUE : games, nanos, isolation, folder(),
-            ProgramVersion.text(), RunCommand.machine(isolation.get().level().word())), Games.types(),
+            platform == null ? Platform.here() : platform, ProgramVersion.text(),
+            RunCommand.machine(isolation.get().level().word()), null), Games.types(),
             what -> log.err().println("steward: " + TextFormat.plain(what)));
         watch(worker, idleNanos, stopFile == null ? null : OutputFiles.path(stopFile));
         return play(worker);

@@ -27,6 +27,9 @@ record FarGames(Elsewhere elsewhere) {
         /** Plays games that were taken. */
         void play(List<Elsewhere.Game> games) throws InterruptedException;
 
+        /** Notes that there is no place for games. */
+        void waits();
+
         /** Ends the run, because playing has thrown something. */
         void fail(RuntimeException problem);
     }
@@ -49,6 +52,9 @@ record FarGames(Elsewhere elsewhere) {
                     games.remove().get();              // throws what has ended it
                 }
                 int most = elsewhere.takePlace(LeagueRun.WAIT_MS);
+                if (most == 0) {
+                    run.waits();
+                }
                 List<Elsewhere.Game> next = most == 0 ? List.of() : run.take(most);
                 if (!next.isEmpty()) {
                     games.add(threads.submit(() -> played(run, next)));

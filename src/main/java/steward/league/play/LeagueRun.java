@@ -71,6 +71,7 @@ public final class LeagueRun {
     private String stopped;
     private long handed;
     private Pauses pauses;
+    private final Standstill standstill;
 
     /**
      * Limits of a run.
@@ -101,6 +102,7 @@ public final class LeagueRun {
         this.limits = limits;
         this.teller = teller;
         this.listener = listener;
+        standstill = new Standstill(limits.threads() > 0, teller);
         play = new GamePlay(key, contest, new KeptGames(folder), machine, System::currentTimeMillis);
         queries = new GameQueries(store, season, key);
         EarlierGames earlier = queries.earlier();
@@ -125,6 +127,7 @@ public final class LeagueRun {
         members = next.byVersion();
         LeagueSettings settings = next.settings();
         pauses.use(next, schedule);
+        schedule.meeting(next.meeting());
         schedule.play(next.versions(), versions -> pairing(settings, versions, next));
     }
 
@@ -212,7 +215,7 @@ public final class LeagueRun {
     private Void playHere() throws InterruptedException {
         boolean more = true;
         while (more) {
-            List<Elsewhere.Game> games = takeOrEnd(1, members -> true);
+            List<Elsewhere.Game> games = takeOrEnd(1, Standstill::isForHere);
             more = !games.isEmpty() && play(games, one -> List.of(play.play(one.get(0).task(), one.get(0).settings(),
                 one.get(0).members())));
         }
@@ -237,6 +240,14 @@ public final class LeagueRun {
         @Override
         public void play(List<Elsewhere.Game> games) throws InterruptedException {
             LeagueRun.this.play(games, elsewhere::play);
+        }
+
+        @Override
+        public void waits() {
+            synchronized (LeagueRun.this) {
+                ended |= underWay == 0 && (isAtEnd() || takeNow(task -> false) == null && isNothingLeft());
+                lookWhetherAnyoneCanPlay();
+            }
         }
 
         @Override
@@ -305,23 +316,13 @@ public final class LeagueRun {
             return List.of();
         }
         know(game.members(), attempts);
-        schedule.over(game.task(), failed(attempts));
+        schedule.over(game.task(), attempts.get(attempts.size() - 1).failed());
         handed += attempts.size();
         if (!writer.add(attempts)) {
             stop(writer.problem().getMessage());
             return List.of();
         }
         return attempts;
-    }
-
-    /** By seat, whether the bot failed in the game that counts; nothing if there is none. */
-    private static boolean[] failed(List<StoredGame> attempts) {
-        StoredGame game = attempts.get(attempts.size() - 1);
-        boolean[] failed = new boolean[game.counts() ? game.seats().size() : 0];
-        for (int seat = 0; seat < failed.length; seat++) {
-            failed[seat] = game.seats().get(seat).fault() != null;
-        }
-        return failed;
     }
 
     /** The next games, one if there is any, and more as long as none has to be waited for; none at the end. */
@@ -356,14 +357,30 @@ public final class LeagueRun {
                 stop("found " + TextFormat.count(schedule.active().size(), "bot") + " that is not paused, expected at "
                     + "least " + Math.max(1, play.season().players()));
             }
-            if (task != null || underWay == 0 && !watch.isPaused() && !schedule.isLeft(limits.games())) {
+            if (task != null || isNothingLeft()) {
                 return task;
             }
             if (elsewhere != null && underWay > 0) {
                 elsewhere.hurry();
             }
+            lookWhetherAnyoneCanPlay();
             wait(WAIT_MS);
         }
+    }
+
+    /** Ends the run where games wait that none of the machines can play, and says if they wait for a machine. */
+    private void lookWhetherAnyoneCanPlay() {
+        if (underWay > 0 || watch.isPaused() || isAtEnd()) {
+            standstill.moves();
+            return;
+        }
+        standstill.look(schedule.waiting(limits.games()).stream().map(this::members).toList(), elsewhere,
+            System.nanoTime()).ifPresent(this::stop);
+    }
+
+    /** True if nothing is under way and there is nothing left to play. */
+    private boolean isNothingLeft() {
+        return underWay == 0 && !watch.isPaused() && !schedule.isLeft(limits.games());
     }
 
     private boolean isAtEnd() {
@@ -478,10 +495,5 @@ public final class LeagueRun {
     /** Returns how many have been stored in this run, attempts included. */
     public long stored() {
         return writer.stored();
-    }
-
-    /** In how many transactions. */
-    public long transactions() {
-        return writer.transactions();
     }
 }

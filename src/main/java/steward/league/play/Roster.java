@@ -3,7 +3,11 @@ package steward.league.play;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
+import java.util.function.Predicate;
+import java.util.stream.IntStream;
+import steward.bot.command.Platform;
 import steward.contest.Contest.Entrant;
 import steward.files.InputException;
 import steward.league.LeagueBot;
@@ -28,6 +32,11 @@ public record Roster(LeagueSettings settings, List<Member> members) {
      * @param stamp   changes when one of its files does
      */
     public record Member(LeagueBot bot, Version version, Entrant entrant, String stamp) {
+
+        /** True if it may be started on this machine: it is not for another platform. */
+        public boolean playsHere() {
+            return bot.playsOn(Platform.here());
+        }
     }
 
     /** Copies the list. */
@@ -53,6 +62,22 @@ public record Roster(LeagueSettings settings, List<Member> members) {
             .map(member -> member.version().id()).findFirst();
     }
 
+    /** Returns which versions may play together: those for one platform do not meet those for another. */
+    public Predicate<int[]> meeting() {
+        Map<Integer, String> platforms = new HashMap<>();
+        members.stream().filter(member -> member.bot().platform() != null).forEach(member ->
+            platforms.put(member.version().id(), member.bot().platform()));
+        return group -> platforms.isEmpty() || IntStream.of(group).mapToObj(platforms::get).filter(Objects::nonNull)
+            .distinct().count() <= 1;
+    }
+
+    /** Returns how many bots one platform can have in a game, at most. */
+    private long together() {
+        return Math.max(members.stream().filter(Member::playsHere).count(), members.stream()
+            .map(member -> member.bot().platform()).filter(Objects::nonNull).mapToLong(platform -> members.stream()
+                .filter(member -> member.bot().playsOn(platform)).count()).max().orElse(0));
+    }
+
     /**
      * Returns this, unless no game can be played with these bots.
      *
@@ -64,6 +89,10 @@ public record Roster(LeagueSettings settings, List<Member> members) {
             throw new InputException("found " + TextFormat.count(members.size(), "bot") + " that "
                 + (members.size() == 1 ? "plays" : "play") + ", expected at least " + players
                 + "; 'steward league add' adds one");
+        }
+        if (together() < players) {
+            throw new InputException("found at most " + TextFormat.count(together(), "bot") + " for any one platform, "
+                + "expected at least " + players + " that can play together");
         }
         if (settings.gauntlet() != null && versionOf(settings.gauntlet()).isEmpty()) {
             throw new InputException("pairing: the bot '" + settings.gauntlet() + "' of the gauntlet is retired, "

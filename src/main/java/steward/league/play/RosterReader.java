@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
+import steward.bot.command.Platform;
 import steward.contest.Contest;
 import steward.contest.Contest.Entrant;
 import steward.files.InputException;
@@ -22,6 +23,8 @@ import steward.text.TextFormat;
  * Finds out which program each bot is, and gives a bot whose program has changed a new version. Not thread-safe.
  */
 public final class RosterReader {
+
+    private static final String HERE = Platform.here();
 
     private final GameStore store;
     private final Contest contest;
@@ -56,8 +59,8 @@ public final class RosterReader {
         Map<LeagueBot, String> identities = identities(active);
         List<Entrant> entrants = new ArrayList<>();
         for (LeagueBot bot : active) {
-            Entrant entrant = Contest.entrant(bot.typed(), Protocol.JSON);
-            if (entrant.problem() != null) {
+            Entrant entrant = Contest.entrant(bot.on(HERE).typed(), Protocol.JSON);
+            if (entrant.problem() != null && bot.playsOn(HERE)) {
                 throw new InputException(entrant.problem());
             }
             entrants.add(entrant);

@@ -9,7 +9,9 @@ import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.ArrayList;
 import java.util.HexFormat;
+import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Set;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
 import steward.bot.command.BotCommand;
@@ -21,7 +23,7 @@ import steward.machines.wire.HeaderText;
 
 /**
  * A bot's files, packed: a ZIP archive whose first entry, {@value #LIST}, has the command and says which of its words
- * are files. Symbolic links are packed as what they lead to.
+ * are files; of a bot with commands for several platforms all of them. Symbolic links are packed as what they lead to.
  *
  * @param hash  SHA-256 of the bytes, 64 hexadecimal digits
  * @param bytes the archive; not copied
@@ -43,15 +45,20 @@ public record Bundle(String hash, byte[] bytes) {
      * @throws InputException if its files cannot be read, or are too many or too large
      */
     public static Bundle of(LeagueBot bot) {
-        BotCommand command = bot.parsed();
-        boolean builtin = bot.files() == null && command.prefix() == BotCommand.Prefix.BUILTIN;
-        List<Path> files = builtin ? List.of() : BotIdentity.files(bot, command);
+        Set<Path> files = new LinkedHashSet<>(files(bot));
+        bot.platforms().forEach(each -> files.addAll(files(bot.on(each.platform()))));
         if (files.size() > MOST_FILES) {
             throw new InputException("bot '" + bot.name() + "': found " + files.size() + " files, expected at most "
                 + MOST_FILES + " for workers; pack them into an archive that it reads");
         }
-        HeaderText list = new HeaderText().put("command", new BotCommand(null, command.prefix(), command.words())
-            .toString());
+        HeaderText list = new HeaderText().put("command", written(bot));
+        if (bot.platform() != null) {
+            list.put("platform", bot.platform());
+        }
+        if (!bot.platforms().isEmpty()) {
+            list.put("platforms", bot.platforms().stream().map(each -> new HeaderText().put("platform", each.platform())
+                .put("command", written(bot.on(each.platform())))).toList());
+        }
         List<HeaderText> entries = new ArrayList<>();
         for (Path file : files) {
             entries.add(new HeaderText().put("typed", file.toString()).put("place", place(file))
@@ -69,9 +76,20 @@ public record Bundle(String hash, byte[] bytes) {
             }
         } catch (IOException problem) {
             throw new InputException("bot '" + bot.name() + "': its files cannot be packed for workers: "
-                + OutputFiles.reason(files.get(0), problem));
+                + OutputFiles.reason(files.iterator().next(), problem));
         }
         return new Bundle(hash(bytes.toByteArray()), bytes.toByteArray());
+    }
+
+    private static List<Path> files(LeagueBot bot) {
+        BotCommand command = bot.parsed();
+        boolean builtin = bot.files() == null && command.prefix() == BotCommand.Prefix.BUILTIN;
+        return builtin ? List.of() : BotIdentity.files(bot, command);
+    }
+
+    private static String written(LeagueBot bot) {
+        BotCommand command = bot.parsed();
+        return new BotCommand(null, command.prefix(), command.words()).toString();
     }
 
     private static InputException tooLarge(LeagueBot bot, Path file, long size) {

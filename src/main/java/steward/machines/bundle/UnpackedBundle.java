@@ -62,9 +62,10 @@ public record UnpackedBundle(Path folder, BotCommand command, List<String> words
      *
      * @param parent where bundles are
      * @param hash   that its bytes have to have
+     * @param here   the platform that its command is to be for
      * @throws InputException if it is not what it should be, its bot cannot be started here, or the disk is full
      */
-    public static UnpackedBundle of(Path parent, String hash, byte[] bytes) {
+    public static UnpackedBundle of(Path parent, String hash, byte[] bytes, String here) {
         if (!Bundle.hash(bytes).equals(hash)) {
             throw new InputException("bundle " + hash + ": found other bytes, expected those of that hash");
         }
@@ -72,6 +73,7 @@ public record UnpackedBundle(Path folder, BotCommand command, List<String> words
         try {
             Map<String, byte[]> files = files(hash, bytes);
             Block list = list(hash, files.remove(Bundle.LIST));
+            String command = command(list, here);
             if (!Files.isDirectory(folder, LinkOption.NOFOLLOW_LINKS)) {
                 Files.createDirectories(parent);
                 Path part = Files.createTempDirectory(parent, "unpacking");
@@ -82,7 +84,7 @@ public record UnpackedBundle(Path folder, BotCommand command, List<String> words
                     remove(part);
                 }
             }
-            return of(folder, list);
+            return of(folder, list, command);
         } catch (IOException problem) {
             throw new InputException(folder + ": the bundle cannot be unpacked: "
                 + OutputFiles.reason(folder, problem));
@@ -133,6 +135,19 @@ public record UnpackedBundle(Path folder, BotCommand command, List<String> words
         return new Block(source, "", JsonTree.read(new String(list, StandardCharsets.UTF_8), source, "a bundle"));
     }
 
+    /** The command for a platform: its own, or that for all others. */
+    private static String command(Block list, String here) {
+        if (list.has("platform") && !list.text("platform").equals(here)) {
+            throw new InputException("found a bot for " + list.text("platform") + ", and this machine is " + here);
+        }
+        String command = list.text("command");
+        for (Block each : list.has("platforms") ? list.blocks("platforms") : List.<Block>of()) {
+            String other = each.text("command");
+            command = each.text("platform").equals(here) ? other : command;
+        }
+        return command;
+    }
+
     private static void write(Path folder, Map<String, byte[]> files, Block list) throws IOException {
         Files.createDirectories(folder.resolve(Bundle.HERE));
         for (Map.Entry<String, byte[]> file : files.entrySet()) {
@@ -161,7 +176,7 @@ public record UnpackedBundle(Path folder, BotCommand command, List<String> words
         throw new IOException("'" + name + "' is not within the bundle");
     }
 
-    private static UnpackedBundle of(Path folder, Block list) throws IOException {
+    private static UnpackedBundle of(Path folder, Block list, String command) throws IOException {
         Map<String, String> places = new HashMap<>();
         for (Block file : list.blocks("files")) {
             places.put(file.text("typed"), inside(folder, file.text("place")).toAbsolutePath().toString());
@@ -169,7 +184,7 @@ public record UnpackedBundle(Path folder, BotCommand command, List<String> words
         }
         BotCommand typed;
         try {
-            typed = BotCommand.parse(list.text("command"));
+            typed = BotCommand.parse(command);
         } catch (IllegalArgumentException problem) {
             throw list.error("command", problem.getMessage(), "a program and its arguments");
         }

@@ -281,7 +281,7 @@ public final class PartMerge {
 
     private Optional<Entrant> deterministic(Version version) {
         return roster.members().stream().filter(member -> member.version().id() == version.id()
-            && !member.bot().random() && !version.random()).map(Member::entrant).findFirst();
+            && member.playsHere() && !member.bot().random() && !version.random()).map(Member::entrant).findFirst();
     }
 
     /** Returns the game with its replay, if the league keeps it. */

@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Consumer;
+import steward.bot.command.Platform;
 import steward.contest.Contest;
 import steward.contest.WorkerThreads;
 import steward.files.InputException;
@@ -88,6 +89,10 @@ public final class PartPlay {
             schedule = new Schedule(settings.seed(), players, settings.lag(), season.isEmpty() ? new EarlierGames()
                 : new GameQueries(league, season.get(), part.season()).earlier());
         }
+        roster.members().stream().filter(member -> !member.playsHere()).findFirst().ifPresent(member -> {
+            throw new InputException("bot '" + member.bot().name() + "': found a bot for another platform than "
+                + Platform.here() + ", expected none in a league that is played in parts; retire it");
+        });
         schedule.play(roster.versions(), versions -> settings.gauntlet() == null
             ? Pairing.roundRobin(versions, players)
             : Pairing.gauntlet(versions, players, roster.versionOf(settings.gauntlet()).orElseThrow()));

@@ -46,6 +46,16 @@ public abstract class ForwardedGames implements Elsewhere {
     }
 
     @Override
+    public final boolean isAway() {
+        return games.isAway();
+    }
+
+    @Override
+    public final String obstacle(List<Member> members) {
+        return games.obstacle(members);
+    }
+
+    @Override
     public final boolean isTrusted(String machine) {
         return games.isTrusted(machine);
     }

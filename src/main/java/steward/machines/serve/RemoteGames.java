@@ -1,7 +1,6 @@
 package steward.machines.serve;
 
 import java.net.InetSocketAddress;
-import java.nio.charset.StandardCharsets;
 import java.security.SecureRandom;
 import java.util.ArrayList;
 import java.util.Collection;
@@ -34,11 +33,11 @@ import steward.machines.token.BrokerKey;
 import steward.machines.token.KeptPauses;
 import steward.machines.token.WorkerList;
 import steward.machines.wire.GameJob;
-import steward.machines.wire.HeaderText;
-import steward.machines.wire.WireMessage;
+import steward.machines.wire.LeagueWord;
 import steward.machines.wire.WorkerWord;
 import steward.scene.RungLaw;
 import steward.scene.json.SceneException;
+import steward.text.TextFormat;
 
 /**
  * Games of a league that workers play. A result counts only for a job that the broker handed to the worker that sends
@@ -248,7 +247,17 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
     /** True if a worker that is connected has not said of any of these bundles that it does not run there. */
     private synchronized boolean canPlay(Collection<String> needs) {
         return !anyConnected || workers.values().stream().anyMatch(worker -> slots(worker) > 0
-            && Collections.disjoint(worker.unfit, needs));
+            && Collections.disjoint(worker.unfit.keySet(), needs));
+    }
+
+    @Override
+    public boolean isAway() {
+        return !anyConnected;
+    }
+
+    @Override
+    public synchronized String obstacle(List<Member> members) {
+        return WorkerState.obstacle(workers.values(), bundles.known(members));
     }
 
     /** The game as its transcripts tell it; {@code null} if they are disproved, with consequences for the worker. */
@@ -339,8 +348,6 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
             && machine.startsWith(WorkerState.machine(worker.name)));
     }
 
-    // ---- what workers say ------------------------------------------------------------------------
-
     private void listen() {
         long looked = System.nanoTime();
         while (!closed) {
@@ -426,18 +433,17 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
     }
 
     private void hello(WorkerState state, WorkerWord.Hello hello) {
-        int slots = hello.slots();
         RungLaw law = contest.setup().plan().law();
         String theirs = law.keyAmong(hello.bits());
         if (!theirs.equals(law.key())) {
             String why = state.apart(shown(hello.version()), shown(theirs), version, law.key());
             say(why);
-            broker.tell(state.name, WireMessage.bytes(new HeaderText().put("type", "refused").put("reason", why)));
+            broker.tell(state.name, new LeagueWord.Refused(why).bytes());
             return;
         }
         synchronized (this) {
-            state.slots = slots;
-            gate.joined(state.name, slots);
+            state.slots = hello.slots();
+            gate.joined(state.name, hello.slots());
             state.unfit.clear();                       // it may be another machine by now; it says them again
             state.version = shown(hello.version());
             state.scale = speed == 0 ? 1 : MachineSpeed.scale(speed, hello.speed());
@@ -446,20 +452,16 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
             anyConnected = true;
             notifyAll();
         }
-        say("worker " + state.name + " plays " + slots + (slots == 1 ? " game" : " games") + " at a time: "
+        say("worker " + state.name + " plays " + TextFormat.count(hello.slots(), "game") + " at a time: "
             + state.machine);
-        HeaderText welcome = new HeaderText().put("type", "welcome").put("version", version)
-            .put("rules", rules).put("jar", jar).put("factor", Double.toString(settings.factor() * state.scale))
-            .put("basis", settings.basis().word()).put("hiccups", settings.hiccups().word())
-            .put("hold", settings.hold().word());
-        broker.tell(state.name, WireMessage.bytes(welcome,
-            contest.setup().scene().json().getBytes(StandardCharsets.UTF_8)));
+        broker.tell(state.name, new LeagueWord.Welcome(version, rules, jar, settings.factor() * state.scale,
+            settings.basis(), settings.hiccups(), settings.hold(), contest.setup().scene().json()).bytes());
     }
 
     private void unfit(WorkerState state, WorkerWord.Unfit unfit) {
         boolean isNew;
         synchronized (this) {
-            isNew = bundles.has(unfit.bundle()) && state.unfit.add(unfit.bundle());
+            isNew = bundles.has(unfit.bundle()) && state.unfit.put(unfit.bundle(), shown(unfit.reason())) == null;
         }
         if (isNew) {
             say("worker " + state.name + " cannot play a bot: " + shown(unfit.reason()));

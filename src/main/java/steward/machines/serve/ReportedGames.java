@@ -160,7 +160,7 @@ final class ReportedGames {
         }
         for (int seat = 0; seat < game.members().size(); seat++) {
             Member member = game.members().get(seat);
-            if (!member.bot().random() && !member.version().random()) {
+            if (member.playsHere() && !member.bot().random() && !member.version().random()) {
                 int player = seat;
                 askedAgain.ask(member.version().display(), worker, () -> asked(match, player, member));
             }

@@ -1,11 +1,18 @@
 package steward.machines.serve;
 
-import java.util.HashSet;
+import java.util.ArrayList;
+import java.util.Collection;
 import java.util.List;
-import java.util.Set;
+import java.util.Map;
+import java.util.Objects;
+import java.util.TreeMap;
+import java.util.stream.Collectors;
 
 /** State of a worker, as the league knows it. Guarded by {@link RemoteGames}. */
 final class WorkerState {
+
+    /** How many workers' reasons are told. */
+    private static final int MOST_REASONS = 3;
 
     final String name;
     int slots;
@@ -18,8 +25,8 @@ final class WorkerState {
     long began;
     long lastWord;
     boolean caught;
-    /** Bundles that do not run there. */
-    final Set<String> unfit = new HashSet<>();
+    /** Bundles that do not run there, and why. */
+    final Map<String, String> unfit = new TreeMap<>();
 
     WorkerState(String name) {
         this.name = name;
@@ -29,6 +36,20 @@ final class WorkerState {
     WorkerSeen seen(List<String> doubts) {
         return new WorkerSeen(name, slots, games / (Math.max(1, System.nanoTime() - began) / 1e9), version,
             System.currentTimeMillis() - lastWord, caught, doubts);
+    }
+
+    /** Returns why no worker that is there can play with these bundles, as each has said; {@code null} if one may. */
+    static String obstacle(Collection<WorkerState> workers, List<String> needs) {
+        List<String> reasons = new ArrayList<>();
+        for (WorkerState worker : workers) {
+            String why = needs.stream().map(worker.unfit::get).filter(Objects::nonNull).findFirst().orElse(null);
+            if (worker.slots > 0 && why == null) {
+                return null;
+            } else if (worker.slots > 0) {
+                reasons.add("worker " + worker.name + ": " + why);
+            }
+        }
+        return reasons.isEmpty() ? null : reasons.stream().limit(MOST_REASONS).collect(Collectors.joining("; "));
     }
 
     /** Describes the difference between two programs that do not compute the same. */

@@ -24,10 +24,22 @@ public interface LeagueWord {
     record Welcome(String version, String rules, String jar, double factor, TimeBasis basis, Hiccups hiccups,
                    HoldPolicy hold, String scene)
         implements LeagueWord {
+
+        /** Returns the encoded message. */
+        public byte[] bytes() {
+            return WireMessage.bytes(new HeaderText().put("type", "welcome").put("version", version).put("rules", rules)
+                .put("jar", jar).put("factor", Double.toString(factor)).put("basis", basis.word())
+                .put("hiccups", hiccups.word()).put("hold", hold.word()), scene.getBytes(StandardCharsets.UTF_8));
+        }
     }
 
     /** Refusal of a worker. */
     record Refused(String reason) implements LeagueWord {
+
+        /** Returns the encoded message. */
+        public byte[] bytes() {
+            return WireMessage.bytes(new HeaderText().put("type", "refused").put("reason", reason));
+        }
     }
 
     /**

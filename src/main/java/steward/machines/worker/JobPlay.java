@@ -44,6 +44,7 @@ final class JobPlay {
     private final Contest contest;
     private final Hiccups hiccups;
     private final Path folder;
+    private final String platform;
     private final Map<String, Entrant> bots = new ConcurrentHashMap<>();
 
     /** Brings the bytes of a bundle. */
@@ -92,13 +93,14 @@ final class JobPlay {
      * Takes what the league says of its games.
      *
      * @param folder  where bundles go
+     * @param platform that this machine is
      * @param version of this program
      * @param starter starts bots, or {@code null} for programs
      * @throws InputException      if it cannot be used
      * @throws OtherRulesException if the league's program computes other results in this scene
      */
-    JobPlay(LeagueWord.Welcome welcome, GameTypes types, Supplier<Isolation> isolation, Path folder, String version,
-            BotStarter starter) throws OtherRulesException {
+    JobPlay(LeagueWord.Welcome welcome, GameTypes types, Supplier<Isolation> isolation, Path folder, String platform,
+            String version, BotStarter starter) throws OtherRulesException {
         hiccups = welcome.hiccups();
         String theirs = welcome.version();
         String rules = welcome.rules();
@@ -119,6 +121,7 @@ final class JobPlay {
             .isolatedBy(() -> isolation.get().holding(welcome.hold()));
         contest = starter == null ? usual : usual.startedBy(starter);
         this.folder = folder;
+        this.platform = platform;
     }
 
     /**
@@ -189,7 +192,8 @@ final class JobPlay {
         }
         UnpackedBundle unpacked;
         try {
-            unpacked = UnpackedBundle.of(folder, seat.bundle(), fetcher.fetch(seat.bundle(), seat.size()));
+            unpacked = UnpackedBundle.of(folder, seat.bundle(), fetcher.fetch(seat.bundle(), seat.size()),
+                platform);
         } catch (InputException problem) {
             throw new UnfitException(seat.bundle(), seat.name() + ": " + problem.getMessage());
         }

@@ -12,6 +12,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import steward.bot.command.Platform;
 import steward.bot.isolation.Isolation;
 import steward.contest.BotStarter;
 import steward.files.InputException;
@@ -76,18 +77,19 @@ public final class Worker {
      * @param nanos     after which no game is begun; {@code Long.MAX_VALUE} for no end
      * @param isolation how bots are kept apart
      * @param folder    where bundles go
+     * @param platform  that it is, as commands of bots are for one
      * @param version   of this program
      * @param machine   what it is played on
      * @param starter   starts bots, {@code null} as the league's programs
      */
     public record Options(String host, int port, WorkerToken token, int slots, long games, long nanos,
-                          Supplier<Isolation> isolation, Path folder, String version, String machine,
-                          BotStarter starter) {
+                          Supplier<Isolation> isolation, Path folder, String platform, String version,
+                          String machine, BotStarter starter) {
 
-        /** Options of a worker whose bots are programs. */
+        /** Options of a worker whose bots are programs of this machine's platform. */
         public Options(String host, int port, WorkerToken token, int slots, long games, long nanos,
                        Supplier<Isolation> isolation, Path folder, String version, String machine) {
-            this(host, port, token, slots, games, nanos, isolation, folder, version, machine, null);
+            this(host, port, token, slots, games, nanos, isolation, folder, Platform.here(), version, machine, null);
         }
     }
 
@@ -209,8 +211,8 @@ public final class Worker {
 
     private JobPlay jobs(BrokerClient client, LeagueWord.Welcome welcome) throws BrokenException {
         try {
-            return new JobPlay(welcome, types, options.isolation(), options.folder(), options.version(),
-                options.starter());
+            return new JobPlay(welcome, types, options.isolation(), options.folder(), options.platform(),
+                options.version(), options.starter());
         } catch (SceneException problem) {
             throw new InputException(problem.getMessage());
         } catch (JobPlay.OtherRulesException problem) {

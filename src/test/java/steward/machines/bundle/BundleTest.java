@@ -18,6 +18,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import steward.bot.command.Platform;
 import steward.files.InputException;
 import steward.league.LeagueBot;
 
@@ -40,7 +41,8 @@ class BundleTest {
         Bundle bundle = Bundle.of(bot);
         assertEquals(bundle.hash(), Bundle.of(bot).hash(), "the same files make the same bundle");
 
-        UnpackedBundle unpacked = UnpackedBundle.of(folder.resolve("there"), bundle.hash(), bundle.bytes());
+        UnpackedBundle unpacked = UnpackedBundle.of(folder.resolve("there"), bundle.hash(), bundle.bytes(),
+            Platform.here());
         Path there = Path.of(unpacked.words().get(unpacked.words().size() - 1));
         assertTrue(there.startsWith(folder.resolve("there").toAbsolutePath()), there.toString());
         assertEquals(Files.readString(program), Files.readString(there));
@@ -65,7 +67,7 @@ class BundleTest {
     private void refused(byte[] bytes, String what) throws IOException {
         Path bundles = folder.resolve("bundles");
         InputException problem = assertThrows(InputException.class,
-            () -> UnpackedBundle.of(bundles, Bundle.hash(bytes), bytes));
+            () -> UnpackedBundle.of(bundles, Bundle.hash(bytes), bytes, Platform.here()));
         assertTrue(problem.getMessage().contains(what), problem.getMessage());
         assertFalse(Files.exists(folder.resolve("out")), "nothing is written outside");
         try (var files = Files.walk(folder)) {
@@ -88,15 +90,15 @@ class BundleTest {
         refused(archive("here/a", "x"), "expected the list of the others");
         byte[] good = archive(Bundle.LIST, EMPTY);
         InputException other = assertThrows(InputException.class,
-            () -> UnpackedBundle.of(folder, "0".repeat(64), good));
+            () -> UnpackedBundle.of(folder, "0".repeat(64), good, Platform.here()));
         assertTrue(other.getMessage().contains("found other bytes"), other.getMessage());
     }
 
     @Test
     void whatIsUnpackedThereAlreadyStays() throws IOException {
         byte[] bytes = archive(Bundle.LIST, EMPTY, "here/a", "x");
-        UnpackedBundle first = UnpackedBundle.of(folder, Bundle.hash(bytes), bytes);
-        assertEquals(first, UnpackedBundle.of(folder, Bundle.hash(bytes), bytes));
+        UnpackedBundle first = UnpackedBundle.of(folder, Bundle.hash(bytes), bytes, Platform.here());
+        assertEquals(first, UnpackedBundle.of(folder, Bundle.hash(bytes), bytes, Platform.here()));
         assertEquals(List.of(Bundle.hash(bytes)), List.of(folder.toFile().list()), "and nothing else is left");
     }
 }

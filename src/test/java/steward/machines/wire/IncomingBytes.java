@@ -14,6 +14,7 @@ import java.util.SplittableRandom;
 import java.util.stream.Stream;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
+import steward.bot.command.Platform;
 import steward.files.InputException;
 import steward.machines.bundle.Bundle;
 import steward.machines.bundle.UnpackedBundle;
@@ -130,7 +131,7 @@ public final class IncomingBytes {
         byte[] sent = inside ? bytes : broken(bytes, random);
         Path parent = folder.resolve("bundles");
         try {
-            return isRefused(() -> UnpackedBundle.of(parent, hash(sent), sent));
+            return isRefused(() -> UnpackedBundle.of(parent, hash(sent), sent, Platform.here()));
         } finally {
             lookAround(parent);
         }

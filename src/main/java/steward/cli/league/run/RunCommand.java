@@ -55,8 +55,9 @@ import steward.text.TextFormat;
         "  steward league run night --threads auto --for 8h",
         "  steward league run night --games 1000 --watch --open",
         "  steward league run night --until-ranked --equal 5",
-        "", "Exit status: 0 an end was reached; 1 broken: games could not be stored; 2 the",
-        "call or the league is unusable; 130 interrupted, 143 terminated."})
+        "", "Exit status: 0 an end was reached; 1 broken: games could not be stored, or no",
+        "machine can play them; 2 the call or the league is unusable; 130 interrupted,",
+        "143 terminated."})
 public final class RunCommand implements Callable<Integer> {
 
     private static final Pattern TIME = Pattern.compile("([0-9]{1,9})([smhd])");
@@ -222,7 +223,8 @@ public final class RunCommand implements Callable<Integer> {
                     say(screen.get(), contest.hold());
                 }
                 say(screen.get(), RoundText.length(settings, roster.versions(), season.players(),
-                    settings.gauntlet() == null ? -1 : roster.versionOf(settings.gauntlet()).orElse(-1)));
+                    settings.gauntlet() == null ? -1 : roster.versionOf(settings.gauntlet()).orElse(-1),
+                    roster.meeting()));
             }
             run.play();
             if (told.getAndSet(true)) {

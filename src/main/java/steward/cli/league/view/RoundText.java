@@ -2,7 +2,9 @@ package steward.cli.league.view;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Predicate;
 import java.util.stream.DoubleStream;
+import steward.league.LeagueBot;
 import steward.league.LeagueSettings;
 import steward.league.RoundOrder;
 import steward.league.pairing.AdaptivePairing;
@@ -21,13 +23,15 @@ public final class RoundText {
      *
      * @param versions that play
      * @param hero     the version that is in every game, or -1
+     * @param meeting  whether versions may play together
      */
-    public static String length(LeagueSettings settings, List<Integer> versions, int players, int hero) {
+    public static String length(LeagueSettings settings, List<Integer> versions, int players, int hero,
+                                Predicate<int[]> meeting) {
         if (players == 1) {
             return "a round is one map, " + TextFormat.count(versions.size(), "game");
         }
-        int groups = RoundOrder.groups(versions, players, hero).size();
-        return "a round takes " + TextFormat.count((long) groups * players, "game") + ": "
+        long groups = RoundOrder.groups(versions, players, hero).stream().filter(meeting).count();
+        return "a round takes " + TextFormat.count(groups * players, "game") + ": "
             + TextFormat.count(groups, "pairing") + " on one seed each, from all seats"
             + (settings.adaptive() ? "; after " + AdaptivePairing.FIRST + " rounds those play who are in doubt" : "");
     }
@@ -58,7 +62,8 @@ public final class RoundText {
         DoubleStream.Builder met = DoubleStream.builder();
         for (int i = 0; i < rows.size(); i++) {
             for (int j = 0; j < i; j++) {
-                if (hero == null || is(rows.get(i), hero) || is(rows.get(j), hero)) {
+                if ((hero == null || is(rows.get(i), hero) || is(rows.get(j), hero))
+                    && mayMeet(rows.get(i), rows.get(j))) {
                     met.add(table.results().games(rows.get(i).entry().version(), rows.get(j).entry().version()));
                 }
             }
@@ -67,7 +72,17 @@ public final class RoundText {
     }
 
     private static boolean is(Row row, String bot) {
-        return row.entry().name().replaceFirst("#\\d+$", "").equals(bot);
+        return bot(row).equals(bot);
+    }
+
+    private static String bot(Row row) {
+        return row.entry().name().replaceFirst("#\\d+$", "");
+    }
+
+    private static boolean mayMeet(Row one, Row other) {
+        String platform = LeagueBot.platform(bot(one));
+        return platform == null || LeagueBot.platform(bot(other)) == null
+            || platform.equals(LeagueBot.platform(bot(other)));
     }
 
     private static double groupsOfPair(int others, int seats) {
