@@ -83,11 +83,12 @@ class BodiesGameTest {
         lines.writeTurn(sent, 0);
         assertEquals("0 1 2 0\n0 10 1\n0 10 1\n0\n100 100 0 0\n200 100 0 0\n", sent.toString());
         assertEquals(2, lines.answerLines(0));
+        assertEquals("line 2 of 2: found \"x 1\", expected two numbers X Y", read(lines, "0 0\nx 1"));
+        assertEquals("line 1 of 2: found a thrust of length 5.830951894845301, expected at most 5.0",
+            read(lines, "3 5\n0 0"));
+        assertEquals("found 1 lines, expected 2", read(lines, "3 4"));
         assertNull(read(lines, "3 4 off we go\n-1 0.5"));
         assertEquals("off we go", lines.message(0));
-        assertEquals("line 2: found \"x 1\", expected two numbers X Y", read(lines, "0 0\nx 1"));
-        assertEquals("line 1: found a thrust of length 5.830951894845301, expected at most 5.0",
-            read(lines, "3 5\n0 0"));
         game.play();
         assertEquals(3, game.bodies().vx[0]);
         assertEquals(0.5, game.bodies().vy[1]);

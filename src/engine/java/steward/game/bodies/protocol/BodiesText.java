@@ -1,31 +1,27 @@
 package steward.game.bodies.protocol;
 
-import java.nio.charset.StandardCharsets;
-import steward.game.TextCodec;
+import java.util.List;
+import steward.game.CommandLines;
 import steward.game.bodies.BodiesGame;
 import steward.game.bodies.BodiesGame.Thrust;
 import steward.game.bodies.Body;
 import steward.game.bodies.Zone;
 import steward.physics.Bodies;
-import steward.text.TextFormat;
 import tools.jackson.core.io.NumberOutput;
 
 /**
  * Lines of numbers. The setup is {@code PLAYER PLAYERS DISCS ZONES}, a line {@code OWNER RADIUS MASS} for each disc (-1
  * for nobody, and for an infinite mass), and a line {@code X Y RADIUS POINTS} for each zone. A turn is a line with the
- * scores, then {@code X Y VX VY} for each disc. An answer has a line {@code X Y} for each of the player's discs, and
- * behind the numbers of the first a message.
+ * scores, then {@code X Y VX VY} for each disc. An answer has a line {@code X Y} for each of the player's discs, with a
+ * message behind it, if there is one.
  */
-final class BodiesText implements TextCodec {
-
-    private static final int SHOWN = 40;
+final class BodiesText extends CommandLines<Thrust> {
 
     private final BodiesGame game;
-    private final String[] messages;
 
     BodiesText(BodiesGame game) {
+        super(game.players(), "two numbers X Y");
         this.game = game;
-        messages = new String[game.players()];
     }
 
     @Override
@@ -76,35 +72,24 @@ final class BodiesText implements TextCodec {
     }
 
     @Override
-    public String readAnswer(int player, byte[] answer, int length) {
-        messages[player] = null;
-        String[] lines = new String(answer, 0, length, StandardCharsets.UTF_8).split("\n", -1);
-        int[] owned = game.owned(player);
-        Thrust[] thrusts = new Thrust[owned.length];
-        for (int k = 0; k < owned.length; k++) {
-            String[] words = lines[k].strip().split("\\s+", 3);
-            double x = number(words, 0);
-            double y = number(words, 1);
-            if (Double.isNaN(x) || Double.isNaN(y) || k > 0 && words.length > 2) {
-                return "line " + (k + 1) + ": found \"" + TextFormat.beginning(lines[k].strip(), SHOWN)
-                    + "\", expected two numbers X Y";
-            }
-            String wrong = BodiesAnswer.tooLong(game, x, y);
-            if (wrong != null) {
-                return "line " + (k + 1) + ": " + wrong;
-            }
-            thrusts[k] = new Thrust(x, y);
-            messages[player] = words.length > 2 ? words[2] : messages[player];
+    protected Thrust read(String line, int player, int index, List<String> said) {
+        String[] words = line.strip().split("\\s+", 3);
+        double x = number(words, 0);
+        double y = number(words, 1);
+        if (Double.isNaN(x) || Double.isNaN(y)) {
+            return null;
         }
-        for (int k = 0; k < owned.length; k++) {
-            game.thrust(owned[k], thrusts[k]);
-        }
-        return null;
+        say(words.length > 2 ? words[2] : null, said);
+        return new Thrust(x, y);
     }
 
     @Override
-    public String message(int player) {
-        return messages[player];
+    protected String command(int player, int index, Thrust thrust) {
+        String wrong = BodiesAnswer.tooLong(game, thrust.x(), thrust.y());
+        if (wrong == null) {
+            game.thrust(game.owned(player)[index], thrust);
+        }
+        return wrong;
     }
 
     /** A finite number of decimal digits, or NaN. */
