@@ -110,7 +110,7 @@ class ViewersPageTest {
                 browser.run("document.querySelector('#notice button')?.click()");
                 return browser.text("#scene").contains("7 games of duel");
             });
-            assertTrue(browser.is("document.body.classList.contains('live')"));
+            browser.await("it is not live", () -> browser.is("document.body.classList.contains('live')"));
             assertEquals(List.of(), browser.complaints());
         }
     }

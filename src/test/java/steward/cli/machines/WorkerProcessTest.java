@@ -27,6 +27,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import steward.cli.Cli;
+import steward.bot.process.ScriptedBots;
 import steward.cli.Main;
 import steward.cli.ShellBots;
 import steward.cli.TextShellBots;
@@ -175,6 +176,7 @@ class WorkerProcessTest {
 
     @Test
     void ctrlCFinishesTheGamesThatAreUnderWay() throws Exception {
+        ScriptedBots.assumeInterruptible();
         CompletableFuture<String> league = serve(12, 0);
         Process worker = worker("ending", List.of(), "--threads", "2");
         await(() -> stored("ending") >= 2 || league.isDone());
