@@ -46,6 +46,8 @@ public class MachinesProof {
 
     private static final String ROW = "%-58s %s%n";
     private static final long PATIENCE_S = 1200;
+    /** When less than this part of the games is left, a worker that comes back may get none of them. */
+    private static final int FEW = 4;
     private static final int CLOSED_MS = 3000;
 
     final Path folder;
@@ -276,6 +278,7 @@ public class MachinesProof {
         List.of("one", "two", "three").forEach(this::add);
         began = System.nanoTime();
         long continued;
+        int left;
         try (CutProxy proxy = new CutProxy(port)) {
             Process league = league(1);
             final Process one = worker("one", proxy.port());
@@ -303,17 +306,18 @@ public class MachinesProof {
             TimeUnit.NANOSECONDS.sleep(stopped + TimeUnit.SECONDS.toNanos(stopSeconds) - System.nanoTime());
             signal("CONT", two);
             continued = System.currentTimeMillis();
-            tell("worker two continued after " + stopSeconds + " s, after games", rows("many").size());
+            left = games - rows("many").size();
+            tell("worker two continued after " + stopSeconds + " s, after games", games - left);
             check(league.isAlive(), "the league had ended before the worker was continued: more --games, or longer");
 
             check(league.waitFor(PATIENCE_S, TimeUnit.SECONDS) && league.exitValue() == 0, "the league does not end");
             check(two.isAlive() && three.isAlive(), "a worker has ended by itself");
         }
         tell("three workers: seconds", TimeUnit.NANOSECONDS.toSeconds(System.nanoTime() - began));
-        compare(continued);
+        compare(continued, left);
     }
 
-    private void compare(long continued) {
+    private void compare(long continued, int left) {
         List<Row> alone = rows("alone");
         List<Row> many = rows("many");
         Map<String, Integer> times = new TreeMap<>();
@@ -340,7 +344,7 @@ public class MachinesProof {
         long later = many.stream().filter(row -> row.machine().startsWith("worker two")
             && row.played() > continued).count();
         tell("played by worker two after it was continued", later);
-        check(later > 0, "worker two has played no game after it was continued");
+        check(later > 0 || left < games / FEW, "worker two has played no game after it was continued");
         for (String name : List.of("league 1", "league 2", "worker one", "worker two", "worker three")) {
             foreignLines(folder.resolve(name + ".err")).forEach(line -> problems.add(name + " prints: " + line));
         }

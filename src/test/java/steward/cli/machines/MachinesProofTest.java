@@ -29,7 +29,7 @@ class MachinesProofTest {
     void nothingIsLostOrDoubledWhenWorkersLeagueAndConnectionsEnd(TestReporter report) throws Exception {
         assumeTrue(ShellBots.runnable() && ProgramFinder.find("kill") != null, "skipped: there is no sh or kill");
         StringBuilder said = new StringBuilder();
-        List<String> problems = MachinesProof.play(folder, 40, 1, 200, said::append);
+        List<String> problems = MachinesProof.play(folder, 60, 1, 200, said::append);
         report.publishEntry(said.toString());
         assertEquals(List.of(), problems, said::toString);
     }
