@@ -1,6 +1,7 @@
 package steward.cli;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
@@ -68,6 +69,8 @@ class HelpTest {
         assertEquals(Cli.run("match", "--help").out(), Cli.run("help", "match").out());
         assertEquals(Cli.run("league", "run", "--help").out(), Cli.run("help", "league", "run").out());
         assertEquals(2, Cli.run("help", "match", "run").status());
+        assertTrue(Cli.run("match", "--help").out().contains("\n  -b, --bot=BOT "));
+        assertFalse(Cli.run("referee", "--help").out().contains("-s, --scene"), "its -s is another option");
         Cli sandbox = Cli.run("help", "sandbox");
         assertEquals(ExitStatus.DONE, sandbox.status(), sandbox.err());
         assertTrue(sandbox.out().contains("\n      --memory=SIZE "), sandbox.out());

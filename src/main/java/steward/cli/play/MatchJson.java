@@ -12,8 +12,8 @@ import steward.contest.Contest;
 import steward.contest.Failure;
 import steward.json.JsonNumbers;
 import steward.json.JsonObject;
-import steward.match.MatchResult.PlayerResult;
 import steward.match.MatchResult;
+import steward.match.MatchResult.PlayerResult;
 import steward.text.TextFormat;
 import tools.jackson.core.JsonGenerator;
 

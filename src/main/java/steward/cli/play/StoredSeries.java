@@ -28,11 +28,11 @@ import steward.league.LeagueFolder;
 import steward.league.LeagueReader;
 import steward.league.LeagueSettings;
 import steward.league.Season;
-import steward.league.StoredGame.StoredSeat;
 import steward.league.StoredGame;
+import steward.league.StoredGame.StoredSeat;
 import steward.league.store.GameQueries;
-import steward.league.store.GameStore.Version;
 import steward.league.store.GameStore;
+import steward.league.store.GameStore.Version;
 import steward.league.store.SeasonOpening;
 import steward.match.MatchResult;
 

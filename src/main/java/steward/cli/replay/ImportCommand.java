@@ -32,8 +32,8 @@ import steward.files.OutputFiles;
 import steward.game.podrace.RulesEdition;
 import steward.replay.page.UnclosedOutputStream;
 import steward.text.TextFormat;
-import steward.text.Utf8Text.NotUtf8Exception;
 import steward.text.Utf8Text;
+import steward.text.Utf8Text.NotUtf8Exception;
 
 /** {@code steward import}: makes a replay from an official recording. */
 @Command(name = "import", description = "Makes a replay from CodinGame's own JSON of a game. Verifying it compares "

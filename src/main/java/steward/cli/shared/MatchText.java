@@ -6,8 +6,8 @@ import java.util.List;
 import steward.bot.command.CommandLine;
 import steward.cli.streams.Colour;
 import steward.contest.Failure;
-import steward.match.MatchResult.PlayerResult;
 import steward.match.MatchResult;
+import steward.match.MatchResult.PlayerResult;
 import steward.text.TextFormat;
 
 /** The result of a match as readable text. */

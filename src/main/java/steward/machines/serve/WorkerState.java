@@ -11,7 +11,7 @@ import java.util.stream.Collectors;
 /** State of a worker, as the league knows it. Guarded by {@link RemoteGames}. */
 final class WorkerState {
 
-    /** How many workers' reasons are told. */
+    /** Number of workers whose reasons are told. */
     private static final int MOST_REASONS = 3;
 
     final String name;

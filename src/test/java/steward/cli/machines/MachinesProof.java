@@ -26,8 +26,8 @@ import steward.league.LeagueFolder;
 import steward.league.Season;
 import steward.league.store.GameQueries;
 import steward.league.store.GameStore;
-import steward.machines.broker.BrokerClient.BrokenException;
 import steward.machines.broker.BrokerClient;
+import steward.machines.broker.BrokerClient.BrokenException;
 import steward.machines.serve.HostileWorker;
 import steward.machines.token.WorkerToken;
 

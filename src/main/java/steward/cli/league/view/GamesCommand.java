@@ -27,8 +27,8 @@ import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.json.JsonNumbers;
 import steward.league.LeagueFolder;
-import steward.league.StoredGame.StoredSeat;
 import steward.league.StoredGame;
+import steward.league.StoredGame.StoredSeat;
 import steward.text.TextFormat;
 import tools.jackson.core.JsonGenerator;
 
