@@ -223,10 +223,19 @@ final class Database implements AutoCloseable {
         }
     }
 
+    /** Reads by several queries that all see the same rows, whatever other connections write between them. */
+    <T> T inSnapshot(Work<T> work) {
+        return inTransaction("BEGIN", work);
+    }
+
     /** Does something in one transaction: all of it or nothing. */
-    synchronized <T> T inTransaction(Work<T> work) {
+    <T> T inTransaction(Work<T> work) {
+        return inTransaction("BEGIN IMMEDIATE", work);
+    }
+
+    private synchronized <T> T inTransaction(String begin, Work<T> work) {
         return with(() -> {
-            execute("BEGIN IMMEDIATE");
+            execute(begin);
             boolean done = false;
             try {
                 T result = work.run();

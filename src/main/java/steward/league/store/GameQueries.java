@@ -60,7 +60,7 @@ public final class GameQueries {
     /** The sums of all games. */
     public Results results() {
         Results results = new Results(key);
-        database.with(() -> {
+        database.inSnapshot(() -> {
             try (ResultSet row = database.query("SELECT count(*) - count(problem), count(problem) FROM game "
                 + "WHERE season = ? AND counts = 0", season)) {
                 results.addOthers(row.getLong(1), row.getLong(2));
@@ -179,7 +179,7 @@ public final class GameQueries {
     /** Every game of the schedule that has been played to its end. */
     public EarlierGames earlier() {
         EarlierGames earlier = new EarlierGames();
-        database.with(() -> {
+        database.inSnapshot(() -> {
             Map<Integer, Integer> lineups = new HashMap<>();
             lineups().versions().forEach((number, versions) -> lineups.put(number, earlier.lineup(versions)));
             // In the order of the table, as by an index every row would be looked up; both numbers as one, since
@@ -204,7 +204,7 @@ public final class GameQueries {
     /** The results, without sums of versions, of the schedule's decisions below a number. */
     public Results resultsBefore(int decision) {
         Results results = new Results(key);
-        database.with(() -> {
+        database.inSnapshot(() -> {
             if (key.players() == 1) {
                 addAlone(results, "g.decision < ?", decision);
                 return null;
@@ -215,8 +215,8 @@ public final class GameQueries {
                 season, decision)) {
                 while (row.next()) {
                     if (!lineups.isRepeat(results, row.getInt(5), row.getLong(4))) {
-                    clusters.add(row.getLong(1), row.getLong(2));
-                }
+                        clusters.add(row.getLong(1), row.getLong(2));
+                    }
                 }
             }
             clusters.give(results);
@@ -227,7 +227,7 @@ public final class GameQueries {
 
     /** Tells of every game of the schedule that counts, from a decision on; the score is that of the first player. */
     public void known(int from, KnownTaker taker) {
-        database.with(() -> {
+        database.inSnapshot(() -> {
             Lineups lineups = lineups();
             boolean scored = key.players() == 1;
             try (ResultSet row = database.query("SELECT g.decision, g.seed, g.lineup, g.ranks, "
@@ -245,7 +245,7 @@ public final class GameQueries {
 
     /** Adds the games of the schedule whose transcripts are known. */
     public void addTo(RepeatedGroups repeated) {
-        database.with(() -> {
+        database.inSnapshot(() -> {
             Lineups lineups = lineups();
             try (ResultSet row = database.query("SELECT decision, lineup, transcript FROM game NOT INDEXED "
                 + "WHERE season = ? AND decision IS NOT NULL AND transcript IS NOT NULL AND counts = 1", season)) {
@@ -287,7 +287,7 @@ public final class GameQueries {
     /** Returns how the ratings of these versions went. */
     public RatingPath path(List<LeagueTable.Entry> entries) {
         RatingPath.Collector path = new RatingPath.Collector(entries);
-        database.with(() -> {
+        database.inSnapshot(() -> {
             long first = number("SELECT coalesce(min(id), 0) FROM game WHERE season = ?", season);
             long last = number("SELECT coalesce(max(id), 0) FROM game WHERE season = ?", season);
             long points = RatingPath.points(entries.size());

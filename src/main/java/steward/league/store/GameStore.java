@@ -390,7 +390,7 @@ public final class GameStore implements AutoCloseable {
 
     /** Rows that no version of the program writes, at most so many. */
     public List<BadRow> badRows(int most) {
-        return database.with(() -> RowCheck.of(database, most));
+        return database.inSnapshot(() -> RowCheck.of(database, most));
     }
 
     /**

@@ -1,0 +1,58 @@
+package steward.league.store;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import steward.league.LeagueFolder;
+import steward.league.store.GameStore.Version;
+
+/** Reading while another connection writes: the sums of a league that is being played. */
+class SnapshotTest {
+
+    private static final int BOTS = 24;
+
+    @TempDir
+    private Path folder;
+
+    /** A run stores games of new pairings, and its page reads the table, between whose queries it stores more. */
+    @Test
+    void whatIsReadByMoreThanOneQueryIsOfOneMoment() {
+        try (GameStore writer = GameStore.write(new LeagueFolder(folder))) {
+            int season = writer.open(GameStoreTest.SEASON);
+            List<Version> bots = new ArrayList<>();
+            for (int k = 1; k <= BOTS; k++) {
+                bots.add(MadeUpGames.bot(writer, k));
+            }
+            try (GameStore reader = GameStore.read(new LeagueFolder(folder))) {
+                CompletableFuture<Void> written = CompletableFuture.runAsync(() -> write(writer, season, bots));
+                GameQueries queries = new GameQueries(reader, season, GameStoreTest.SEASON);
+                while (!written.isDone()) {
+                    queries.results();
+                    queries.resultsBefore(Integer.MAX_VALUE);
+                    queries.earlier();
+                    queries.known(0, (decision, seed, lineup, score, transcript, ranks) ->
+                        assertEquals(2, lineup.length));
+                    assertEquals(List.of(), reader.badRows(1));
+                }
+                written.join();
+                assertEquals(BOTS * (BOTS - 1), queries.results().games());
+            }
+        }
+    }
+
+    private static void write(GameStore writer, int season, List<Version> bots) {
+        for (int one = 0; one < BOTS; one++) {
+            for (int other = 0; other < BOTS; other++) {
+                if (one != other) {
+                    writer.add(season, List.of(GameStoreTest.game(bots.get(one), bots.get(other), one * BOTS + other,
+                        -1, 1, true)));
+                }
+            }
+        }
+    }
+}
