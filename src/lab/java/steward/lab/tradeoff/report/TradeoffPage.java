@@ -34,8 +34,8 @@ public final class TradeoffPage {
         oracle (64 decimal digits) after one turn from the same states that were timed: the farthest that any body's
         centre is off. An impact is missed or invented if other pairs meet. "Free run": after how many turns without
         commands a body is off by 1 u, the median of some runs. "Ends": how many bodies end their turn in rounded
-        values that differ from the exact ones. A rung with a star is on the Pareto front: none is both cheaper and nearer
-        to the truth.
+        values that differ from the exact ones. A rung with a star is on the Pareto front: none is both cheaper and
+        nearer to the truth.
         """;
     private static final String PICTURE = "<picture><source media=\"(prefers-color-scheme: dark)\" srcset=\""
         + TradeoffPlot.DARK_PNG + "\"><img alt=\"Position error against cost\" src=\"" + TradeoffPlot.PNG
