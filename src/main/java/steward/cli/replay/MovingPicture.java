@@ -257,7 +257,8 @@ final class MovingPicture {
             return "";
         }
         double end = last == turns ? turns + PAUSE : last + 0.5;
-        String times = "0;" + part(first == 0 ? end : first - 0.5) + (first == 0 || last == turns ? "" : ";" + part(end));
+        String times = "0;" + part(first == 0 ? end : first - 0.5)
+            + (first == 0 || last == turns ? "" : ";" + part(end));
         String values = first == 0 ? "visible;hidden" : "hidden;visible" + (last == turns ? "" : ";hidden");
         return "<animate attributeName=\"visibility\" calcMode=\"discrete\"" + duration() + " keyTimes=\"" + times
             + "\" values=\"" + values + "\"/>";
