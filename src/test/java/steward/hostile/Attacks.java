@@ -5,7 +5,7 @@ import static steward.hostile.Attack.Effect.SUCCEEDS;
 
 import java.util.List;
 
-/** All attacks of the suite, in the order of the table in {@code docs/security.md}. */
+/** All attacks of the suite, in the order of the table in {@code docs/tables/attacks.md}. */
 final class Attacks {
 
     static final String NONE = "none";

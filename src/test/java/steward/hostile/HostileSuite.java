@@ -16,7 +16,7 @@ import steward.text.TextFormat;
 /**
  * Plays every hostile bot at every level of isolation that works here, and prints what became of it: {@code held},
  * {@code escapes} or {@code succeeds}, and after how many milliseconds the match was over. With {@code --markdown FILE}
- * the tables of {@code docs/security.md} and the day are written. Exit status 1 if anything is not as expected.
+ * the tables of {@code docs/tables/attacks.md} and the day are written. Exit status 1 if anything is not as expected.
  *
  * <p>{@code --short} plays the attacks of the usual tests and leaves out those on files, pages and leagues; {@code
  * --only guards} plays these, {@code --only WORD} those of this word.

@@ -29,7 +29,7 @@ import steward.bot.command.ProgramFinder;
 @Timeout(600)
 class HostileTest {
 
-    private static final Path PAGE = Path.of("docs/security.md");
+    private static final Path PAGE = Path.of("docs/tables/attacks.md");
 
     @TempDir
     private Path temporary;

@@ -46,10 +46,10 @@ record MarkdownPage(String path, List<Piece> code, List<Piece> spans, List<Piece
         for (String path : List.of("README.md", "CONTRIBUTING.md", "CHANGELOG.md")) {
             pages.add(read(path));
         }
-        try (Stream<Path> files = Files.list(Path.of("docs"))) {
+        try (Stream<Path> files = Files.walk(Path.of("docs"))) {
             for (Path file : files.sorted().toList()) {
                 if (file.toString().endsWith(".md")) {
-                    pages.add(read("docs/" + file.getFileName()));
+                    pages.add(read(file.toString()));
                 }
             }
         }

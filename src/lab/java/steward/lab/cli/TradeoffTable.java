@@ -43,7 +43,7 @@ final class TradeoffTable {
         }
         if (first.compared() > 0) {
             streams.out().println("  ends: of " + TextFormat.count(first.compared(), "body-turn")
-                + ", so many end with other whole numbers than in truth");
+                + ", so many end in rounded values that differ from the exact ones");
         }
         streams.out().println();
         streams.out().flush();

@@ -10,7 +10,7 @@ import steward.league.pairing.StopRule;
 import steward.league.sequential.Gsprt;
 import steward.numerics.SplitMix64;
 
-/** The tables of docs/rating.md. */
+/** The tables of docs/tables/rating.md. */
 public final class SelfCheck {
 
     private static final long SEED = 21;

@@ -21,7 +21,7 @@ class CapacityDocsTest {
     private static final String BEGIN = "<!-- capacity -->\n";
 
     private static String printed() throws IOException {
-        String page = Files.readString(Path.of("docs/machines.md"));
+        String page = Files.readString(Path.of("docs/tables/capacity.md"));
         return page.substring(page.indexOf(BEGIN) + BEGIN.length(), page.indexOf("<!-- /capacity -->"));
     }
 

@@ -25,7 +25,7 @@ final class SelfCheckOptions {
     private final CallCheck check = CallCheck.withHelp();
 
     @Option(names = "--self-check", description = "Plays made-up leagues whose strengths are known, and prints how "
-        + "often bars and tests held: the tables of docs/rating.md. Takes an hour.")
+        + "often bars and tests held: the tables of docs/tables/rating.md. Takes an hour.")
     private boolean asked;
 
     @Option(names = "--leagues", paramLabel = "N",

@@ -24,7 +24,7 @@ public interface Lab {
     /**
      * Plays made-up leagues and prints tables of how often bars and tests held.
      *
-     * @param parts   of {@code docs/rating.md}, in the order in which they are printed
+     * @param parts   of {@code docs/tables/rating.md}, in the order in which they are printed
      * @param leagues of each configuration
      * @param out     takes the lines, as soon as they are known
      */

@@ -33,8 +33,9 @@ public final class TradeoffPage {
         beside it, and a ratio is that of two such times. Compare ratios rather than nanoseconds. Errors are against the
         oracle (64 decimal digits) after one turn from the same states that were timed: the farthest that any body's
         centre is off. An impact is missed or invented if other pairs meet. "Free run": after how many turns without
-        commands a body is off by 1 u, the median of some runs. "Ends": how many bodies end their turn with other whole
-        numbers than in truth. A rung with a star is on the Pareto front: none is both cheaper and nearer to the truth.
+        commands a body is off by 1 u, the median of some runs. "Ends": how many bodies end their turn in rounded
+        values that differ from the exact ones. A rung with a star is on the Pareto front: none is both cheaper and
+        nearer to the truth.
         """;
     private static final String PICTURE = "<picture><source media=\"(prefers-color-scheme: dark)\" srcset=\""
         + TradeoffPlot.DARK_PNG + "\"><img alt=\"Position error against cost\" src=\"" + TradeoffPlot.PNG
@@ -89,9 +90,9 @@ public final class TradeoffPage {
 
     private static String ends(TradeoffRow row) {
         return row.differing() == 0
-            ? String.format(Locale.ROOT, "none of %,d pod-turns ends with other whole numbers than in truth",
+            ? String.format(Locale.ROOT, "none of %,d pod-turns ends in rounded values that differ from the exact ones",
                 row.compared())
-            : String.format(Locale.ROOT, "%,d of %,d pod-turns end with other whole numbers than in truth",
+            : String.format(Locale.ROOT, "%,d of %,d pod-turns end in rounded values that differ from the exact ones",
                 row.differing(), row.compared());
     }
 
