@@ -12,6 +12,7 @@ import java.util.ArrayList;
 import java.util.List;
 import javax.xml.parsers.DocumentBuilderFactory;
 import javax.xml.parsers.ParserConfigurationException;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.w3c.dom.Element;
@@ -24,6 +25,7 @@ import steward.replay.RecordedTurn;
 import steward.replay.ReplayReader;
 
 /** The moving picture of a match: every body is where the replay says, at the end of every turn. */
+@Tag("process")                                           // bundled bots
 class MovingPictureTest {
 
     @TempDir
