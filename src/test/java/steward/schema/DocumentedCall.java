@@ -53,6 +53,7 @@ final class DocumentedCall {
 
     private static String stewardProblem(List<String> call, boolean whole) {
         List<String> arguments = new ArrayList<>(call);
+        arguments.replaceAll(argument -> argument.equals("{SEED}") ? "1" : argument);   // a tool puts a number there
         int games = arguments.indexOf(GAMES_PATH);               // taken out before the command sees its options
         if (games >= 0) {
             arguments.subList(games, games + 2).clear();
@@ -158,7 +159,8 @@ final class DocumentedCall {
 
     private static String build() {
         try {
-            return Files.readString(Path.of("build.gradle")) + Files.readString(Path.of("gradle/publish.gradle"));
+            return Files.readString(Path.of("build.gradle")) + Files.readString(Path.of("gradle/publish.gradle"))
+                + Files.readString(Path.of("gradle/release.gradle"));
         } catch (IOException problem) {
             throw new UncheckedIOException(problem);
         }

@@ -2,26 +2,33 @@ package steward.lab.bench;
 
 /** Amount of measuring. */
 public enum Effort {
-    /** Seconds: to see that it works. */
-    QUICK(50, 3, 20),
+    /** Half a minute: for ratios that differ much. */
+    QUICK(50, 1500, 5, 20),
     /** Minutes. */
-    NORMAL(3000, 7, 200),
+    NORMAL(3000, 9000, 7, 200),
     /** For tables that are kept. */
-    LONG(4000, 11, 500);
+    LONG(4000, 12000, 11, 500);
 
     private final long warmUpMs;
+    private final long mostWarmUpMs;
     private final int rounds;
     private final long roundMs;
 
-    Effort(long warmUpMs, int rounds, long roundMs) {
+    Effort(long warmUpMs, long mostWarmUpMs, int rounds, long roundMs) {
         this.warmUpMs = warmUpMs;
+        this.mostWarmUpMs = mostWarmUpMs;
         this.rounds = rounds;
         this.roundMs = roundMs;
     }
 
-    /** Returns how long each contender warms up, in milliseconds of CPU time. */
+    /** Returns how long each contender warms up at least, in milliseconds of CPU time. */
     public long warmUpMs() {
         return warmUpMs;
+    }
+
+    /** Returns how long a contender warms up that does not settle, in milliseconds of CPU time. */
+    long mostWarmUpMs() {
+        return mostWarmUpMs;
     }
 
     /** Returns how many measurements the median is taken of. */

@@ -2,26 +2,56 @@ package steward.lab.bench;
 
 import com.sun.management.OperatingSystemMXBean;
 import com.sun.management.ThreadMXBean;
+import java.lang.management.CompilationMXBean;
 import java.lang.management.ManagementFactory;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.function.Consumer;
+import java.util.function.LongSupplier;
+import java.util.function.ToLongFunction;
 
 /**
  * Measures contenders in turns, so that other load on the machine affects all of them: by CPU time, the median of
- * several rounds.
+ * several rounds. Each has warmed up before: until its speed is settled and the JVM compiles no more, or until the
+ * effort ends.
  */
 public final class Meter {
 
     private static final double NANOS = 1e9;
     private static final long NANOS_PER_MS = 1_000_000;
+    /** Slices of warm-up that have to be alike. */
+    private static final int SETTLED_SLICES = 3;
+    /** The fastest of them over the slowest, at most. */
+    private static final double SETTLED = 1.05;
+    /** A ratio whose rounds differ by more is not to be compared: tables are for differences beyond this. */
+    private static final double COMPARABLE = 1.25;
+    /** From so many rounds on, the lowest and the highest ratio do not count: something else may have run. */
+    private static final int MANY_ROUNDS = 5;
 
     private final ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
     private final OperatingSystemMXBean system =
         (OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean();
 
+    private final ToLongFunction<Contender.Clock> clocks;
+    /** Milliseconds for which the JVM has compiled. */
+    private final LongSupplier compiled;
+
+    public Meter() {
+        clocks = clock -> clock == Contender.Clock.WALL ? System.nanoTime() : cpu(clock == Contender.Clock.JVM);
+        CompilationMXBean compiler = ManagementFactory.getCompilationMXBean();
+        compiled = compiler != null && compiler.isCompilationTimeMonitoringSupported()
+            ? compiler::getTotalCompilationTime : () -> 0;
+    }
+
+    /** A meter with other clocks, in nanoseconds. */
+    Meter(ToLongFunction<Contender.Clock> clocks, LongSupplier compiled) {
+        this.clocks = clocks;
+        this.compiled = compiled;
+    }
+
     private long now(Contender.Clock clock) {
-        return clock == Contender.Clock.WALL ? System.nanoTime() : cpu(clock == Contender.Clock.JVM);
+        return clocks.applyAsLong(clock);
     }
 
     /** CPU time of the calling thread, or of the whole JVM, in nanoseconds. */
@@ -40,7 +70,7 @@ public final class Meter {
         double[][] speeds = new double[contenders.size()][effort.rounds()];
         for (Contender each : contenders) {
             about.accept(each.name());
-            speed(each, effort.warmUpMs());
+            warmUp(each, effort);
         }
         int done = 0;
         try {
@@ -59,6 +89,38 @@ public final class Meter {
         tell(section, unit, contenders, speeds, done, "", rows);
     }
 
+    private void warmUp(Contender contender, Effort effort) throws Exception {
+        long begin = now(contender.clock());
+        double[] last = new double[SETTLED_SLICES];
+        for (int slice = 0; ; slice++) {
+            long compiledBefore = compiled.getAsLong();
+            double speed = speed(contender, effort.roundMs());
+            boolean compiling = compiled.getAsLong() != compiledBefore;
+            last[slice % SETTLED_SLICES] = compiling ? 0 : speed;
+            double[] sorted = last.clone();
+            Arrays.sort(sorted);
+            boolean settled = sorted[0] > 0 && sorted[SETTLED_SLICES - 1] <= SETTLED * sorted[0];
+            long spent = now(contender.clock()) - begin;
+            if (spent >= (settled ? effort.warmUpMs() : effort.mostWarmUpMs()) * NANOS_PER_MS) {
+                return;
+            }
+        }
+    }
+
+    /** Says that a ratio is not comparable, if its rounds differ too much; otherwise nothing. */
+    private static String caution(double[] speeds, double[] first, int rounds) {
+        double[] ratios = new double[rounds];
+        for (int round = 0; round < rounds; round++) {
+            ratios[round] = speeds[round] / first[round];
+        }
+        Arrays.sort(ratios);
+        int cut = rounds >= MANY_ROUNDS ? 1 : 0;
+        double low = ratios[cut];
+        double high = ratios[rounds - 1 - cut];
+        return high <= COMPARABLE * low ? "" : String.format(Locale.ROOT,
+            "ratio not comparable: %.2f to %.2f in its rounds", low, high);
+    }
+
     private void tell(String section, String unit, List<Contender> contenders, double[][] speeds, int rounds,
                       String note, Consumer<Row> rows) throws Exception {
         double first = median(Arrays.copyOf(speeds[0], rounds));
@@ -66,7 +128,8 @@ public final class Meter {
             boolean countable = contenders.get(k).clock() == Contender.Clock.THREAD;
             double bytes = countable ? bytes(contenders.get(k)) : Double.NaN;
             double median = median(Arrays.copyOf(speeds[k], rounds));
-            rows.accept(new Row(section, contenders.get(k).name(), unit, median, median / first, bytes, note));
+            rows.accept(new Row(section, contenders.get(k).name(), unit, median, median / first, bytes, note)
+                .remark(caution(speeds[k], speeds[0], rounds)));
         }
     }
 

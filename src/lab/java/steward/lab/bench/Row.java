@@ -20,4 +20,10 @@ public record Row(String section, String name, String unit, double perSecond, do
     public double nanos() {
         return NANOS / perSecond;
     }
+
+    /** Returns the row with a further remark, which may be empty. */
+    public Row remark(String more) {
+        return more.isEmpty() ? this
+            : new Row(section, name, unit, perSecond, ratio, bytes, note.isEmpty() ? more : note + ", " + more);
+    }
 }

@@ -14,6 +14,11 @@ public interface Section {
     /** Returns how often {@link #run} will report what is measured, approximately. */
     int steps(Effort effort);
 
+    /** True if so few rounds are measured that ratios are not to be compared; notes of the rows say nothing of it. */
+    default boolean isRough(Effort effort) {
+        return false;
+    }
+
     /**
      * Measures; each row is passed on as soon as it is known.
      *

@@ -1,6 +1,7 @@
 package steward.cli.play;
 
 import java.io.IOException;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
@@ -21,6 +22,7 @@ import steward.codingame.LeagueJson;
 import steward.contest.Contest;
 import steward.contest.CountedGame;
 import steward.files.InputException;
+import steward.files.OutputFiles;
 import steward.game.GameSetup;
 import steward.json.JsonObject;
 import steward.match.Protocol;
@@ -57,6 +59,10 @@ public final class PlayCommand implements Callable<Integer> {
         description = "The bots, one for each player of the scene; see below.")
     private List<String> bots = new ArrayList<>();
 
+    @Option(names = "--out", paramLabel = "FILE",
+        description = "Writes the replay to this file; one that is empty or a replay is replaced.")
+    private String out;
+
     @Mixin
     private final SeedOption seed = new SeedOption();
 
@@ -83,12 +89,15 @@ public final class PlayCommand implements Callable<Integer> {
         }
         Contest contest = Contest.withFailing(setup, bots, Protocol.CODINGAME, pace.factor())
             .limitedBy(pace.basis()).isolatedBy(sandbox.isolation(streams));
+        Path replay = out == null ? null : OutputFiles.path(out);
+        RefereeFiles.checkReplay("--out ", replay);
         long used = seed.orDrawn();
-        CountedGame<LeagueAttributes> game = CountedGame.play(contest, used, LeagueAttributes::new, () -> null);
+        CountedGame<LeagueAttributes> game = CountedGame.play(contest, used, LeagueAttributes::new,
+            () -> replay == null ? null : OutputFiles.open(replay, true));
         RefereeGame.tell(streams, game);
-        MatchJson.printObject(streams, out -> {
-            LeagueJson.write(out, used, game.result(), game.follower());
-            JsonObject.writeTexts(out, "played_again", game.again());
+        MatchJson.printObject(streams, json -> {
+            LeagueJson.write(json, used, game.result(), game.follower());
+            JsonObject.writeTexts(json, "played_again", game.again());
         });
         return ExitStatus.DONE;
     }

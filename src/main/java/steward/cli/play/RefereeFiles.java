@@ -45,12 +45,23 @@ final class RefereeFiles {
         if (isThere(log) && !GameResultLog.isIn(log)) {
             throw kept("-l ", log, "a game result");
         }
-        if (isThere(replay) && !begins(replay, ReplayHeader.SIGNATURE)) {
-            throw kept("-r ", replay, "a replay");
-        }
+        checkReplay("-r ", replay);
         Path beside = page && replay != null ? pageOf(replay) : null;
         if (isThere(beside) && !begins(beside, PAGE_SIGNATURE)) {
             throw kept("-s: ", beside, "a page of a match");
+        }
+    }
+
+    /**
+     * Checks a replay that is about to be written.
+     *
+     * @param option which names it, with a blank
+     * @param replay or {@code null}
+     * @throws InputException if it is of another kind
+     */
+    static void checkReplay(String option, Path replay) {
+        if (isThere(replay) && !begins(replay, ReplayHeader.SIGNATURE)) {
+            throw kept(option, replay, "a replay");
         }
     }
 

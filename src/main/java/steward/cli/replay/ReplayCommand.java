@@ -1,6 +1,8 @@
 package steward.cli.replay;
 
 import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -13,6 +15,7 @@ import picocli.CommandLine.Parameters;
 import steward.bot.isolation.SandboxLevel;
 import steward.cli.options.CallCheck;
 import steward.cli.shared.ExitStatus;
+import steward.cli.shared.FailedException;
 import steward.cli.shared.Games;
 import steward.cli.shared.Pages;
 import steward.cli.shared.PlayerChoice;
@@ -119,8 +122,9 @@ public final class ReplayCommand implements Callable<Integer> {
         + "description and picture of previews of links are written for it.")
     private String site;
 
-    @Option(names = "--picture", paramLabel = "PNG", description = "Writes a picture of the match at --turn (its end "
-        + "if there is none), by a browser on the PATH. A fraction is a moment within a turn: --at 28.66.")
+    @Option(names = "--picture", paramLabel = "FILE", description = "Writes a picture of the match at --turn (its end "
+        + "if there is none), by a browser on the PATH. A fraction is a moment within a turn: --at 28.66. A name that "
+        + "ends in .svg: a moving picture, without a browser, of the whole match or of --from to --to.")
     private String picture;
 
     @Option(names = "--at", paramLabel = "T", description = "With --picture: the moment, in turns.")
@@ -144,6 +148,9 @@ public final class ReplayCommand implements Callable<Integer> {
     public Integer call() throws InterruptedException {
         checkCall();
         boolean piped = StandardFiles.is(file);
+        if (moving()) {
+            return movingPicture(piped);
+        }
         if (view != null || open || picture != null) {
             return view(piped ? null : OutputFiles.path(file), piped ? StandardFiles.readAll(streams) : null);
         }
@@ -211,8 +218,12 @@ public final class ReplayCommand implements Callable<Integer> {
             "--site: expected --view with it, and an address that begins with http:// or https://");
         check.that(picture == null || !StandardFiles.is(picture) && !json && !map && (at == null || turn == null),
             "--picture: expected a file, no --json or --map, and only one of --turn and --at with it");
+        check.that(!moving() || turn == null && at == null && view == null && !open && !quiet,
+            "--picture: found " + picture + ", a moving picture, expected no --turn, --at, --view, --open or --quiet "
+            + "with it");
         check.that(view == null && !open && picture == null
-            || !verify && !frames && !impacts && !range && (turn == null || picture != null && view == null && !open),
+            || !verify && !frames && !impacts && (!range || moving())
+            && (turn == null || picture != null && view == null && !open),
             "--view and --open take the whole match, expected no --verify, --frames, --impacts, --turn, --from or --to "
             + "with them");
         check.that(!open || !StandardFiles.is(view), "--open: found --view - with it, expected a file for the page");
@@ -255,6 +266,30 @@ public final class ReplayCommand implements Callable<Integer> {
             say("Picture: " + page.picture(picture, at != null ? at : turn != null ? turn : page.turns(), overwrite));
         }
         return ExitStatus.DONE;
+    }
+
+    private boolean moving() {
+        return picture != null && picture.endsWith(".svg");
+    }
+
+    private int movingPicture(boolean piped) {
+        Path svg = OutputFiles.path(picture);
+        try (ReplayReader replay = piped ? StandardFiles.openReplay(streams) : open(OutputFiles.path(file))) {
+            if (replay.header() != null) {
+                byte[] text = MovingPicture.of(replay, from != null ? from : 0, to != null ? to : Integer.MAX_VALUE)
+                    .getBytes(StandardCharsets.UTF_8);
+                try (OutputStream out = OutputFiles.open(svg, overwrite)) {
+                    Pages.write(out, text, svg);
+                }
+                say("Picture: " + svg);
+            }
+            if (replay.warning() != null) {
+                streams.warn(replay.warning());
+            }
+            return ExitStatus.DONE;
+        } catch (IOException problem) {
+            throw new FailedException(svg + ": cannot be closed: " + problem.getMessage());
+        }
     }
 
     private void say(String words) {

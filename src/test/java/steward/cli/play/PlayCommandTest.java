@@ -68,6 +68,21 @@ class PlayCommandTest {
 
     @Test
     @Tag("process")
+    void theReplayIsWrittenAndAnotherFileIsKept() throws IOException {
+        Path replay = folder.resolve("match.json");
+        play(bots.idler(0), bots.driver(), "--seed", "7", "--out", replay.toString());
+        play(bots.idler(0), bots.driver(), "--seed", "7", "--out", replay.toString());
+        assertEquals(0, Cli.run("replay", replay.toString(), "--verify").status());
+
+        Files.writeString(replay, "my notes");
+        Cli refused = Cli.run("play", "--json-league", "true", "true", "--out", replay.toString());
+        assertEquals(2, refused.status());
+        assertTrue(refused.err().contains("found a file of another kind, which is kept"), refused::err);
+        assertEquals("my notes", Files.readString(replay));
+    }
+
+    @Test
+    @Tag("process")
     void aBotThatFailsIsAResult() {
         JsonNode json = play(bots.driver(), bots.idler(2));
         assertEquals("[0,1]", json.get("ranks").toString());

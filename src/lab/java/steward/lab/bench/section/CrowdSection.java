@@ -57,6 +57,11 @@ final class CrowdSection implements Section {
     }
 
     @Override
+    public boolean isRough(Effort effort) {
+        return effort == Effort.QUICK;
+    }
+
+    @Override
     public void run(Effort effort, Consumer<String> about, Consumer<Row> rows) {
         for (Gas gas : gases) {
             run(gas, effort, about, rows);

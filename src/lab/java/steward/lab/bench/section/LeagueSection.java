@@ -93,6 +93,11 @@ final class LeagueSection implements Section {
     }
 
     @Override
+    public boolean isRough(Effort effort) {
+        return effort == Effort.QUICK;
+    }
+
+    @Override
     public void run(Effort effort, Consumer<String> about, Consumer<Row> rows) throws Exception {
         Path folder = Files.createTempDirectory("steward-bench");
         try {

@@ -85,6 +85,11 @@ final class ProcessSection implements Section {
     }
 
     @Override
+    public boolean isRough(Effort effort) {
+        return effort == Effort.QUICK;
+    }
+
+    @Override
     public void run(Effort effort, Consumer<String> about, Consumer<Row> rows) throws Exception {
         int rounds = effort.rounds();
         double[][] bare = new double[CLOCKS.length][rounds];

@@ -44,6 +44,11 @@ final class StartupSection implements Section {
     }
 
     @Override
+    public boolean isRough(Effort effort) {
+        return effort == Effort.QUICK;
+    }
+
+    @Override
     public void run(Effort effort, Consumer<String> about, Consumer<Row> rows) throws Exception {
         int rounds = effort == Effort.QUICK ? 2 : 20;
         double[] plain = new double[rounds];

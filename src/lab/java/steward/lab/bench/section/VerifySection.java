@@ -72,9 +72,8 @@ final class VerifySection implements Section {
                 new Contender("verified from files", () -> verify(files.get(next[1]++ % MATCHES))),
                 new Contender("played again from memory", () -> again(decoded.get(next[2]++ % MATCHES))));
             new Meter().compare(name(), "matches", contenders, effort, about, row -> rows.accept(
-                row.name().startsWith("played") ? row : new Row(row.section(), row.name(), row.unit(),
-                    row.perSecond(), row.ratio(), row.bytes(),
-                    String.format(Locale.ROOT, "%.0f MB/s", row.perSecond() * mean / MEGABYTE))));
+                row.remark(row.name().startsWith("played") ? ""
+                    : String.format(Locale.ROOT, "%.0f MB/s", row.perSecond() * mean / MEGABYTE))));
         } finally {
             delete(folder);
         }

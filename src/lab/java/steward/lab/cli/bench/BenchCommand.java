@@ -58,7 +58,8 @@ public final class BenchCommand implements Callable<Integer> {
         description = "Only this part; can be repeated.")
     private List<String> only = new ArrayList<>();
 
-    @Option(names = "--quick", description = "Measures rough figures, in about half a minute.")
+    @Option(names = "--quick",
+        description = "Measures rough figures, in about a minute; says which ratios are not comparable.")
     private boolean quick;
 
     @Option(names = "--long", description = "Measures for tables that are kept, and a million bodies.")
@@ -175,8 +176,10 @@ public final class BenchCommand implements Callable<Integer> {
             table.begin(section);
             progress.begin(section.name());
             try {
-                measureOne(section, effort, progress, row -> {
+                measureOne(section, effort, progress, measured -> {
                     any = true;
+                    boolean rough = section.isRough(effort) && !Double.isNaN(measured.ratio()) && measured.ratio() != 1;
+                    Row row = measured.remark(rough ? "few rounds: ratio not comparable" : "");
                     if (files != null) {
                         files.add(row);
                     }

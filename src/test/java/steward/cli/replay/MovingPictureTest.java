@@ -1,0 +1,141 @@
+package steward.cli.replay;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import javax.xml.parsers.DocumentBuilderFactory;
+import javax.xml.parsers.ParserConfigurationException;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.w3c.dom.Element;
+import org.w3c.dom.NodeList;
+import org.xml.sax.SAXException;
+import steward.cli.Cli;
+import steward.cli.shared.ExitStatus;
+import steward.cli.streams.Json;
+import steward.replay.RecordedTurn;
+import steward.replay.ReplayReader;
+
+/** The moving picture of a match: every body is where the replay says, at the end of every turn. */
+@Tag("process")                                           // bundled bots
+class MovingPictureTest {
+
+    @TempDir
+    private Path folder;
+
+    private Path recorded(String scene, String... more) {
+        Path replay = folder.resolve(scene + ".jsonl");
+        List<String> call = new ArrayList<>(List.of(more));
+        call.addAll(List.of("--seed", "7", "--out", replay.toString()));
+        call.add(1, "--scene");
+        call.add(2, scene);
+        Cli cli = Cli.run(call.toArray(String[]::new));
+        assertEquals(ExitStatus.DONE, cli.status(), cli.err());
+        return replay;
+    }
+
+    private String picture(Path replay, String... more) throws IOException {
+        Path svg = folder.resolve(replay.getFileName() + ".svg");
+        List<String> call = new ArrayList<>(List.of("replay", replay.toString(), "--picture", svg.toString(),
+            "--overwrite"));
+        call.addAll(List.of(more));
+        Cli cli = Cli.run(call.toArray(String[]::new));
+        assertEquals("Picture: " + svg + "\n", cli.out(), cli.err());
+        return Files.readString(svg);
+    }
+
+    /** The README's picture is made by the lines that the page on watching gives. */
+    @Test
+    void theReadmesPictureIsOfOurs() throws IOException {
+        assertEquals(Files.readString(Path.of("docs/race.svg")),
+            picture(recorded("walled-race", "match", "--bot", "builtin:veteran", "--bot", "builtin:contender")));
+    }
+
+    @Test
+    void bodiesAreWhereTheReplaySays() throws IOException, ParserConfigurationException, SAXException {
+        Path race = recorded("walled-race", "match", "--bot", "builtin:veteran", "--bot", "builtin:racer");
+        assertTrue(compare(race, picture(race), 0) > 200);
+        Path part = recorded("mean-max", "match", "--bot", "builtin:marauder", "--bot", "builtin:gatherer", "--bot",
+            "builtin:gatherer");
+        assertTrue(compare(part, picture(part, "--from", "20", "--to", "60"), 20) > 41 * 9);
+    }
+
+    /** Returns how many places were compared. */
+    private static int compare(Path replay, String svg, int from)
+            throws IOException, ParserConfigurationException, SAXException {
+        NodeList all = DocumentBuilderFactory.newInstance().newDocumentBuilder()
+            .parse(new ByteArrayInputStream(svg.getBytes(StandardCharsets.UTF_8))).getElementsByTagName(
+                "animateTransform");
+        List<double[][]> paths = new ArrayList<>();
+        double turns = 0;
+        for (int k = 0; k < all.getLength(); k++) {
+            Element each = (Element) all.item(k);
+            if (each.getAttribute("type").equals("translate")) {
+                turns = 10 * Double.parseDouble(each.getAttribute("dur").replace("s", ""));
+                paths.add(new double[][] {numbers(each.getAttribute("keyTimes").split(";")),
+                    numbers(each.getAttribute("values").replaceAll(",[^;]*", "").split(";")),
+                    numbers(each.getAttribute("values").replaceAll("[^;]*,", "").split(";"))});
+            }
+        }
+        int compared = 0;
+        try (ReplayReader reader = ReplayReader.open(replay)) {
+            int turn = 0;
+            for (RecordedTurn next = reader.next(); next != null; next = reader.next()) {
+                turn++;
+                double time = (turn - from) / turns;
+                if (time < 0 || turn - from > turns - 15) {
+                    continue;
+                }
+                for (var body : Json.objects(((java.util.Map<?, ?>) Json.object(next.outcome()).get("state"))
+                        .get("bodies"))) {
+                    double x = Json.number(body.get("x"));
+                    double y = Json.number(body.get("y"));
+                    assertTrue(paths.stream().anyMatch(path -> Math.hypot(at(path, 1, time) - x,
+                        at(path, 2, time) - y) < 30), () -> "no body at " + x + ", " + y + " at " + time);
+                    compared++;
+                }
+            }
+        }
+        return compared;
+    }
+
+    private static double at(double[][] path, int which, double time) {
+        int k = 1;
+        while (path[0][k] < time - 5e-6) {
+            k++;
+        }
+        while (k + 1 < path[0].length && Math.abs(path[0][k + 1] - time) < 1e-5) {
+            k++;
+        }
+        double part = path[0][k] == path[0][k - 1] ? 1 : (time - path[0][k - 1]) / (path[0][k] - path[0][k - 1]);
+        return path[which][k - 1] + Math.min(1, part) * (path[which][k] - path[which][k - 1]);
+    }
+
+    private static double[] numbers(String... texts) {
+        double[] numbers = new double[texts.length];
+        for (int k = 0; k < texts.length; k++) {
+            numbers[k] = Double.parseDouble(texts[k]);
+        }
+        return numbers;
+    }
+
+    @Test
+    void nothingIsOverwrittenAndOptionsOfAStillPictureAreRefused() throws IOException {
+        Path replay = recorded("walled-race", "match", "--bot", "builtin:racer", "--bot", "builtin:racer");
+        Path svg = Files.writeString(folder.resolve("x.svg"), "mine");
+        Cli kept = Cli.run("replay", replay.toString(), "--picture", svg.toString());
+        assertEquals("steward: " + svg + ": exists already, and is kept; --overwrite would replace it\n", kept.err());
+        assertEquals("mine", Files.readString(svg));
+        Cli refused = Cli.run("replay", replay.toString(), "--picture", svg.toString(), "--turn", "3");
+        assertTrue(refused.err().startsWith("steward: --picture: found " + svg + ", a moving picture, expected no "
+            + "--turn, --at, --view, --open or --quiet with it"), refused.err());
+    }
+}
