@@ -46,6 +46,18 @@ final class CsvLines {
         return taken;
     }
 
+    /** Returns the names of the files that the scene takes in, in its order. */
+    static List<String> names(Block root) {
+        List<String> names = new ArrayList<>();
+        for (Entry block : root.entries().values()) {
+            if (block.value() instanceof JsonObject object && object.entries().get(FIELD) != null
+                && object.entries().get(FIELD).value() instanceof JsonText name) {
+                names.add(name.text());
+            }
+        }
+        return names;
+    }
+
     private static JsonObject lines(SceneText text, Block block, JsonText name) {
         if (text.figures().isEmpty()) {
             throw block.error(FIELD, "the name of a file in a scene that is none", "\"file\" and \"lines\" of it");

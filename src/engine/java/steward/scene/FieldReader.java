@@ -13,8 +13,9 @@ import steward.scene.json.Block;
 /** Reads the block {@code field}. */
 final class FieldReader {
 
-    private static final Map<String, Function<Block, Wall>> WALLS =
-        Map.of("segment", FieldReader::segment, "half-plane", FieldReader::halfPlane, "arena", FieldReader::arena);
+    /** Kinds of walls in a list; a box is four of them. */
+    private static final Map<String, Function<Block, Wall>> WALLS = Map.of("segment", FieldReader::segment,
+        "half-plane", FieldReader::halfPlane, "arena", FieldReader::arena, "box", box -> null);
 
     private FieldReader() {
     }
@@ -27,7 +28,7 @@ final class FieldReader {
         return new Field(x, y, width, height, walls(block, x, y, width, height), bumpers(block));
     }
 
-    /** {@code "box"}, a box with a restitution, or an array of single walls; no walls when absent. */
+    /** {@code "box"}, a box with a restitution, or an array of walls; no walls when absent. */
     private static List<Wall> walls(Block block, double x, double y, double width, double height) {
         Map<String, Boolean> box = Map.of("box", true);
         if (!block.has("walls")) {
@@ -39,7 +40,11 @@ final class FieldReader {
         }
         if (block.isArray("walls")) {
             List<Wall> walls = new ArrayList<>();
-            block.blocks("walls").forEach(wall -> walls.add(single(wall)));
+            for (Block wall : block.blocks("walls")) {
+                Wall single = single(wall);
+                walls.addAll(List.of(single == null ? Wall.box(x, y, width, height, restitution(wall))
+                    : new Wall[] {single}));
+            }
             return walls;
         }
         if (!block.isBlock("walls")) {
@@ -50,6 +55,7 @@ final class FieldReader {
         return List.of(Wall.box(x, y, width, height, restitution(wall)));
     }
 
+    /** Returns {@code null} for a box. */
     private static Wall single(Block wall) {
         Function<Block, Wall> kind = wall.choice("type", WALLS);
         try {

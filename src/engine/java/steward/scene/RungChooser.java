@@ -74,14 +74,18 @@ final class RungChooser {
         return scene.block("accuracy").error("maxPositionError", Wording.number(demand.maxPositionError())
             + ", which no rung meets", "at least " + Wording.number(best.error(demand.share()))
             + ", the error of the best one, " + best.rung().text() + ", in " + AccuracyDemand.percent(demand.share())
-            + " of states, shown by " + found.states() + " (" + found.source() + ")" + without);
+            + " of states, shown by " + found.states() + " (" + found.source() + without + "); the best are: "
+            + front());
     }
 
     private RuntimeException outOfBudget() {
         return scene.block("accuracy").error("maxCost", demand.costText() + ", for which no rung meets the demand",
             "one that some rung meets; in " + AccuracyDemand.percent(demand.share()) + " of states (" + found.source()
-                + without + ") the best are: " + found.front(demand.share()).stream().map(this::line)
-                .collect(Collectors.joining("; ")));
+                + without + ") the best are: " + front());
+    }
+
+    private String front() {
+        return found.front(demand.share()).stream().map(this::line).collect(Collectors.joining("; "));
     }
 
     private String line(OfRung rung) {

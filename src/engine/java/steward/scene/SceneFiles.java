@@ -7,9 +7,12 @@ import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.util.List;
 import java.util.Optional;
+import steward.scene.json.Block;
 import steward.scene.json.JsonLimits;
+import steward.scene.json.JsonTree;
 import steward.scene.json.SceneException;
 import steward.scene.json.Wording;
 import steward.text.Utf8Text;
@@ -45,6 +48,27 @@ public final class SceneFiles {
         } catch (InvalidPathException e) {
             return Optional.empty();                          // no file can have this name
         }
+    }
+
+    /**
+     * Copies a scene with the files that belong to it: the figures of its accuracy and its CSV files. Files of these
+     * names are replaced.
+     *
+     * @param scene that can be read
+     * @param to    where it goes, in another folder
+     * @throws IOException if a file cannot be read or written
+     */
+    public static void copy(Path scene, Path to) throws IOException {
+        SceneText text = load(scene.toAbsolutePath().toString());
+        for (String csv : CsvLines.names(new Block(text.source(), "", JsonTree.read(text.text(), text.source(),
+                "a scene")))) {
+            Files.copy(scene.resolveSibling(csv), to.resolveSibling(csv), StandardCopyOption.REPLACE_EXISTING);
+        }
+        Path figures = AccuracyFigures.beside(scene);
+        if (Files.isRegularFile(figures)) {
+            Files.copy(figures, AccuracyFigures.beside(to), StandardCopyOption.REPLACE_EXISTING);
+        }
+        Files.copy(scene, to, StandardCopyOption.REPLACE_EXISTING);
     }
 
     private static boolean isPath(String pathOrName) {

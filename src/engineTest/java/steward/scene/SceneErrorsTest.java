@@ -118,11 +118,12 @@ class SceneErrorsTest {
 
         "type": "arena"
         "type": "arna"
-        5:26: field.walls[2].type: found "arna", expected one of "arena", "half-plane", "segment"; did you mean "arena"?
+        5:26: field.walls[2].type: found "arna", expected one of "arena", "box", \
+        "half-plane", "segment"; did you mean "arena"?
 
         "type": "arena",
         (nothing)
-        5:16: field.walls[2].type: found nothing, expected one of "arena", "half-plane", "segment"
+        5:16: field.walls[2].type: found nothing, expected one of "arena", "box", "half-plane", "segment"
 
         "insideX": 1
         "insideX": 2
@@ -266,7 +267,7 @@ class SceneErrorsTest {
         { "type": "box", "restitution": -1 } | field.walls.restitution: found -1, expected a number 0..1
         { "type": "arena" }                  | field.walls.type: found "arena", expected "box"
         [ "box" ]                            | field.walls[0]: found "box", expected an object
-        [ { "type": "box" } ]                | field.walls[0].type: found "box", expected one of "arena"
+        [ { "type": "bax" } ]                | field.walls[0].type: found "bax", expected one of "arena", "box"
         """)
     void wallsAreABoxOrAList(String walls, String message) {
         String text = GOOD.replaceFirst("(?s)\"walls\": .*?],", "\"walls\": " + walls + ",");

@@ -50,6 +50,18 @@ class SceneFilesTest {
         assertEquals(scene, SceneReader.read(scene.json(), "again"));
     }
 
+    @Test
+    void aCopyHasTheFilesThatBelongToTheScene() throws IOException {
+        Path scene = Files.writeString(temp.resolve("s.json"), "{ \"bodies\": { \"csv\": \"discs.csv\" } }");
+        Files.writeString(temp.resolve("discs.csv"), "x,y,radius");
+        Files.writeString(temp.resolve("s.accuracy.json"), "figures");
+        Path folder = Files.createDirectory(temp.resolve("league"));
+        SceneFiles.copy(scene, folder.resolve("scene.json"));
+        assertEquals("x,y,radius", Files.readString(folder.resolve("discs.csv")));
+        assertEquals("figures", Files.readString(folder.resolve("scene.accuracy.json")));
+        assertEquals(Files.readString(scene), Files.readString(folder.resolve("scene.json")));
+    }
+
     private static final List<String> BODIES =
         List.of("avalanche", "billiards", "bowl", "bullets", "cradle", "dense-box", "gas");
 

@@ -174,11 +174,17 @@ export class Match {
     return bodies;
   }
 
-  /** Bodies of a replay that is sparse, straight between the states that it keeps. */
-  #sparseBodiesAt(moment) {
+  /** The turns around a moment of a sparse replay whose states are kept, or the last turn that is there yet. */
+  keptAround(moment) {
     let [from, to] = [moment.settled, moment.turn];
     while (from > 0 && !this.turn(from).isKept) from--;
     while (to < this.lastTurn && to > 0 && !this.turn(to).isKept) to++;
+    return [from, to];
+  }
+
+  /** Bodies of a replay that is sparse, straight between the states that it keeps. */
+  #sparseBodiesAt(moment) {
+    const [from, to] = this.keptAround(moment);
     const [before, after] = [this.turn(from).bodies, this.turn(to).bodies];
     const share = to === from ? 0 : (moment.time - from) / (to - from);
     return [...before.values()].filter(body => after.has(body.id)).map(body => {

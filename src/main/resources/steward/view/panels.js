@@ -124,9 +124,19 @@ export class StateTable {
     Object.assign(this, { root, caption, match, look });
   }
 
-  /** At the end of a turn the state is the replay's; within it only places are known, and they are the ones drawn. */
+  /**
+   * At the end of a turn the state is the replay's; within it only places are known, and they are the ones drawn. Of a
+   * turn whose state was left out nothing else is known.
+   */
   update(moment) {
     const turn = this.match.turn(moment.turn);
+    if (this.match.isSparse && turn.isKept === false) {
+      const [from, to] = this.match.keptAround(moment);
+      this.caption.textContent = `places at ${moment.time.toFixed(2)}, straight from turn ${from} to ${to}: `
+        + `the state of turn ${moment.turn} was left out`;
+      this.#show(this.match.bodiesAt(moment).map(({ id, x, y }) => ({ id, x, y })), turn, {});
+      return;
+    }
     const isWithin = moment.turn > 0 && moment.fraction < 1;
     const places = new Map(isWithin ? this.match.bodiesAt(moment).map(body => [body.id, body]) : []);
     this.caption.textContent = moment.turn === 0 ? 'at the start' : isWithin
@@ -135,10 +145,14 @@ export class StateTable {
       const place = places.get(body.id);
       return place ? { ...body, x: place.x, y: place.y } : body;
     });
+    this.#show(bodies, turn, turn.state);
+  }
+
+  #show(bodies, turn, state) {
     const fields = [...new Set(bodies.slice(0, MOST_ROWS).flatMap(body => Object.keys(body)))]
       .filter(field => field !== 'id');
     const table = bodies.length <= MOST_ACROSS ? this.#across(bodies, fields) : this.#down(bodies, fields);
-    this.root.replaceChildren(...bodies.length ? [table] : [], this.#rest(turn));
+    this.root.replaceChildren(...bodies.length ? [table] : [], this.#rest(turn, state));
   }
 
   /** A column per body. */
@@ -167,9 +181,9 @@ export class StateTable {
     return body[field] === undefined ? '' : shorten(this.look.field(field, body[field]), 24);
   }
 
-  #rest(turn) {
+  #rest(turn, state) {
     const rest = element('dl', 'rest');
-    for (const [name, value] of Object.entries(turn.state)) {
+    for (const [name, value] of Object.entries(state)) {
       if (name === 'bodies') continue;
       rest.append(element('dt', '', name), element('dd', '', shorten(JSON.stringify(value), 200)));
     }

@@ -51,8 +51,11 @@ final class InelasticSystem {
     private double[] trial = new double[0];
     private boolean[] blocked = new boolean[0];
     private int[] set = new int[0];
-    /** Rows of the Cholesky factor of the set. */
+    /** Columns of the Cholesky factor of the set, each {@link #stride} long: row i of column k at k * stride + i. */
     private double[] factor = new double[0];
+    private int stride;
+    /** A row of the factor while it is computed. */
+    private double[] row = new double[0];
     private int active;
     private double parting;
     private int entries;
@@ -238,13 +241,13 @@ final class InelasticSystem {
      */
     private int exchange() {
         int last = active - 1;
-        int row = last * (last + 1) / 2;
         for (int i = last - 1; i >= 0; i--) {
-            double sum = factor[row + i];
+            int column = i * stride;
+            double sum = factor[column + last];
             for (int k = i + 1; k < last; k++) {
-                sum -= factor[k * (k + 1) / 2 + i] * trial[k];
+                sum -= factor[column + k] * trial[k];
             }
-            trial[i] = sum / factor[i * (i + 1) / 2 + i];
+            trial[i] = sum / factor[column + i];
         }
         int leaves = -1;
         double least = 0;
@@ -302,47 +305,71 @@ final class InelasticSystem {
         }
     }
 
-    /** Computes the Cholesky factor of the set from a row on. @return false if a pivot vanishes */
+    /**
+     * Computes the Cholesky factor of the set from a row on. A row takes each column of those before off the rest of
+     * itself at once, which compilers do for several numbers at a time; most columns have nothing to take.
+     *
+     * @return false if a pivot vanishes
+     */
     private boolean factorize(Bodies bodies, int from) {
-        if (factor.length < active * (active + 1) / 2) {
-            factor = Arrays.copyOf(factor, active * (active + 1));
+        if (stride < active) {
+            widen(2 * active);
         }
         for (int i = from; i < active; i++) {
-            int row = i * (i + 1) / 2;
             for (int j = 0; j <= i; j++) {
-                double sum = coupling(bodies, set[i], set[j]);
-                double whole = sum;
-                int other = j * (j + 1) / 2;
-                for (int k = 0; k < j; k++) {
-                    sum -= factor[row + k] * factor[other + k];
-                }
-                if (i != j) {
-                    factor[row + j] = sum / factor[other + j];
-                } else if (sum > VANISHED * whole) {
-                    factor[row + i] = Math.sqrt(sum);
-                } else {
-                    return false;
+                row[j] = coupling(bodies, set[i], set[j]);
+            }
+            double whole = row[i];
+            for (int k = 0; k < i; k++) {
+                int column = k * stride;
+                double share = row[k] / factor[column + k];
+                factor[column + i] = share;
+                if (share != 0) {
+                    takeOff(column, share, k + 1, i + 1);
                 }
             }
+            if (!(row[i] > VANISHED * whole)) {
+                return false;
+            }
+            factor[i * stride + i] = Math.sqrt(row[i]);
         }
         return true;
     }
 
+    private void takeOff(int column, double share, int from, int to) {
+        for (int j = from; j < to; j++) {
+            row[j] -= share * factor[column + j];
+        }
+    }
+
+    private void widen(int wider) {
+        double[] old = factor;
+        factor = new double[wider * wider];
+        for (int k = 0; k < stride; k++) {
+            System.arraycopy(old, k * stride, factor, k * wider, stride);
+        }
+        row = new double[wider];
+        stride = wider;
+    }
+
     private void substitute() {
         for (int i = 0; i < active; i++) {
-            int row = i * (i + 1) / 2;
-            double sum = approach[set[i]];
-            for (int k = 0; k < i; k++) {
-                sum -= factor[row + k] * trial[k];
+            trial[i] = approach[set[i]];
+        }
+        for (int k = 0; k < active; k++) {
+            int column = k * stride;
+            trial[k] /= factor[column + k];
+            for (int i = k + 1; i < active; i++) {
+                trial[i] -= factor[column + i] * trial[k];
             }
-            trial[i] = sum / factor[row + i];
         }
         for (int i = active - 1; i >= 0; i--) {
+            int column = i * stride;
             double sum = trial[i];
             for (int k = i + 1; k < active; k++) {
-                sum -= factor[k * (k + 1) / 2 + i] * trial[k];
+                sum -= factor[column + k] * trial[k];
             }
-            trial[i] = sum / factor[i * (i + 1) / 2 + i];
+            trial[i] = sum / factor[column + i];
         }
     }
 

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
@@ -17,6 +18,7 @@ import steward.game.Game;
 import steward.game.GameSetup;
 import steward.match.TestScenes;
 import steward.physics.Bodies;
+import steward.physics.Wall;
 import steward.scene.Scene;
 import steward.scene.SceneFiles;
 import steward.scene.SceneReader;
@@ -67,6 +69,17 @@ class BodiesScenesTest {
             .replaceAll("[\\[\\]{}]", "\\\\$0");
         String found = assertThrows(SceneException.class, () -> open(text)).getMessage();
         assertTrue(found.matches("s.json:" + regex + ".*"), found);
+    }
+
+    @Test
+    void aBoxStandsAmongOtherWalls() {
+        String walls = "[ {\"type\": \"segment\", \"ax\": 0, \"ay\": 0, \"bx\": 90, \"by\": 40}, "
+            + "{\"type\": \"box\", \"restitution\": 0.5} ]";
+        String listed = "\"listed\": [ {\"x\": 500, \"y\": 50, \"radius\": 10} ]";
+        GameSetup setup = TestScenes.TYPES.open(HEAD.replace("\"box\"", walls) + listed + TAIL, "s.json");
+        List<Wall> all = setup.scene().field().orElseThrow().walls();
+        assertEquals(5, all.size());
+        assertEquals(List.of(Wall.box(0, 0, 1000, 500, 0.5)), all.subList(1, 5));
     }
 
     @Test
@@ -123,6 +136,7 @@ class BodiesScenesTest {
         x,y,radius;50,60                    | 2:1: found 2 cells, expected 3, as many as the first line has names
         x,y,radios;50,60,10                 | 2:1: radius: found nothing, expected a number above 0; the nearest field h
         x,y,radius,speed;50,60,10,1         | 1:12: speed: found an unknown field, expected one of
+        ``                                  | 1:1: found no names, expected a line with the names of the columns
         x,y,x;50,60,10                      | 1:5: found the column "x" a second time, expected it once
         x,y,radius;50,60,-1                 | 2:7: radius: found -1, expected a number above 0
         """)

@@ -30,8 +30,8 @@ import steward.text.NearestName;
 /** {@code steward league init}: makes the folder of a league. */
 @Command(name = "init", description = "Makes the folder of a league.",
     footer = {"",
-        "A scene that is a file is copied into the folder. Everything else stands in",
-        "league.json and can be changed there.",
+        "A scene that is a file is copied into the folder, with its CSV files. Everything",
+        "else stands in league.json and can be changed there.",
         "", "Example:",
         "  steward league init night --scene mad-pod-racing --keep lost"})
 final class InitCommand implements Callable<Integer> {
@@ -85,7 +85,7 @@ final class InitCommand implements Callable<Integer> {
             .with(null, factor == null ? 1 : factor, kept);
         try {
             if (file) {
-                Files.copy(Path.of(scene), path.resolve(LeagueFolder.SCENE));
+                SceneFiles.copy(Path.of(scene), path.resolve(LeagueFolder.SCENE));
             }
         } catch (IOException problem) {
             throw new InputException(path.resolve(LeagueFolder.SCENE) + ": cannot be written: "

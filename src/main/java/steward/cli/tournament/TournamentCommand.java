@@ -3,7 +3,6 @@ package steward.cli.tournament;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -189,7 +188,7 @@ public final class TournamentCommand implements Callable<Integer> {
         LeagueSettings known = before ? league.read() : LeagueSettings.usual(scene, 1);
         boolean file = SceneFiles.file(scene).isPresent();
         if (file) {
-            Files.copy(Path.of(scene), league.path().resolve(LeagueFolder.SCENE), StandardCopyOption.REPLACE_EXISTING);
+            SceneFiles.copy(Path.of(scene), league.path().resolve(LeagueFolder.SCENE));
         }
         String named = file ? LeagueFolder.SCENE : SceneFiles.shipped().contains(scene) ? scene
             : scene.replaceFirst("\\.json$", "");

@@ -52,27 +52,28 @@ public final class GzipText {
     }
 
     /**
-     * Opens the text, to be read once.
+     * All that is in it.
      *
-     * @throws IOException if it is not compressed by gzip; also later, if there is more than {@link #LONGEST}
+     * @throws IOException if it is damaged, or longer than {@link #LONGEST}
      */
-    public static InputStream open(byte[] compressed) throws IOException {
-        return new Bounded(new GZIPInputStream(new ByteArrayInputStream(compressed), BUFFER));
+    public static byte[] bytes(byte[] compressed) throws IOException {
+        return bytes(compressed, LONGEST);
     }
 
     /**
      * All that is in it.
      *
-     * @throws IOException if it is damaged or too long
+     * @param most bytes that it may have
+     * @throws IOException if it is damaged or has more
      */
-    public static byte[] bytes(byte[] compressed) throws IOException {
+    public static byte[] bytes(byte[] compressed, int most) throws IOException {
         byte[] bytes = new byte[USUAL];
         int count = 0;
-        try (InputStream in = open(compressed)) {
+        try (InputStream in = new Bounded(new GZIPInputStream(new ByteArrayInputStream(compressed), BUFFER), most)) {
             for (int read = 0; read >= 0; read = in.read(bytes, count, bytes.length - count)) {
                 count += read;
                 if (count == bytes.length) {
-                    bytes = Arrays.copyOf(bytes, Math.min(2 * count, LONGEST + 1));
+                    bytes = Arrays.copyOf(bytes, (int) Math.min(2L * count, most + 1L));
                 }
             }
         }
@@ -91,10 +92,12 @@ public final class GzipText {
     /** Ends with an error after so many bytes. */
     private static final class Bounded extends FilterInputStream {
 
+        private final int most;
         private long count;
 
-        Bounded(InputStream in) {
+        Bounded(InputStream in, int most) {
             super(in);
+            this.most = most;
         }
 
         @Override
@@ -107,8 +110,8 @@ public final class GzipText {
         public int read(byte[] bytes, int from, int length) throws IOException {
             int read = super.read(bytes, from, length);
             count += Math.max(0, read);
-            if (count > LONGEST) {
-                throw new IOException("more than " + LONGEST + " bytes when unpacked");
+            if (count > most) {
+                throw new IOException("more than " + most + " bytes when unpacked");
             }
             return read;
         }

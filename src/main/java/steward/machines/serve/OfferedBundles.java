@@ -7,22 +7,39 @@ import java.util.Objects;
 import java.util.concurrent.ConcurrentHashMap;
 import steward.league.play.Roster.Member;
 import steward.machines.bundle.Bundle;
+import steward.machines.bundle.LongScene;
 import steward.machines.wire.GameJob;
 import steward.machines.wire.HeaderText;
+import steward.machines.wire.LeagueWord;
 import steward.machines.wire.WireMessage;
 import steward.machines.wire.WorkerWord;
 
-/** Bundles of the bots that were offered to workers. Thread-safe. */
+/** Bundles of the bots that were offered to workers, and a long scene. Thread-safe. */
 final class OfferedBundles {
 
     private final Map<String, Bundle> byHash = new ConcurrentHashMap<>();
     private final Map<String, Bundle> byStamp = new ConcurrentHashMap<>();
+    /** A long scene, or {@code null}. */
+    private volatile Bundle scene;
 
     /** Returns a bot as jobs name it. */
     GameJob.Seat seat(Member member) {
         Bundle bundle = byStamp.computeIfAbsent(key(member), key -> Bundle.of(member.bot()));
         byHash.put(bundle.hash(), bundle);
         return new GameJob.Seat(member.entrant().name(), bundle.hash(), bundle.bytes().length);
+    }
+
+    /** Offers the scene, if it is a long one. Call once, before workers come. */
+    void offerScene(String json) {
+        scene = LongScene.of(json);
+        if (scene != null) {
+            byHash.put(scene.hash(), scene);
+        }
+    }
+
+    /** Returns the message with a welcome: a long scene is named in it, to be fetched. */
+    byte[] greeting(LeagueWord.Welcome welcome) {
+        return (scene == null ? welcome : welcome.withSceneIn(scene.hash(), scene.bytes().length)).bytes();
     }
 
     private static String key(Member member) {

@@ -117,6 +117,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
         version = service.version();
         rules = RulesFingerprint.of(contest.setup());
         jar = JarFolder.digestOf(contest.setup());
+        bundles.offerScene(contest.setup().scene().json());
         reported = new ReportedGames(folder, season, contest, types, teller);
         door = new WorkerDoor(folder, teller);
         speed = service.scaled() ? MachineSpeed.measure() : 0;
@@ -454,8 +455,8 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
         }
         say("worker " + state.name + " plays " + TextFormat.count(hello.slots(), "game") + " at a time: "
             + state.machine);
-        broker.tell(state.name, new LeagueWord.Welcome(version, rules, jar, settings.factor() * state.scale,
-            settings.basis(), settings.hiccups(), settings.hold(), contest.setup().scene().json()).bytes());
+        broker.tell(state.name, bundles.greeting(new LeagueWord.Welcome(version, rules, jar, settings.factor()
+            * state.scale, settings.basis(), settings.hiccups(), settings.hold(), contest.setup().scene().json())));
     }
 
     private void unfit(WorkerState state, WorkerWord.Unfit unfit) {

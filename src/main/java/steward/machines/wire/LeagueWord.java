@@ -19,17 +19,37 @@ public interface LeagueWord {
      * @param basis   what they are limits of
      * @param hiccups what becomes of games lost on time on a starved machine
      * @param hold    which bots are stopped while others are asked
-     * @param scene   as JSON
+     * @param scene   as JSON; {@code null} if it is to be fetched, as a bundle is
+     * @param bundle  hash of a scene that is to be fetched, or {@code null}
+     * @param size    of its bytes, or 0
      */
     record Welcome(String version, String rules, String jar, double factor, TimeBasis basis, Hiccups hiccups,
-                   HoldPolicy hold, String scene)
+                   HoldPolicy hold, String scene, String bundle, int size)
         implements LeagueWord {
+
+        /** A welcome that has the scene. */
+        public Welcome(String version, String rules, String jar, double factor, TimeBasis basis, Hiccups hiccups,
+                       HoldPolicy hold, String scene) {
+            this(version, rules, jar, factor, basis, hiccups, hold, scene, null, 0);
+        }
+
+        /** Returns the welcome without the scene, which is to be fetched. */
+        public Welcome withSceneIn(String hash, int bytes) {
+            return new Welcome(version, rules, jar, factor, basis, hiccups, hold, null, hash, bytes);
+        }
+
+        /** Returns the welcome with a scene that was fetched. */
+        public Welcome with(String fetched) {
+            return new Welcome(version, rules, jar, factor, basis, hiccups, hold, fetched);
+        }
 
         /** Returns the encoded message. */
         public byte[] bytes() {
-            return WireMessage.bytes(new HeaderText().put("type", "welcome").put("version", version).put("rules", rules)
+            HeaderText header = new HeaderText().put("type", "welcome").put("version", version).put("rules", rules)
                 .put("jar", jar).put("factor", Double.toString(factor)).put("basis", basis.word())
-                .put("hiccups", hiccups.word()).put("hold", hold.word()), scene.getBytes(StandardCharsets.UTF_8));
+                .put("hiccups", hiccups.word()).put("hold", hold.word());
+            return scene == null ? WireMessage.bytes(header.put("bundle", bundle).put("size", size))
+                : WireMessage.bytes(header, scene.getBytes(StandardCharsets.UTF_8));
         }
     }
 
@@ -43,7 +63,7 @@ public interface LeagueWord {
     }
 
     /**
-     * A piece of a bundle.
+     * A piece of a bundle or of a long scene.
      *
      * @param bundle its hash
      * @param from   which byte is the first
@@ -65,7 +85,7 @@ public interface LeagueWord {
         Block header = message.header();
         String type = header.text("type");
         LeagueWord word = switch (type) {
-            case "welcome" -> welcome(header, message.payload());
+            case "welcome" -> welcome(header, message.payload(), most);
             case "refused" -> new Refused(header.text("reason"));
             case "bundle" -> {
                 boolean known = header.flag("known", false);
@@ -78,7 +98,7 @@ public interface LeagueWord {
         return word;
     }
 
-    private static Welcome welcome(Block header, byte[] scene) {
+    private static Welcome welcome(Block header, byte[] scene, int most) {
         double factor;
         try {
             factor = Double.parseDouble(header.text("factor"));
@@ -94,7 +114,9 @@ public interface LeagueWord {
             header.error("hiccups", header.shown("hiccups"), "replay or count"));
         HoldPolicy hold = HoldPolicy.of(header.text("hold")).orElseThrow(() ->
             header.error("hold", header.shown("hold"), "burners, always or never"));
+        boolean fetched = header.has("bundle");
         return new Welcome(header.text("version"), header.text("rules"), header.has("jar") ? header.text("jar") : null,
-            factor, basis, hiccups, hold, new String(scene, StandardCharsets.UTF_8));
+            factor, basis, hiccups, hold, fetched ? null : new String(scene, StandardCharsets.UTF_8),
+            fetched ? header.text("bundle") : null, fetched ? header.integer("size", 1, most) : 0);
     }
 }

@@ -20,6 +20,7 @@ import steward.game.GameTypes;
 import steward.machines.broker.BrokerClient;
 import steward.machines.broker.BrokerClient.BrokenException;
 import steward.machines.bundle.Bundle;
+import steward.machines.bundle.LongScene;
 import steward.machines.check.MachineSpeed;
 import steward.machines.token.WorkerToken;
 import steward.machines.wire.GameJob;
@@ -211,7 +212,9 @@ public final class Worker {
 
     private JobPlay jobs(BrokerClient client, LeagueWord.Welcome welcome) throws BrokenException {
         try {
-            return new JobPlay(welcome, types, options.isolation(), options.folder(), options.platform(),
+            LeagueWord.Welcome whole = welcome.scene() != null ? welcome : welcome.with(LongScene.text(welcome.bundle(),
+                fetch(client, welcome.bundle(), welcome.size())));
+            return new JobPlay(whole, types, options.isolation(), options.folder(), options.platform(),
                 options.version(), options.starter());
         } catch (SceneException problem) {
             throw new InputException(problem.getMessage());

@@ -34,8 +34,8 @@ final class CsvRows {
     CsvRows(Block csv) {
         file = csv.text("file");
         lines = csv.texts("lines");
-        if (lines.isEmpty()) {
-            throw new SceneException(file + ":1:1: found an empty file, expected a line with the names of the columns");
+        if (lines.isEmpty() || lines.get(0).isBlank()) {
+            throw new SceneException(file + ":1:1: found no names, expected a line with the names of the columns");
         }
         Set<String> seen = new TreeSet<>();
         for (String name : lines.get(0).split(",", -1)) {

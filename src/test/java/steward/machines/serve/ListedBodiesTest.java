@@ -1,0 +1,89 @@
+package steward.machines.serve;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import steward.cli.Cli;
+import steward.cli.shared.ExitStatus;
+import steward.machines.token.WorkerToken;
+
+/** A scene that lists 100,000 bodies in a CSV file: played, verified, and a league's game of it by a worker. */
+@Tag("process")
+@Tag("slow")
+@Timeout(300)
+class ListedBodiesTest extends ServedLeague {
+
+    private static final int ROW = 400;
+    private static final int COUNT = 100_000;
+    private static final String SCENE = """
+        { "name": "listed", "game": "bodies", "players": %d, %s
+          "field": { "width": 8000, "height": 5000, "walls": "box" }, "bodies": { "csv": "listed.csv" },
+          "play": { "maximumTurns": 2%s }, "accuracy": { "advance": "event", "arithmetic": "double" } }
+        """;
+    private static final String BOT = """
+        public class Bot {
+            public static void main(String[] args) throws java.io.IOException {
+                var in = new java.io.BufferedReader(new java.io.InputStreamReader(System.in));
+                in.readLine();
+                while (in.readLine() != null) {
+                    System.out.println("{\\"thrusts\\":[{\\"x\\":%d,\\"y\\":0}]}");
+                }
+            }
+        }
+        """;
+
+    private void list(boolean owned) throws IOException {
+        StringBuilder rows = new StringBuilder(owned ? "x,y,vx,vy,radius,owner\n" : "x,y,vx,vy,radius\n");
+        for (int k = 0; k < COUNT; k++) {
+            rows.append(10 + 20 * (k % ROW)).append(',').append(10 + 20 * (k / ROW)).append(',')
+                .append(k % 7 - 3 + k / 1e6).append(',').append(k % 5 - 2).append(",5")
+                .append(owned ? k < 2 ? "," + k : "," : "").append('\n');
+        }
+        Files.writeString(folder.resolve("listed.csv"), rows);
+        Files.writeString(folder.resolve("listed.json"), SCENE.formatted(owned ? 2 : 0,
+            owned ? "\"time\": { \"firstAnswerMs\": 60000, \"answerMs\": 60000 }," : "",
+            owned ? ", \"maximumThrust\": 9" : ""));
+    }
+
+    @Test
+    void itIsPlayedAndVerified() throws IOException {
+        list(false);
+        String replay = folder.resolve("listed.jsonl").toString();
+        Cli run = Cli.run("run", folder.resolve("listed.json").toString(), "--out", replay);
+        assertEquals(ExitStatus.DONE, run.status(), run.err());
+        Cli verified = Cli.run("replay", replay, "--verify");
+        assertEquals(ExitStatus.DONE, verified.status(), verified.err());
+        assertEquals("verified: states of 1 of 2 turns, hashes of all and the result\n", verified.out());
+    }
+
+    /** The scene has its CSV file in the league's folder, and goes to the worker in pieces. */
+    @Test
+    void aWorkerPlaysAGameOfALeague() throws Exception {
+        list(true);
+        done("init", "TMP/many", "--scene", "TMP/listed.json", "--seed", "5");
+        for (int bot = 1; bot <= 2; bot++) {
+            Path source = Files.createDirectories(folder.resolve("bot" + bot)).resolve("Bot.java");
+            Files.writeString(source, BOT.formatted(bot));
+            Path script = source.resolveSibling("bot.sh");
+            Files.writeString(script, "exec " + Path.of(System.getProperty("java.home"), "bin", "java") + " " + source);
+            done("add", "TMP/many", "bot" + bot + "=sh " + script);
+        }
+        WorkerToken token = token("many", "one");
+        CompletableFuture<String> run = serve("many", 2, "--threads", "0");
+        play(worker(token, 1, Long.MAX_VALUE));
+        String said = run.get(200, TimeUnit.SECONDS);
+        List<Row> games = games("many");
+        assertEquals(2, games.size(), said);
+        assertTrue(games.stream().allMatch(game -> game.counts() && game.machine().startsWith("worker one")),
+            games + said);
+    }
+}
