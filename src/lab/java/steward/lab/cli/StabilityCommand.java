@@ -148,7 +148,7 @@ public final class StabilityCommand implements Callable<Integer> {
         Map<String, List<GoldenHash.Part>> others = new LinkedHashMap<>();
         List<GoldenHash.Part> parts;
         try (ProgressLine progress = ProgressLine.watched(streams, "golden", GoldenSuite.count())) {
-            Runnable after = () -> ProgressLine.step(progress);
+            Runnable after = progress::step;
             for (String game : Games.ids()) {
                 if (!game.equals(Games.FIRST)) {
                     others.put(game, GoldenSuite.parts(game, size, after));

@@ -112,7 +112,7 @@ public final class RunCommand implements Callable<Integer> {
              Interruption hint = new Interruption(streams, path == null ? null : "the turns so far are in " + path);
              ProgressLine progress = ProgressLine.watched(streams, "turns", contest.setup().mostTurns())) {
             OutputStream written = display == null ? recording : display.with(recording);
-            result = contest.play(used, 0, written, tables.following(() -> ProgressLine.step(progress)));
+            result = contest.play(used, 0, written, tables.following(progress::step));
             hint.over();
             if (recording != null && recording.isBroken()) {
                 throw new FailedException(recording.problem());
