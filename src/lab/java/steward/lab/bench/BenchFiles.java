@@ -14,6 +14,7 @@ import steward.files.OutputFiles;
 import steward.json.JsonNumbers;
 import steward.json.JsonObject;
 import steward.text.CsvRow;
+import tools.jackson.core.JsonGenerator;
 
 /**
  * The table in files. {@code bench.csv} grows row by row, {@code bench.json} is replaced by one with the new row: both
@@ -79,22 +80,25 @@ public final class BenchFiles implements AutoCloseable {
         return Double.isNaN(value) ? "" : String.format(Locale.ROOT, "%.6g", value);
     }
 
-    private void writeJson() throws IOException {
-        byte[] object = JsonObject.of(out -> {
-            out.writeStringProperty("type", "bench");
-            out.writeStringProperty("machine", machine);
-            out.writeStringProperty("date", date);
-            JsonObject.writeAll(out, "rows", rows, row -> {
-                out.writeStringProperty("section", row.section());
-                out.writeStringProperty("name", row.name());
-                out.writeStringProperty("unit", row.unit());
-                JsonNumbers.writeOrNull(out, "perSecond", row.perSecond());
-                JsonNumbers.writeOrNull(out, "nanos", row.nanos());
-                JsonNumbers.writeOrNull(out, "ratio", row.ratio());
-                JsonNumbers.writeOrNull(out, "bytes", row.bytes());
-                out.writeStringProperty("note", row.note());
-            });
+    /** Writes the fields of the table's object. */
+    public static void write(JsonGenerator out, String machine, String date, List<Row> rows) {
+        out.writeStringProperty("type", "bench");
+        out.writeStringProperty("machine", machine);
+        out.writeStringProperty("date", date);
+        JsonObject.writeAll(out, "rows", rows, row -> {
+            out.writeStringProperty("section", row.section());
+            out.writeStringProperty("name", row.name());
+            out.writeStringProperty("unit", row.unit());
+            JsonNumbers.writeOrNull(out, "perSecond", row.perSecond());
+            JsonNumbers.writeOrNull(out, "nanos", row.nanos());
+            JsonNumbers.writeOrNull(out, "ratio", row.ratio());
+            JsonNumbers.writeOrNull(out, "bytes", row.bytes());
+            out.writeStringProperty("note", row.note());
         });
+    }
+
+    private void writeJson() throws IOException {
+        byte[] object = JsonObject.of(out -> write(out, machine, date, rows));
         byte[] line = Arrays.copyOf(object, object.length + 1);
         line[object.length] = '\n';
         OutputFiles.replace(folder.resolve(JSON), line);

@@ -91,11 +91,11 @@ final class CalibrationRun {
         Runtime.getRuntime().addShutdownHook(hook);
         int steps = timing.steps(calibration.jobs());
         try (ProgressLine progress = ProgressLine.watched(streams, setup.scene().name() + ", costs", steps)) {
-            calibration.time(timing, () -> ProgressLine.step(progress));
+            calibration.time(timing, progress::step);
         }
         int threads = Math.min(Runtime.getRuntime().availableProcessors(), calibration.blocks());
         try (ProgressLine progress = ProgressLine.watched(streams, setup.scene().name(), calibration.blocks())) {
-            calibration.run(threads, () -> ProgressLine.step(progress));
+            calibration.run(threads, progress::step);
         }
         Calibration.Figures figures = calibration.figures();
         write(figures, file);

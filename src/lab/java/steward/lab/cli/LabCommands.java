@@ -36,7 +36,7 @@ public final class LabCommands implements Lab {
     static MeasuredPrices measurePrices(Streams streams, GameSetup setup, Timing timing) {
         PartPrices parts = new PartPrices(setup.scene(), Games.types());
         try (ProgressLine progress = ProgressLine.watched(streams, "measuring", timing.steps(parts.jobs()))) {
-            return parts.measure(timing, () -> ProgressLine.step(progress));
+            return parts.measure(timing, progress::step);
         }
     }
 

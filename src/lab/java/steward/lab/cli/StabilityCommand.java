@@ -15,6 +15,7 @@ import steward.cli.options.TableFolder;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Games;
 import steward.cli.streams.Interruption;
+import steward.cli.streams.Json;
 import steward.cli.streams.ProgressLine;
 import steward.cli.streams.RunProgress;
 import steward.cli.streams.Streams;
@@ -98,6 +99,9 @@ public final class StabilityCommand implements Callable<Integer> {
         }
     }
 
+    @Option(names = "--json", description = "Prints one JSON object in place of the table, as --out writes it.")
+    private boolean json;
+
     public StabilityCommand(Streams streams) {
         this.streams = streams;
     }
@@ -109,8 +113,8 @@ public final class StabilityCommand implements Callable<Integer> {
         check.range("--impacts", impacts, 1, MOST_IMPACTS);
         RunLength size = full ? RunLength.LONG : quick ? RunLength.SMALL : RunLength.NORMAL;
         if (golden) {
-            check.that(out == null && names.isEmpty() && rungNames.isEmpty() && impacts == null,
-                "--golden is about everything, expected no --out, --case, --rung or --impacts with it");
+            check.that(out == null && !json && names.isEmpty() && rungNames.isEmpty() && impacts == null,
+                "--golden is about everything, expected no --out, --json, --case, --rung or --impacts with it");
             return golden(size);
         }
         List<StabilityCase> cases = check.chosen("--case", names, StabilityCases.all(impacts == null ? 0 : impacts),
@@ -120,7 +124,7 @@ public final class StabilityCommand implements Callable<Integer> {
         if (progress.total() >= ANNOUNCED) {
             ProgressLine.announce(streams, TextFormat.about(progress.total()));
         }
-        StabilityTable table = new StabilityTable(streams, progress);
+        StabilityTable table = new StabilityTable(json ? streams.withoutOutput() : streams, progress);
         if (out == null) {
             return table(cases, rungs, size, table, null, "the rows so far are above");
         }
@@ -148,7 +152,7 @@ public final class StabilityCommand implements Callable<Integer> {
         Map<String, List<GoldenHash.Part>> others = new LinkedHashMap<>();
         List<GoldenHash.Part> parts;
         try (ProgressLine progress = ProgressLine.watched(streams, "golden", GoldenSuite.count())) {
-            Runnable after = () -> ProgressLine.step(progress);
+            Runnable after = progress::step;
             for (String game : Games.ids()) {
                 if (!game.equals(Games.FIRST)) {
                     others.put(game, GoldenSuite.parts(game, size, after));
@@ -170,6 +174,7 @@ public final class StabilityCommand implements Callable<Integer> {
 
     private int table(List<StabilityCase> cases, List<Rung> rungs, RunLength size, StabilityTable table,
                       StabilityFiles files, String kept) {
+        List<StabilityRow> rows = new ArrayList<>();
         try (Interruption interruption = new Interruption(streams,
             () -> kept + (table.unfinished().isEmpty() ? "" : "; unfinished: " + table.unfinished()))) {
             StabilityRow.tryAll(cases, rungs, size, (each, rung) -> table.about(each.name(), rung.name()),
@@ -178,9 +183,14 @@ public final class StabilityCommand implements Callable<Integer> {
                         files.add(row);
                     }
                     table.add(row);
+                    rows.add(row);
                 });
             interruption.over();
-            return table.end() ? ExitStatus.DONE : ExitStatus.FAILED;
+            boolean passed = table.end();
+            if (json) {
+                Json.print(streams, to -> StabilityFiles.write(to, size, rows));
+            }
+            return passed ? ExitStatus.DONE : ExitStatus.FAILED;
         }
     }
 }

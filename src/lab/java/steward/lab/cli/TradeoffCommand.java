@@ -13,6 +13,7 @@ import steward.cli.options.TableFolder;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Games;
 import steward.cli.streams.Interruption;
+import steward.cli.streams.Json;
 import steward.cli.streams.ProgressLine;
 import steward.cli.streams.RunProgress;
 import steward.cli.streams.Streams;
@@ -23,6 +24,7 @@ import steward.lab.timing.Timing;
 import steward.lab.tradeoff.TradeoffEffort;
 import steward.lab.tradeoff.TradeoffHeadings;
 import steward.lab.tradeoff.TradeoffMeasurement;
+import steward.lab.tradeoff.TradeoffResult;
 import steward.lab.tradeoff.TradeoffRow;
 import steward.lab.tradeoff.TradeoffScene;
 import steward.lab.tradeoff.report.TradeoffReport;
@@ -54,6 +56,9 @@ public final class TradeoffCommand implements Callable<Integer> {
         + TradeoffReport.JSON + " into a folder, scene by scene, and in the end a plot and a page that shows it.")
     private String out;
 
+    @Option(names = "--json", description = "Prints one JSON object in place of the table, as --out writes it.")
+    private boolean json;
+
     @Mixin
     private final TableFolder tables = new TableFolder();
 
@@ -69,10 +74,13 @@ public final class TradeoffCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws InterruptedException {
+        if (json && calibrate.isAsked()) {
+            throw new InputException("--calibrate: found --json with it, expected no such option");
+        }
         if (parts.isAsked()) {
-            if (quick || out != null || !scenes.isEmpty() || calibrate.isAsked()) {
-                throw new InputException("--parts: found " + (quick ? "--quick" : out != null ? "--out"
-                    : scenes.isEmpty() ? "--calibrate" : "--scene") + " with it, expected nothing but --overwrite");
+            if (quick || json || out != null || !scenes.isEmpty() || calibrate.isAsked()) {
+                throw new InputException("--parts: found " + (quick ? "--quick" : json ? "--json"
+                    : out != null ? "--out" : scenes.isEmpty() ? "--calibrate" : "--scene") + " with it, expected nothing but --overwrite");
             }
             return parts.run(streams, tables.overwrite());
         }
@@ -108,12 +116,18 @@ public final class TradeoffCommand implements Callable<Integer> {
 
     private TradeoffReport files(Path folder) {
         return tables.start(folder, TradeoffReport.ALL, TradeoffReport.ALL,
-            () -> new TradeoffReport(folder, Machine.line(), LocalDate.now(ZoneOffset.UTC).toString()));
+            () -> new TradeoffReport(folder, Machine.line(), today()));
+    }
+
+    private static String today() {
+        return LocalDate.now(ZoneOffset.UTC).toString();
     }
 
     private void measure(List<TradeoffScene> chosen, boolean headings, TradeoffReport files) {
         TradeoffEffort effort = quick ? TradeoffEffort.QUICK : TradeoffEffort.NORMAL;
-        TradeoffTable table = new TradeoffTable(streams);
+        TradeoffTable table = new TradeoffTable(json ? streams.withoutOutput() : streams);
+        List<TradeoffRow> all = new ArrayList<>();
+        List<TradeoffHeadings> allHeadings = new ArrayList<>();
         RunProgress progress = new RunProgress(streams, seconds(chosen, headings));
         ProgressLine.announce(streams, TextFormat.about(progress.total()));
         for (TradeoffScene scene : chosen) {
@@ -130,6 +144,7 @@ public final class TradeoffCommand implements Callable<Integer> {
                 files.add(rows);
             }
             table.add(scene, rows);
+            all.addAll(rows);
         }
         for (boolean aligned : headings ? new boolean[] {false, true} : new boolean[0]) {
             progress.begin(aligned ? "headings, aligned" : "headings");
@@ -144,9 +159,14 @@ public final class TradeoffCommand implements Callable<Integer> {
                 files.addHeadings(row);
             }
             table.add(row);
+            allHeadings.add(row);
         }
         if (!chosen.isEmpty()) {
             table.end(quick);
+        }
+        if (json) {
+            Json.print(streams, to -> TradeoffReport.write(to, new TradeoffResult(Machine.line(), today(), all,
+                allHeadings)));
         }
     }
 

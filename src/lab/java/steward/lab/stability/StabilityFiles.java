@@ -12,6 +12,7 @@ import steward.json.JsonNumbers;
 import steward.json.JsonObject;
 import steward.lab.trial.RunLength;
 import steward.text.CsvRow;
+import tools.jackson.core.JsonGenerator;
 
 /**
  * The stability table in files: {@code stability.csv} grows by a line per row, {@code stability.json} is replaced by
@@ -58,19 +59,22 @@ public final class StabilityFiles implements AutoCloseable {
     }
 
     private void writeJson() throws IOException {
-        OutputFiles.replace(json, JsonObject.of(out -> {
-            out.writeStringProperty("type", "stability");
-            out.writeStringProperty("size", size.name().toLowerCase(Locale.ROOT));
-            out.writeStringProperty("java", System.getProperty("java.version"));
-            JsonObject.writeAll(out, "rows", rows, row -> {
-                out.writeStringProperty("case", row.name());
-                out.writeStringProperty("rung", row.rung());
-                out.writeStringProperty("demand", row.demand());
-                out.writeStringProperty("seen", row.seen().text());
-                out.writeStringProperty("verdict", word(row));
-                JsonNumbers.write(out, "seconds", row.seconds());
-            });
-        }));
+        OutputFiles.replace(json, JsonObject.of(out -> write(out, size, rows)));
+    }
+
+    /** Writes the fields of the table's object. */
+    public static void write(JsonGenerator out, RunLength size, List<StabilityRow> rows) {
+        out.writeStringProperty("type", "stability");
+        out.writeStringProperty("size", size.name().toLowerCase(Locale.ROOT));
+        out.writeStringProperty("java", System.getProperty("java.version"));
+        JsonObject.writeAll(out, "rows", rows, row -> {
+            out.writeStringProperty("case", row.name());
+            out.writeStringProperty("rung", row.rung());
+            out.writeStringProperty("demand", row.demand());
+            out.writeStringProperty("seen", row.seen().text());
+            out.writeStringProperty("verdict", word(row));
+            JsonNumbers.write(out, "seconds", row.seconds());
+        });
     }
 
     private static String word(StabilityRow row) {

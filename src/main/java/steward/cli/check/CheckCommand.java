@@ -16,10 +16,12 @@ import steward.cli.options.TimeLimitOptions;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.FailureText;
 import steward.cli.shared.Games;
+import steward.cli.streams.Json;
 import steward.cli.streams.Streams;
 import steward.contest.Contest;
 import steward.files.InputException;
 import steward.game.GameSetup;
+import steward.json.JsonObject;
 import steward.text.TextFormat;
 
 /** {@code steward check}: is this bot ready to play? */
@@ -28,6 +30,7 @@ import steward.text.TextFormat;
     footer = {"",
         "It plays against the weakest bundled bot of the game, and against players that",
         "never answer. Its slowest answer has to leave a fifth of the limit.",
+        "--json: bot, scene, passes, steps and problems (texts), fault (or null).",
         "", "Examples:",
         "  steward check 'python3 bot.py'",
         "  steward check codingame:./bot --scene duel",
@@ -57,6 +60,9 @@ public final class CheckCommand implements Callable<Integer> {
     @Mixin
     private final SandboxOptions sandbox = new SandboxOptions();
 
+    @Option(names = "--json", description = "Prints one JSON object instead; see below.")
+    private boolean json;
+
     public CheckCommand(Streams streams) {
         this.streams = streams;
     }
@@ -67,7 +73,7 @@ public final class CheckCommand implements Callable<Integer> {
         GameSetup setup = Games.warn(scene.open(streams), streams);
         Contest empty = Contest.withoutBots(setup, factor).limitedBy(pace.basis())
             .isolatedBy(sandbox.isolation(streams));
-        return run(streams, empty, Contest.entrant(bot, ProtocolWord.parse(protocol)));
+        return run(streams, empty, Contest.entrant(bot, ProtocolWord.parse(protocol)), json);
     }
 
     /**
@@ -77,14 +83,34 @@ public final class CheckCommand implements Callable<Integer> {
      * @throws InputException if it cannot be started, or the scene does not have its protocol
      */
     public static int run(Streams streams, Contest empty, Contest.Entrant entrant) throws InterruptedException {
+        return run(streams, empty, entrant, false);
+    }
+
+    private static int run(Streams streams, Contest empty, Contest.Entrant entrant, boolean json)
+            throws InterruptedException {
         if (entrant.problem() != null) {
             throw new InputException(entrant.problem() + Advice.missing(BotCommand.parse(entrant.bot()).words())
                 .map(advice -> ". " + advice).orElse(""));
         }
         Contest.checkProtocols(empty.setup(), List.of(entrant));
         BotCheck check = BotCheck.of(empty, entrant);
-        print(streams.out(), check);
+        if (json) {
+            printJson(streams, check);
+        } else {
+            print(streams.out(), check);
+        }
         return check.passes() ? ExitStatus.DONE : ExitStatus.FAILED;
+    }
+
+    private static void printJson(Streams streams, BotCheck check) {
+        Json.print(streams, out -> {
+            out.writeStringProperty("bot", check.bot().name());
+            out.writeStringProperty("scene", check.contest().sceneName());
+            out.writeBooleanProperty("passes", check.passes());
+            JsonObject.writeTexts(out, "steps", check.steps());
+            JsonObject.writeTexts(out, "problems", check.problems());
+            out.writeStringProperty("fault", check.failure() == null ? null : check.failure().reason());
+        });
     }
 
     /** All that the check found, in some ten lines. */

@@ -1,13 +1,19 @@
 package steward.cli.league;
 
 import java.nio.file.Files;
+import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
 import steward.cli.league.view.LeagueArgument;
 import steward.cli.shared.ExitStatus;
+import steward.cli.streams.Json;
 import steward.cli.streams.Streams;
+import steward.json.JsonObject;
 import steward.league.LeagueBot;
 import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
@@ -16,13 +22,18 @@ import steward.text.TextFormat;
 
 /** {@code steward league list}: the bots and their versions. */
 @Command(name = "list", description = "Prints the bots of a league, their versions and how many games each has.",
-    footer = {"", "Example:", "  steward league list night"})
+    footer = {"", "--json: scene, pairing, bots (name, command, listed, retired, random, platforms",
+        "(platform, command), versions (name, games, program)).",
+        "", "Example:", "  steward league list night"})
 final class ListCommand implements Callable<Integer> {
 
     private final Streams streams;
 
     @Mixin
     private final LeagueArgument league = new LeagueArgument();
+
+    @Option(names = "--json", description = "Prints one JSON object instead; see below.")
+    private boolean json;
 
     ListCommand(Streams streams) {
         this.streams = streams;
@@ -32,6 +43,10 @@ final class ListCommand implements Callable<Integer> {
     public Integer call() {
         LeagueFolder folder = league.open();
         LeagueSettings settings = folder.read();
+        if (json) {
+            printJson(folder, settings);
+            return ExitStatus.DONE;
+        }
         streams.out().println(TextFormat.plain(TextFormat.count(settings.bots().size(), "bot") + " in a league of "
             + settings.scene() + ", " + settings.pairing()));
         if (Files.notExists(folder.database())) {
@@ -47,6 +62,37 @@ final class ListCommand implements Callable<Integer> {
                     + TextFormat.plain(version.command())));
         }
         return ExitStatus.DONE;
+    }
+
+    private void printJson(LeagueFolder folder, LeagueSettings settings) {
+        try (GameStore store = Files.notExists(folder.database()) ? null : GameStore.read(folder)) {
+            List<GameStore.Version> versions = store == null ? List.of() : store.versions();
+            Set<String> names = new LinkedHashSet<>(settings.bots().stream().map(LeagueBot::name).toList());
+            versions.forEach(version -> names.add(version.bot()));
+            Json.print(streams, out -> {
+                out.writeStringProperty("scene", settings.scene());
+                out.writeStringProperty("pairing", settings.pairing().toString());
+                JsonObject.writeAll(out, "bots", names, name -> {
+                    Optional<LeagueBot> bot = settings.bot(name);
+                    List<GameStore.Version> own = versions.stream().filter(each -> each.bot().equals(name)).toList();
+                    out.writeStringProperty("name", name);
+                    out.writeStringProperty("command", bot.map(LeagueBot::command)
+                        .orElseGet(() -> own.get(own.size() - 1).command()));
+                    out.writeBooleanProperty("listed", bot.isPresent());
+                    out.writeBooleanProperty("retired", bot.map(LeagueBot::retired).orElse(false));
+                    out.writeBooleanProperty("random", bot.map(LeagueBot::random).orElse(false));
+                    JsonObject.writeAll(out, "platforms", bot.map(LeagueBot::platforms).orElse(List.of()), each -> {
+                        out.writeStringProperty("platform", each.platform());
+                        out.writeStringProperty("command", each.command());
+                    });
+                    JsonObject.writeAll(out, "versions", own, version -> {
+                        out.writeStringProperty("name", version.display());
+                        out.writeNumberProperty("games", store.gamesOf(version.id()));
+                        out.writeStringProperty("program", version.identity());
+                    });
+                });
+            });
+        }
     }
 
     private void print(LeagueBot bot, List<GameStore.Version> versions, GameStore store) {

@@ -18,6 +18,7 @@ import steward.cli.shared.ExitStatus;
 import steward.cli.shared.FailedException;
 import steward.cli.shared.Games;
 import steward.cli.streams.Interruption;
+import steward.cli.streams.Json;
 import steward.cli.streams.ProgressLine;
 import steward.cli.streams.Streams;
 import steward.contest.Contest;
@@ -34,6 +35,8 @@ import steward.match.MatchResult;
         "--csv writes turns.csv (energy, momentum and impacts of every turn), states.csv",
         "(place and velocity of every body at the end of every turn) and impacts.csv, all",
         "numbers in full precision: they read back as the same doubles.",
+        "--json: scene, seed, turns, ending, rows (turn, energy, momentumX, momentumY,",
+        "impacts) of every turn.",
         "", "Examples:",
         "  steward run gas --seed 7 --view gas.html --open",
         "  steward run bowl --turns 200 --accuracy exact --out bowl.jsonl --csv bowl",
@@ -62,6 +65,9 @@ public final class RunCommand implements Callable<Integer> {
 
     @Option(names = "--csv", paramLabel = "DIR", description = "Writes tables into this folder.")
     private String csv;
+
+    @Option(names = "--json", description = "Prints one JSON object instead; see below.")
+    private boolean json;
 
     @Option(names = "--overwrite", description = "Replaces replays, pages and tables that exist.")
     private boolean overwrite;
@@ -112,13 +118,23 @@ public final class RunCommand implements Callable<Integer> {
              Interruption hint = new Interruption(streams, path == null ? null : "the turns so far are in " + path);
              ProgressLine progress = ProgressLine.watched(streams, "turns", contest.setup().mostTurns())) {
             OutputStream written = display == null ? recording : display.with(recording);
-            result = contest.play(used, 0, written, tables.following(() -> ProgressLine.step(progress)));
+            result = contest.play(used, 0, written, tables.following(progress::step));
             hint.over();
             if (recording != null && recording.isBroken()) {
                 throw new FailedException(recording.problem());
             }
         } catch (UncheckedIOException problem) {
             throw new FailedException("the scene could not be played to its end: " + problem.getMessage());
+        }
+        if (json) {
+            Json.print(streams, to -> {
+                to.writeStringProperty("scene", contest.sceneName());
+                to.writeNumberProperty("seed", used);
+                to.writeNumberProperty("turns", result.turns());
+                to.writeStringProperty("ending", result.ending());
+                tables.writeRows(to);
+            });
+            return;
         }
         streams.out().println(contest.sceneName() + ", seed " + used + ", "
             + contest.setup().scene().accuracy().text() + ": " + result.turns() + " turns, " + result.ending());

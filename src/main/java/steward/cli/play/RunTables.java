@@ -14,11 +14,14 @@ import steward.files.OutputFiles;
 import steward.game.FrameCodec;
 import steward.game.Game;
 import steward.game.GameSetup;
+import steward.json.JsonNumbers;
+import steward.json.JsonObject;
 import steward.match.MatchListener;
 import steward.match.Turn;
 import steward.physics.Bodies;
 import steward.physics.TeeSink;
 import steward.physics.TurnSink;
+import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.io.NumberOutput;
 
 /** Energy, momentum and impacts of every turn, for people and as CSV; with every state and every impact as CSV. */
@@ -144,6 +147,17 @@ final class RunTables implements MatchListener, AutoCloseable {
             lines.add("Impacts are those since the row before. All turns: --csv.");
         }
         return lines;
+    }
+
+    /** Writes all rows as an array. */
+    void writeRows(JsonGenerator out) {
+        JsonObject.writeAll(out, "rows", rows, row -> {
+            out.writeNumberProperty("turn", (int) row[0]);
+            JsonNumbers.writeOrNull(out, "energy", row[1]);
+            JsonNumbers.writeOrNull(out, "momentumX", row[2]);
+            JsonNumbers.writeOrNull(out, "momentumY", row[3]);
+            out.writeNumberProperty("impacts", (int) row[4]);
+        });
     }
 
     /** The rest of a row, with a comma before each number. */

@@ -9,18 +9,23 @@ import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
+import steward.cli.options.CallCheck;
 import steward.cli.options.ShippedScenes;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Games;
+import steward.cli.streams.Json;
 import steward.cli.streams.Streams;
 import steward.game.GameType;
+import steward.json.JsonObject;
+import steward.scene.Scene;
 import steward.scene.SceneFiles;
 import steward.text.TextFormat;
 
 /** {@code steward scene}: the scenes that come with the program, to read and to copy. */
 @Command(name = "scene", description = "Prints a scene that comes with the program; without a name, all names.",
     footer = {"", "Examples:", "  steward scene", "  steward scene walled-race > my-scene.json",
-        "  steward scene --schema > scene.schema.json"})
+        "  steward scene --schema > scene.schema.json",
+        "", "--json: scenes (name, game, players, about)."})
 public final class SceneCommand implements Callable<Integer> {
 
     private final Streams streams;
@@ -32,13 +37,25 @@ public final class SceneCommand implements Callable<Integer> {
     @Option(names = "--schema", description = "Prints the JSON Schema (2020-12) of scenes instead.")
     private boolean schema;
 
+    @Option(names = "--json", description = "Prints all names in one JSON object; see below.")
+    private boolean json;
+
     public SceneCommand(Streams streams) {
         this.streams = streams;
     }
 
     @Override
     public Integer call() {
-        if (schema) {
+        CallCheck.withHelp().that(!json || name == null && !schema, "--json: expected no NAME and no --schema with it");
+        if (json) {
+            Json.print(streams, out -> JsonObject.writeAll(out, "scenes", SceneFiles.shipped(), each -> {
+                Scene scene = Games.open(each).scene();
+                out.writeStringProperty("name", each);
+                out.writeStringProperty("game", scene.gameId());
+                out.writeNumberProperty("players", scene.players());
+                out.writeStringProperty("about", about(each));
+            }));
+        } else if (schema) {
             String game = name == null ? Games.types().types().get(0).id()
                 : Games.types().open(SceneFiles.shipped(name).text(), name).scene().gameId();
             streams.out().print(schema(game));

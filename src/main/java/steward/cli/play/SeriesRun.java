@@ -42,8 +42,8 @@ record SeriesRun(Streams streams, Series series, Verbosity report, boolean stric
             streams.err().println(TextFormat.count(series.seeds(), "seed") + ", "
                 + TextFormat.count(series.games(), "game"));
         }
-        ProgressLine progress = report == Verbosity.LINE || !streams.errTerminal() ? null
-            : new ProgressLine(streams.err(), series.games());
+        ProgressLine progress = report == Verbosity.LINE ? null
+            : ProgressLine.watched(streams, "games", series.games());
         try (Interruption interruption = new Interruption(streams, () -> told.getAndSet(true) ? null
                 : interrupted(play, progress))) {
             play.play(threads, game -> {

@@ -12,18 +12,21 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import steward.bot.command.CommandLine;
+import steward.cli.options.ProtocolWord;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Games;
 import steward.cli.streams.Streams;
 import steward.files.InputException;
 import steward.files.OutputFiles;
+import steward.match.Protocol;
 import steward.scene.SceneFiles;
 import steward.text.NearestName;
 
 /** {@code steward new}: writes a bot to start from. */
 @Command(name = "new", description = "Writes a commented bot to start from, which races at once, into a new or empty "
     + "folder, and prints how to run it.",
-    footer = {"", "Examples:", "  steward new python mybot", "  steward new cpp mybot --simulator",
+    footer = {"", "Examples:", "  steward new python mybot", "  steward new python mybot --protocol codingame",
+        "  steward new cpp mybot --simulator",
         "", "Exit status: 0 written; 2 the folder is not empty, or cannot be written into."})
 public final class NewCommand implements Callable<Integer> {
 
@@ -40,6 +43,10 @@ public final class NewCommand implements Callable<Integer> {
         description = "The game that it plays, one of ${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE}).")
     private String game;
 
+    @Option(names = "--protocol", paramLabel = "P", completionCandidates = ProtocolWord.Candidates.class,
+        description = "What it speaks, json or codingame (default: JSON in python, CodinGame's lines in the others).")
+    private String protocol;
+
     @Option(names = "--simulator", description = "Writes, in cpp for the pod race, a bot that searches, with "
         + "steward_podrace.hpp: the official turn to the last bit, in one header.")
     private boolean simulator;
@@ -48,38 +55,31 @@ public final class NewCommand implements Callable<Integer> {
         this.streams = streams;
     }
 
-    /** The games. */
+    /** The games that have bots to start from. */
     static final class GameIds implements Iterable<String> {
+
+        static List<String> all() {
+            return Games.ids().stream().filter(game -> !Starter.languages(game).isEmpty()).toList();
+        }
 
         @Override
         public Iterator<String> iterator() {
-            return Games.ids().iterator();
+            return all().iterator();
         }
     }
 
     /** The words for the languages. */
     static final class Languages implements Iterable<String> {
 
-        static final List<String> ALL = Arrays.stream(Starter.values()).filter(each -> !each.searches())
-            .map(Starter::word).toList();
-
         @Override
         public Iterator<String> iterator() {
-            return ALL.iterator();
+            return Starter.languages(Games.FIRST).iterator();
         }
     }
 
     @Override
     public Integer call() {
-        if (simulator && Languages.ALL.contains(language) && !language.equals(Starter.CPP_SIMULATOR.word())) {
-            throw new InputException("--simulator: found LANGUAGE '" + language + "', expected cpp");
-        }
-        Starter starter = Arrays.stream(Starter.values())
-            .filter(each -> each.word().equals(language) && each.searches() == simulator).findFirst()
-            .orElseThrow(() -> new InputException("LANGUAGE: found '" + language + "', expected one of "
-                + String.join(", ", Languages.ALL) + NearestName.of(language, Languages.ALL)
-                .map(near -> "; did you mean '" + near + "'?").orElse("")));
-        checkGame(starter);
+        Starter starter = starter();
         Path path = OutputFiles.path(folder);
         refuseUnlessEmpty(path);
         try {
@@ -91,7 +91,7 @@ public final class NewCommand implements Callable<Integer> {
             throw new InputException(path + ": cannot be written into: " + OutputFiles.reason(path, problem));
         }
         streams.out().println("Written: " + path.resolve(starter.files().get(0)) + ". It speaks "
-            + (starter.bot().startsWith("codingame:") ? "CodinGame's lines" : "JSON") + ". To race it:");
+            + (starter.protocol() == Protocol.CODINGAME ? "CodinGame's lines" : "JSON") + ". To race it:");
         streams.out().println("  cd " + CommandLine.quote(List.of(folder)));
         starter.compile().forEach(command -> streams.out().println("  " + command));
         String bot = " --bot " + CommandLine.quote(List.of("me=" + starter.bot()));
@@ -100,18 +100,29 @@ public final class NewCommand implements Callable<Integer> {
         return ExitStatus.DONE;
     }
 
-    private void checkGame(Starter starter) {
-        List<String> known = Games.ids();
-        if (!known.contains(game)) {
-            throw new InputException("--game: found '" + game + "', expected one of " + String.join(", ", known)
-                + NearestName.of(game, known).map(near -> "; did you mean '" + near + "'?").orElse(""));
+    /** Finds what is asked for; refusals name only what there is for the game. */
+    private Starter starter() {
+        List<String> games = GameIds.all();
+        if (!games.contains(game)) {
+            throw new InputException("--game: found '" + game + "', expected one of " + String.join(", ", games)
+                + NearestName.question(game, games, "'"));
         }
-        List<String> languages = Arrays.stream(Starter.values()).filter(each -> each.isFor(game)).map(Starter::word)
-            .toList();
-        if (!starter.isFor(game)) {
-            throw new InputException("LANGUAGE: found '" + language + "', expected one of those with a bot for "
-                + game + ": " + (languages.isEmpty() ? "none" : String.join(", ", languages)));
+        Protocol wanted = protocol == null ? null : ProtocolWord.parse(protocol);
+        List<String> languages = Starter.languages(game);
+        if (!languages.contains(language)) {
+            throw new InputException("LANGUAGE: found '" + language + "', expected one of "
+                + String.join(", ", languages) + (game.equals(Games.FIRST) ? "" : " for " + game)
+                + NearestName.question(language, languages, "'"));
         }
+        List<Starter> known = Arrays.stream(Starter.values())
+            .filter(each -> each.word().equals(language) && each.isFor(game) && each.searches() == simulator).toList();
+        if (known.isEmpty()) {
+            throw new InputException("--simulator: found LANGUAGE '" + language + "' for " + game
+                + ", expected cpp for " + Games.FIRST);
+        }
+        return known.stream().filter(each -> wanted == null || each.protocol() == wanted).findFirst().orElseThrow(
+            () -> new InputException("--protocol: found '" + protocol + "', expected "
+                + known.get(0).protocol().word() + ", which the bot in " + language + " speaks"));
     }
 
     /** The first shipped scene of the game. */

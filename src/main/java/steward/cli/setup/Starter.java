@@ -3,17 +3,25 @@ package steward.cli.setup;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import steward.bot.command.BotCommand;
 import steward.cli.shared.Games;
+import steward.match.Protocol;
 
-/** The bots to start from, for a game one in each language or in some; their files are among the resources. */
+/**
+ * The bots to start from, for a game one in each language or in some; their files are among the resources. The first of
+ * a language is its usual one; in another protocol or with a simulator, a name has more than the language.
+ */
 enum Starter {
 
     PYTHON("bot.py", List.of(), "python3 bot.py"),
     JAVA("Bot.java", List.of("javac Bot.java"), "codingame:java Bot"),
     CPP("bot.cpp", List.of("g++ -O2 -o bot bot.cpp"), "codingame:./bot"),
     JS("bot.js", List.of(), "codingame:node bot.js"),
+    PYTHON_CODINGAME("bot.py", List.of(), "codingame:python3 bot.py"),
+    JS_JSON("bot.js", List.of(), "node bot.js"),
     /** C++ with the header that plays the official turn: cpp with {@code --simulator}. */
     CPP_SIMULATOR("bot.cpp", List.of("g++ -std=c++17 -O3 -march=native -o bot bot.cpp"), "codingame:./bot");
 
@@ -40,7 +48,17 @@ enum Starter {
 
     /** The language as it is typed. */
     String word() {
-        return this == CPP_SIMULATOR ? CPP.word() : name().toLowerCase(Locale.ROOT);
+        return name().replaceFirst("_.*", "").toLowerCase(Locale.ROOT);
+    }
+
+    /** What it speaks. */
+    Protocol protocol() {
+        return bot.startsWith(BotCommand.Prefix.CODINGAME.written()) ? Protocol.CODINGAME : Protocol.JSON;
+    }
+
+    /** The languages that have one for a game, in their order. */
+    static List<String> languages(String game) {
+        return Arrays.stream(values()).filter(each -> each.isFor(game)).map(Starter::word).distinct().toList();
     }
 
     /** True if it is asked for by {@code --simulator}. */

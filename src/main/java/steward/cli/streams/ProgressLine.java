@@ -3,6 +3,7 @@ package steward.cli.streams;
 import java.io.PrintStream;
 import java.time.Duration;
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.DoubleSupplier;
 import me.tongfei.progressbar.ConsoleProgressBarConsumer;
 import me.tongfei.progressbar.ProgressBar;
@@ -11,7 +12,8 @@ import me.tongfei.progressbar.ProgressBarStyle;
 import steward.text.TextFormat;
 
 /**
- * Progress of games or other steps, and the time that the rest will take, on one line of a terminal, erased at the end.
+ * Progress of games or other steps, and the time that the rest will take: on one line of a terminal, erased at the end,
+ * or on a line a minute where there is no terminal.
  */
 public final class ProgressLine implements AutoCloseable {
 
@@ -22,31 +24,39 @@ public final class ProgressLine implements AutoCloseable {
     /** How long the text about the standing may be, so that there is room for the bar. */
     private static final int WORD = 24;
 
+    /** {@code null} where there is no terminal. */
     private final ProgressBar bar;
+    private final MinuteLines minutes;
+    private final String task;
+    private final int steps;
+    private final AtomicInteger done = new AtomicInteger();
     private boolean closed;
 
-    public ProgressLine(PrintStream terminal, int games) {
-        this(terminal, "games", games);
-    }
-
-    /** @param task what is being done */
-    public ProgressLine(PrintStream terminal, String task, int steps) {
-        this(terminal, task, steps, new ProgressBarBuilder());
+    /** Without a terminal. */
+    ProgressLine(MinuteLines minutes, String task, int steps) {
+        bar = null;
+        this.minutes = minutes;
+        this.task = task;
+        this.steps = steps;
     }
 
     private ProgressLine(PrintStream terminal, String task, int steps, ProgressBarBuilder builder) {
+        minutes = null;
+        this.task = task;
+        this.steps = steps;
         bar = builder.setTaskName(task).setInitialMax(steps).setStyle(ProgressBarStyle.ASCII)
             .setUpdateIntervalMillis(REFRESH_MS).clearDisplayOnFinish()
             .setConsumer(new ConsoleProgressBarConsumer(terminal, WIDTH)).build();
     }
 
-    /** A line on the standard error if that is a terminal, otherwise {@code null}. */
+    /** A line on the standard error. */
     public static ProgressLine watched(Streams streams, String task, int steps) {
-        return streams.errTerminal() ? new ProgressLine(streams.err(), task, steps) : null;
+        return streams.errTerminal() ? new ProgressLine(streams.err(), task, steps, new ProgressBarBuilder())
+            : new ProgressLine(new MinuteLines(streams.err()), task, steps);
     }
 
     /**
-     * As {@link #watched(Streams, String, int)}, for work that goes on.
+     * A line on the terminal, for work that goes on; {@code null} where there is none.
      *
      * @param done    of the steps
      * @param elapsed since the work began
@@ -72,26 +82,25 @@ public final class ProgressLine implements AutoCloseable {
     }
 
     /** Sets how many there are in all; by any thread. */
-    public void reach(int steps) {
-        bar.stepTo(steps);
+    public void reach(int reached) {
+        bar.stepTo(reached);
     }
 
     /** One more; by any thread. */
     public void step() {
-        bar.step();
-    }
-
-    /** One more, if there is a line. */
-    public static void step(ProgressLine watched) {
-        if (watched != null) {
-            watched.step();
+        if (bar == null) {
+            minutes.say(task, done.incrementAndGet(), steps);
+        } else {
+            bar.step();
         }
     }
 
     /** One more, with a text about the standing; by any thread. */
     public void step(String standing) {
-        bar.setExtraMessage(TextFormat.plain(TextFormat.shorten(standing, WORD)));
-        bar.step();
+        if (bar != null) {
+            bar.setExtraMessage(TextFormat.plain(TextFormat.shorten(standing, WORD)));
+        }
+        step();
     }
 
     /** The second time there is nothing to do. */
@@ -99,7 +108,9 @@ public final class ProgressLine implements AutoCloseable {
     public synchronized void close() {
         if (!closed) {
             closed = true;
-            bar.close();
+            if (bar != null) {
+                bar.close();
+            }
         }
     }
 }

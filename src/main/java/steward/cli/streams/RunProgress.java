@@ -3,11 +3,12 @@ package steward.cli.streams;
 import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
+import steward.text.TextFormat;
 
 /**
- * Progress of a run of many parts, and the time that all the rest will take, on one line of a terminal. Parts differ in
- * length by factors of thousands, so each counts by the time that it is expected to take; how much slower or faster
- * this machine is shows as the run goes on.
+ * Progress of a run of many parts, and the time that all the rest will take, on one line of a terminal, or on a line a
+ * minute where there is none. Parts differ in length by factors of thousands, so each counts by the time that it is
+ * expected to take; how much slower or faster this machine is shows as the run goes on.
  */
 public final class RunProgress {
 
@@ -20,7 +21,9 @@ public final class RunProgress {
     private final List<Double> expected;
     private final double total;
     private final long startNanos = System.nanoTime();
+    private final MinuteLines minutes;
     private ProgressLine line;
+    private String part;
     private int begun;
     private volatile double before;
     private volatile double done;
@@ -28,6 +31,7 @@ public final class RunProgress {
     /** @param expected seconds of each part, in order */
     public RunProgress(Streams streams, List<Double> expected) {
         this.streams = streams;
+        minutes = new MinuteLines(streams.err());
         this.expected = List.copyOf(expected);
         total = expected.stream().mapToDouble(Double::doubleValue).sum();
     }
@@ -41,7 +45,8 @@ public final class RunProgress {
     public void begin(String what) {
         begun++;
         done = before;
-        line = ProgressLine.watched(streams, begun + " of " + expected.size() + ": " + what, STEPS, steps(),
+        part = begun + " of " + expected.size() + ": " + what;
+        line = ProgressLine.watched(streams, part, STEPS, steps(),
             Duration.ofNanos(System.nanoTime() - startNanos), () -> left(elapsed(), done, total));
     }
 
@@ -50,6 +55,8 @@ public final class RunProgress {
         done = before + share * expected.get(begun - 1);
         if (line != null) {
             line.reach(steps());
+        } else {
+            minutes.say(() -> part + ", " + TextFormat.about(left(elapsed(), done, total)) + " left");
         }
     }
 

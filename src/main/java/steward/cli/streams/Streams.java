@@ -64,6 +64,11 @@ public final class Streams {
         errTerminal = false;
     }
 
+    /** Returns streams whose standard output goes nowhere, for a command that prints JSON in place of its table. */
+    public Streams withoutOutput() {
+        return new Streams(in, inTerminal, OutputStream.nullOutputStream(), err, false, errTerminal);
+    }
+
     /** Returns these streams with a log for errors: each line has its time, and is an object of JSON if so wanted. */
     public Streams logging(boolean json) {
         return new Streams(this, new PrintStream(new EventStream(err, json, Instant::now), true,

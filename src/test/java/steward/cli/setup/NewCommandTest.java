@@ -19,7 +19,6 @@ import steward.bot.command.CommandLine;
 import steward.bot.command.ProgramFinder;
 import steward.cli.Cli;
 import steward.cli.shared.ExitStatus;
-import steward.cli.shared.Games;
 import tools.jackson.databind.JsonNode;
 
 /** {@code steward new}. */
@@ -59,7 +58,7 @@ class NewCommandTest {
 
     private static Cli make(Starter starter, Path place) {
         return starter.searches() ? Cli.run("new", starter.word(), place.toString(), "--simulator")
-            : Cli.run("new", starter.word(), place.toString());
+            : Cli.run("new", starter.word(), place.toString(), "--protocol", starter.protocol().word());
     }
 
     @ParameterizedTest
@@ -134,12 +133,27 @@ class NewCommandTest {
     }
 
     @Test
-    void anUnknownGameOrOneWithoutThisLanguageIsRefused() {
-        assertEquals("steward: --game: found 'serch-race', expected one of " + String.join(", ", Games.ids())
-            + "; did you mean 'search-race'?\n",
-            Cli.run("new", "python", folder.toString(), "--game", "serch-race").err());
-        assertEquals("steward: LANGUAGE: found 'cpp', expected one of those with a bot for search-race: python\n",
-            Cli.run("new", "cpp", folder.toString(), "--game", "search-race").err());
+    void whatARefusalNamesIsNotRefused() {
+        assertEquals("steward: --game: found 'bodies', expected one of pod-race, search-race, mean-max, fantastic-bits, "
+            + "poker-chip-race\n", Cli.run("new", "python", folder.toString(), "--game", "bodies").err());
+        assertEquals("steward: LANGUAGE: found 'rust', expected one of python for search-race\n",
+            Cli.run("new", "rust", folder.toString(), "--game", "search-race").err());
+        for (String game : NewCommand.GameIds.all()) {
+            for (String language : Starter.languages(game)) {
+                Cli made = Cli.run("new", language, folder.resolve(game + language).toString(), "--game", game);
+                assertEquals(ExitStatus.DONE, made.status(), made.err());
+            }
+        }
+    }
+
+    @Test
+    void itSaysWhichProtocolItWritesAndTakesAnother() {
+        String usual = Cli.run("new", "python", folder.resolve("usual").toString()).out();
+        assertTrue(usual.contains("It speaks JSON."), usual);
+        String other = Cli.run("new", "python", folder.resolve("other").toString(), "--protocol", "codingame").out();
+        assertTrue(other.contains("It speaks CodinGame's lines.") && other.contains("codingame:python3 bot.py"), other);
+        assertEquals("steward: --protocol: found 'json', expected codingame, which the bot in java speaks\n",
+            Cli.run("new", "java", folder.resolve("none").toString(), "--protocol", "json").err());
     }
 
     @Test

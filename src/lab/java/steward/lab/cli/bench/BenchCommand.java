@@ -17,6 +17,7 @@ import steward.cli.options.CallCheck;
 import steward.cli.options.TableFolder;
 import steward.cli.shared.ExitStatus;
 import steward.cli.streams.Interruption;
+import steward.cli.streams.Json;
 import steward.cli.streams.ProgressLine;
 import steward.cli.streams.RunProgress;
 import steward.cli.streams.Streams;
@@ -79,6 +80,9 @@ public final class BenchCommand implements Callable<Integer> {
     @Option(names = "--out", paramLabel = "DIR", description = "Writes " + BenchFiles.CSV + " and " + BenchFiles.JSON
         + " into a folder, row by row, and in the end " + BenchFiles.PAGE + ".")
     private String out;
+
+    @Option(names = "--json", description = "Prints one JSON object in place of the table, as --out writes it.")
+    private boolean json;
 
     @Mixin
     private final TableFolder tables = new TableFolder();
@@ -162,7 +166,9 @@ public final class BenchCommand implements Callable<Integer> {
     }
 
     private int measureAll(List<Section> sections, BenchFiles files) {
-        BenchTable table = new BenchTable(streams);
+        Streams shown = json ? streams.withoutOutput() : streams;
+        BenchTable table = new BenchTable(shown);
+        List<Row> rows = new ArrayList<>();
         Runtime.getRuntime().addShutdownHook(new Thread(table::release, "bench-interrupted"));
         Effort effort = quick ? Effort.QUICK : full ? Effort.LONG : Effort.NORMAL;
         RunProgress progress = new RunProgress(streams,
@@ -170,7 +176,7 @@ public final class BenchCommand implements Callable<Integer> {
         if (games == null && bodies.isEmpty()) {
             ProgressLine.announce(streams, TextFormat.about(progress.total()));
         }
-        streams.out().println(Machine.line());
+        shown.out().println(Machine.line());
         int status = ExitStatus.DONE;
         for (Section section : sections) {
             table.begin(section);
@@ -180,6 +186,7 @@ public final class BenchCommand implements Callable<Integer> {
                     any = true;
                     boolean rough = section.isRough(effort) && !Double.isNaN(measured.ratio()) && measured.ratio() != 1;
                     Row row = measured.remark(rough ? "few rounds: ratio not comparable" : "");
+                    rows.add(row);
                     if (files != null) {
                         files.add(row);
                     }
@@ -199,6 +206,10 @@ public final class BenchCommand implements Callable<Integer> {
                 status = ExitStatus.FAILED;
             }
             table.release();
+        }
+        if (json) {
+            Json.print(streams, to -> BenchFiles.write(to, Machine.line(),
+                LocalDate.now(ZoneOffset.UTC).toString(), rows));
         }
         return status;
     }

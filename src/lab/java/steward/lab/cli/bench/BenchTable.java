@@ -20,6 +20,7 @@ final class BenchTable {
     private final Streams streams;
     private final List<Row> held = new ArrayList<>();
 
+    /** @param streams with a standard output that goes nowhere where JSON is printed in place of the table */
     BenchTable(Streams streams) {
         this.streams = streams;
     }

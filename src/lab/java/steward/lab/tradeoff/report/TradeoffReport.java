@@ -103,20 +103,23 @@ public final class TradeoffReport implements AutoCloseable {
     }
 
     private void writeJson() throws IOException {
-        OutputFiles.replace(folder.resolve(JSON), JsonObject.of(out -> {
-            out.writeStringProperty("type", "tradeoff");
-            out.writeStringProperty("machine", machine);
-            out.writeStringProperty("date", date);
-            JsonObject.writeAll(out, "rows", rows, row ->
-                TradeoffFields.ALL.forEach(field -> write(out, field.name(), field.value().apply(row))));
-            JsonObject.writeAll(out, "headings", headings, each -> {
-                out.writeStringProperty("headings", each.headings());
-                out.writeNumberProperty("podTurns", each.podTurns());
-                out.writeNumberProperty("differing", each.differing());
-                JsonNumbers.write(out, "nanosAngles", each.nanosAngles());
-                JsonNumbers.write(out, "nanosVector", each.nanosVector());
-            });
-        }));
+        OutputFiles.replace(folder.resolve(JSON), JsonObject.of(out -> write(out, result())));
+    }
+
+    /** Writes the fields of the result's object. */
+    public static void write(JsonGenerator out, TradeoffResult result) {
+        out.writeStringProperty("type", "tradeoff");
+        out.writeStringProperty("machine", result.machine());
+        out.writeStringProperty("date", result.date());
+        JsonObject.writeAll(out, "rows", result.rows(), row ->
+            TradeoffFields.ALL.forEach(field -> write(out, field.name(), field.value().apply(row))));
+        JsonObject.writeAll(out, "headings", result.headings(), each -> {
+            out.writeStringProperty("headings", each.headings());
+            out.writeNumberProperty("podTurns", each.podTurns());
+            out.writeNumberProperty("differing", each.differing());
+            JsonNumbers.write(out, "nanosAngles", each.nanosAngles());
+            JsonNumbers.write(out, "nanosVector", each.nanosVector());
+        });
     }
 
     private static void write(JsonGenerator out, String name, Object value) {

@@ -1,0 +1,47 @@
+package steward.cli.streams;
+
+import java.io.PrintStream;
+import java.util.concurrent.TimeUnit;
+import java.util.function.LongSupplier;
+import java.util.function.Supplier;
+import steward.text.TextFormat;
+
+/** Lines about the progress of a long run where there is no terminal: one a minute, when something is done. */
+final class MinuteLines {
+
+    private static final long MINUTE = TimeUnit.MINUTES.toNanos(1);
+    private static final double NANOS = 1e9;
+
+    private final PrintStream err;
+    private final LongSupplier clock;
+    private final long begin;
+    private long last;
+
+    MinuteLines(PrintStream err) {
+        this(err, System::nanoTime);
+    }
+
+    /** @param clock in nanoseconds */
+    MinuteLines(PrintStream err, LongSupplier clock) {
+        this.err = err;
+        this.clock = clock;
+        begin = clock.getAsLong();
+        last = begin;
+    }
+
+    /** Prints a line if a minute is over since the last one; by any thread. */
+    synchronized void say(Supplier<String> line) {
+        long now = clock.getAsLong();
+        if (now - last >= MINUTE) {
+            last = now;
+            err.println(TextFormat.plain(line.get()));
+            err.flush();
+        }
+    }
+
+    /** Prints how far a task is, and how long the rest takes if it goes on so, as {@link #say} does. */
+    void say(String task, int done, int steps) {
+        say(() -> task + ": " + done + " of " + steps + (done == 0 ? "" : ", "
+            + TextFormat.about((last - begin) / NANOS * Math.max(0, steps - done) / done) + " left"));
+    }
+}
