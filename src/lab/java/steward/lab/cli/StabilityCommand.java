@@ -1,6 +1,8 @@
 package steward.lab.cli;
 
 import java.nio.file.Path;
+import java.time.LocalDate;
+import java.time.ZoneOffset;
 import java.util.ArrayList;
 import java.util.Iterator;
 import java.util.LinkedHashMap;
@@ -14,6 +16,7 @@ import steward.cli.options.CallCheck;
 import steward.cli.options.TableFolder;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Games;
+import steward.cli.shared.ProgramVersion;
 import steward.cli.streams.Interruption;
 import steward.cli.streams.ProgressLine;
 import steward.cli.streams.RunProgress;
@@ -23,7 +26,9 @@ import steward.lab.stability.GoldenHash;
 import steward.lab.stability.StabilityCases;
 import steward.lab.stability.StabilityFiles;
 import steward.lab.stability.StabilityRow;
+import steward.lab.stability.StabilityRun;
 import steward.lab.stability.StabilitySeconds;
+import steward.lab.timing.Machine;
 import steward.lab.trial.RunLength;
 import steward.lab.trial.Rung;
 import steward.lab.trial.StabilityCase;
@@ -70,7 +75,7 @@ public final class StabilityCommand implements Callable<Integer> {
     private Long impacts;
 
     @Option(names = "--out", paramLabel = "DIR", description = "Writes the table to " + StabilityFiles.CSV + " and "
-        + StabilityFiles.JSON + " in a folder too, row by row.")
+        + StabilityFiles.JSON + " in a folder too, row by row, and in the end a page with a picture.")
     private String out;
 
     @Mixin
@@ -125,8 +130,10 @@ public final class StabilityCommand implements Callable<Integer> {
             return table(cases, rungs, size, table, null, "the rows so far are above");
         }
         Path folder = OutputFiles.path(out);
-        try (StabilityFiles files = tables.start(folder, StabilityFiles.ALL, List.of(),
-            () -> new StabilityFiles(folder, size))) {
+        StabilityRun run = new StabilityRun(size, LocalDate.now(ZoneOffset.UTC).toString(), ProgramVersion.text(),
+            Machine.line());
+        try (StabilityFiles files = tables.start(folder, StabilityFiles.ALL,
+            StabilityFiles.ALL.subList(2, StabilityFiles.ALL.size()), () -> new StabilityFiles(folder, run))) {
             return table(cases, rungs, size, table, files, "the rows so far are in " + folder);
         }
     }
@@ -179,6 +186,10 @@ public final class StabilityCommand implements Callable<Integer> {
                     }
                     table.add(row);
                 });
+            String problem = files == null ? null : files.finish();
+            if (problem != null) {
+                streams.warn("this Java cannot draw the picture: " + problem);
+            }
             interruption.over();
             return table.end() ? ExitStatus.DONE : ExitStatus.FAILED;
         }
