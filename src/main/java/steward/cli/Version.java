@@ -1,13 +1,13 @@
 package steward.cli;
 
 import picocli.CommandLine.IVersionProvider;
+import steward.cli.shared.ProgramVersion;
 
 /** Text of {@code --version}: the version in the jar's manifest, if the program runs from one. */
 final class Version implements IVersionProvider {
 
     @Override
     public String[] getVersion() {
-        String version = Version.class.getPackage().getImplementationVersion();
-        return new String[] {"steward " + (version == null ? "development" : version)};
+        return new String[] {"steward " + ProgramVersion.text()};
     }
 }

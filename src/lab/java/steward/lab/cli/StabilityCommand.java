@@ -1,6 +1,8 @@
 package steward.lab.cli;
 
 import java.nio.file.Path;
+import java.time.LocalDate;
+import java.time.ZoneOffset;
 import java.util.ArrayList;
 import java.util.Iterator;
 import java.util.LinkedHashMap;
@@ -14,6 +16,7 @@ import steward.cli.options.CallCheck;
 import steward.cli.options.TableFolder;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Games;
+import steward.cli.shared.ProgramVersion;
 import steward.cli.streams.Interruption;
 import steward.cli.streams.Json;
 import steward.cli.streams.ProgressLine;
@@ -24,7 +27,9 @@ import steward.lab.stability.GoldenHash;
 import steward.lab.stability.StabilityCases;
 import steward.lab.stability.StabilityFiles;
 import steward.lab.stability.StabilityRow;
+import steward.lab.stability.StabilityRun;
 import steward.lab.stability.StabilitySeconds;
+import steward.lab.timing.Machine;
 import steward.lab.trial.RunLength;
 import steward.lab.trial.Rung;
 import steward.lab.trial.StabilityCase;
@@ -71,7 +76,7 @@ public final class StabilityCommand implements Callable<Integer> {
     private Long impacts;
 
     @Option(names = "--out", paramLabel = "DIR", description = "Writes the table to " + StabilityFiles.CSV + " and "
-        + StabilityFiles.JSON + " in a folder too, row by row.")
+        + StabilityFiles.JSON + " in a folder too, row by row, and in the end a page with a picture.")
     private String out;
 
     @Mixin
@@ -125,13 +130,15 @@ public final class StabilityCommand implements Callable<Integer> {
             ProgressLine.announce(streams, TextFormat.about(progress.total()));
         }
         StabilityTable table = new StabilityTable(json ? streams.withoutOutput() : streams, progress);
+        StabilityRun run = new StabilityRun(size, LocalDate.now(ZoneOffset.UTC).toString(), ProgramVersion.text(),
+            Machine.line());
         if (out == null) {
-            return table(cases, rungs, size, table, null, "the rows so far are above");
+            return table(cases, rungs, run, table, null, "the rows so far are above");
         }
         Path folder = OutputFiles.path(out);
-        try (StabilityFiles files = tables.start(folder, StabilityFiles.ALL, List.of(),
-            () -> new StabilityFiles(folder, size))) {
-            return table(cases, rungs, size, table, files, "the rows so far are in " + folder);
+        try (StabilityFiles files = tables.start(folder, StabilityFiles.ALL,
+            StabilityFiles.ALL.subList(2, StabilityFiles.ALL.size()), () -> new StabilityFiles(folder, run))) {
+            return table(cases, rungs, run, table, files, "the rows so far are in " + folder);
         }
     }
 
@@ -172,12 +179,12 @@ public final class StabilityCommand implements Callable<Integer> {
         streams.out().println(StateHash.toHex(GoldenHash.total(parts)) + "  " + all);
     }
 
-    private int table(List<StabilityCase> cases, List<Rung> rungs, RunLength size, StabilityTable table,
+    private int table(List<StabilityCase> cases, List<Rung> rungs, StabilityRun run, StabilityTable table,
                       StabilityFiles files, String kept) {
         List<StabilityRow> rows = new ArrayList<>();
         try (Interruption interruption = new Interruption(streams,
             () -> kept + (table.unfinished().isEmpty() ? "" : "; unfinished: " + table.unfinished()))) {
-            StabilityRow.tryAll(cases, rungs, size, (each, rung) -> table.about(each.name(), rung.name()),
+            StabilityRow.tryAll(cases, rungs, run.length(), (each, rung) -> table.about(each.name(), rung.name()),
                 table::reached, row -> {
                     if (files != null) {
                         files.add(row);
@@ -185,10 +192,14 @@ public final class StabilityCommand implements Callable<Integer> {
                     table.add(row);
                     rows.add(row);
                 });
+            String problem = files == null ? null : files.finish();
+            if (problem != null) {
+                streams.warn("this Java cannot draw the picture: " + problem);
+            }
             interruption.over();
             boolean passed = table.end();
             if (json) {
-                Json.print(streams, to -> StabilityFiles.write(to, size, rows));
+                Json.print(streams, to -> StabilityFiles.write(to, run, rows));
             }
             return passed ? ExitStatus.DONE : ExitStatus.FAILED;
         }

@@ -7,7 +7,7 @@ import steward.lab.calibration.PartJob;
 import steward.lab.timing.RungJob;
 import steward.lab.timing.TimedTurns;
 import steward.lab.timing.TimingChild;
-import steward.lab.tradeoff.TradeoffWorlds;
+import steward.lab.tradeoff.GrazingPasses;
 import steward.physics.PhysicsParts;
 import steward.scene.SceneReader;
 
@@ -30,9 +30,9 @@ public final class TimingMain {
         return rung.open(parts(rung.scene()));
     }
 
-    /** @param scene a scene as JSON, or the name of a world */
+    /** @param scene a scene as JSON, or the name of the passes */
     private static PhysicsParts parts(String scene) {
         return scene.startsWith("{") ? Games.types().open(SceneReader.read(scene, "the scene")).physics()
-            : TradeoffWorlds.named(scene).parts();
+            : GrazingPasses.parts();
     }
 }

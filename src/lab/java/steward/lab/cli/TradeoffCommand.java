@@ -9,6 +9,7 @@ import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
+import steward.cli.options.CallCheck;
 import steward.cli.options.TableFolder;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Games;
@@ -40,11 +41,14 @@ import steward.text.TextFormat;
         "measured is kept."})
 public final class TradeoffCommand implements Callable<Integer> {
 
+    private static final int MOST_JVMS = 99;
+
     private final Streams streams;
+    private final CallCheck check = CallCheck.brief();
 
     @Option(names = "--scene", paramLabel = "FILE|NAME", completionCandidates = TradeoffScenes.Names.class,
         description = "Only this scene; can be repeated. A scene file, a "
-        + "shipped scene, or one of official-race, brawl, dense-box, gas, bullets, grazing; headings for what "
+        + "shipped scene, or one of official-race, brawl, grazing; headings for what "
         + "trigonometry costs.")
     private List<String> scenes = new ArrayList<>();
 
@@ -52,8 +56,12 @@ public final class TradeoffCommand implements Callable<Integer> {
         + "not be quoted.")
     private boolean quick;
 
+    @Option(names = "--jvms", paramLabel = "N", description = "Times each rung in so many JVMs, 1 to 99 (default: "
+        + TradeoffEffort.JVMS + "; with --quick 1). The time of a run grows with them.")
+    private Long jvms;
+
     @Option(names = "--out", paramLabel = "DIR", description = "Writes " + TradeoffReport.CSV + " and "
-        + TradeoffReport.JSON + " into a folder, scene by scene, and in the end a plot and a page that shows it.")
+        + TradeoffReport.JSON + " into a folder, scene by scene, and in the end pictures and a page that shows them.")
     private String out;
 
     @Option(names = "--json", description = "Prints one JSON object in place of the table, as --out writes it.")
@@ -93,6 +101,8 @@ public final class TradeoffCommand implements Callable<Integer> {
             return calibrate.run(streams, out, tables.overwrite());
         }
         tables.check(out);
+        check.range("--jvms", jvms, 1, MOST_JVMS);
+        check.exclusive("--quick", quick, "--jvms", jvms != null);
         boolean all = scenes.isEmpty();
         boolean headings = all || scenes.contains(TradeoffScenes.HEADINGS);
         List<TradeoffScene> chosen = all ? TradeoffScenes.all()
@@ -124,8 +134,12 @@ public final class TradeoffCommand implements Callable<Integer> {
         return LocalDate.now(ZoneOffset.UTC).toString();
     }
 
+    private int times() {
+        return jvms == null ? TradeoffEffort.JVMS : jvms.intValue();
+    }
+
     private void measure(List<TradeoffScene> chosen, boolean headings, TradeoffReport files) {
-        TradeoffEffort effort = quick ? TradeoffEffort.QUICK : TradeoffEffort.NORMAL;
+        TradeoffEffort effort = quick ? TradeoffEffort.QUICK : TradeoffEffort.normal(times());
         TradeoffTable table = new TradeoffTable(json ? streams.withoutOutput() : streams);
         List<TradeoffRow> all = new ArrayList<>();
         List<TradeoffHeadings> allHeadings = new ArrayList<>();
@@ -174,9 +188,9 @@ public final class TradeoffCommand implements Callable<Integer> {
     /** Returns how long each part takes, approximately. */
     private List<Double> seconds(List<TradeoffScene> chosen, boolean headings) {
         List<Double> seconds = new ArrayList<>();
-        chosen.forEach(scene -> seconds.add(TradeoffSeconds.of(scene.name(), quick)));
+        chosen.forEach(scene -> seconds.add(TradeoffSeconds.of(scene.name(), quick, times())));
         for (int k = 0; k < 2 && headings; k++) {
-            seconds.add(TradeoffSeconds.of(TradeoffScenes.HEADINGS, quick) / 2);
+            seconds.add(TradeoffSeconds.of(TradeoffScenes.HEADINGS, quick, times()) / 2);
         }
         return seconds;
     }

@@ -14,8 +14,8 @@ import steward.files.OutputFiles;
 import steward.game.GameSetup;
 import steward.game.Pilot;
 import steward.lab.calibration.SeededPlay;
+import steward.lab.tradeoff.GrazingPasses;
 import steward.lab.tradeoff.TradeoffScene;
-import steward.lab.tradeoff.TradeoffWorlds;
 import steward.physics.Bodies;
 import steward.physics.Motion;
 import steward.scene.SceneFiles;
@@ -42,24 +42,22 @@ final class TradeoffScenes {
     static final String HEADINGS = "headings";
 
     private static final String OFFICIAL = "mad-pod-racing";
-    private static final String WALLED = "walled-race";
+    /** The shipped scenes among its own; {@code bodies} of a box, a crowd, bullets, a pile and a bowl are files too. */
+    private static final List<String> SHIPPED = List.of("walled-race", "dense-box", "gas", "bullets", "avalanche",
+        "bowl");
     private static final long SEED = 4;
-    /** For up to 4 bodies that move; a crowd has fewer, because all pairs are scanned. */
-    private static final int STATES = 5000;
-    private static final int LEAST_STATES = 100;
-    private static final int FREE_RUNS = 9;
-    private static final int FREE_TURNS = 50;
-    private static final int STEPS = 1024;
+    /** Of a game without players every seventh turn gives a state, so that few states are from all of it. */
+    private static final int STRIDE = 7;
 
     private TradeoffScenes() {
     }
 
     /** All of its own scenes, in the order of the table. */
     static List<TradeoffScene> all() {
-        List<TradeoffScene> scenes = new ArrayList<>(List.of(named(RACE, Games::open), named(BRAWL, Games::open),
-            named(WALLED, Games::open)));
-        scenes.addAll(TradeoffWorlds.all());
-        return scenes;
+        List<String> words = new ArrayList<>(List.of(RACE, BRAWL));
+        words.addAll(SHIPPED);
+        words.add(GrazingPasses.NAME);
+        return of(words, Games::open);
     }
 
     /**
@@ -83,10 +81,8 @@ final class TradeoffScenes {
             return played(BRAWL, "states of four pods that all want the same checkpoint, official rules", setup,
                 Pilot.Aim.GATHER);
         }
-        for (TradeoffScene world : TradeoffWorlds.all()) {
-            if (world.name().equals(word)) {
-                return world;
-            }
+        if (word.equals(GrazingPasses.NAME)) {
+            return GrazingPasses.scene();
         }
         checkKnown(word);
         GameSetup setup = opener.apply(word);
@@ -95,8 +91,7 @@ final class TradeoffScenes {
 
     /** Refuses what is neither a name nor a file, and suggests similar names. */
     private static void checkKnown(String word) {
-        Set<String> known = new LinkedHashSet<>(List.of(RACE, BRAWL, HEADINGS));
-        TradeoffWorlds.all().forEach(world -> known.add(world.name()));
+        Set<String> known = new LinkedHashSet<>(List.of(RACE, BRAWL, GrazingPasses.NAME, HEADINGS));
         List<String> shipped = SceneFiles.shipped();
         known.addAll(shipped);
         boolean file = StandardFiles.is(word) || word.endsWith(".json") || word.contains("/")
@@ -115,10 +110,37 @@ final class TradeoffScenes {
         Motion motion = setup.motion();
         boolean rounds = motion.endsInWholeNumbers();
         int movable = movable(setup.create(SEED).bodies());
-        int states = Math.max(LEAST_STATES, (int) (STATES * Math.min(1, 16.0 / (movable * movable))));
+        Amount amount = Amount.of(movable);
         SeededPlay play = new SeededPlay(setup, setup.pilot(aim), SEED);
         return new TradeoffScene(name, about, setup.scene().json(), setup.physics(), rounds ? motion : null,
-            play::next, states, FREE_RUNS, FREE_TURNS, STEPS);
+            setup.scene().players() > 0 ? play::next : () -> sparse(play), amount.states, amount.freeRuns,
+            amount.freeTurns, amount.steps);
+    }
+
+    private static Bodies sparse(SeededPlay play) {
+        for (int turn = 1; turn < STRIDE; turn++) {
+            play.next();
+        }
+        return play.next();
+    }
+
+    /**
+     * How much of a scene is measured; less of a crowd, because the truth and the steps look at all pairs.
+     *
+     * @param steps most steps a turn
+     */
+    private record Amount(int states, int freeRuns, int freeTurns, int steps) {
+
+        private static final int FEW = 16;
+        private static final int SOME = 64;
+        private static final int MANY = 300;
+
+        static Amount of(int movable) {
+            return movable <= FEW ? new Amount(
+                Math.max(200, (int) (5000 * Math.min(1, 16.0 / (movable * movable)))), 9, 50, 1024)
+                : movable <= SOME ? new Amount(150, 5, 40, 1024)
+                : movable <= MANY ? new Amount(100, 3, 20, 256) : new Amount(20, 1, 10, 64);
+        }
     }
 
     private static int movable(Bodies bodies) {

@@ -1,6 +1,9 @@
 package steward.lab.oracle;
 
 import java.math.BigDecimal;
+import java.util.Collections;
+import java.util.Map;
+import java.util.WeakHashMap;
 import steward.physics.Arena;
 import steward.physics.HalfPlane;
 import steward.physics.Segment;
@@ -9,13 +12,17 @@ import steward.physics.Wall;
 /** Geometry of walls in the oracle's arithmetic: the unit vector from a body to the wall, and the gap between them. */
 final class OracleWallGeometry {
 
+    /** Normals of planes: a root for each body in each scan would cost more than all the rest. */
+    private static final Map<HalfPlane, BigDecimal[]> PLANES = Collections.synchronizedMap(new WeakHashMap<>());
+
     private OracleWallGeometry() {
     }
 
     /** Unit vector from the centre of the body to the wall; along x for a body in the middle of an arena. */
     static BigDecimal[] normal(OracleBody body, Wall wall) {
         if (wall instanceof HalfPlane plane) {
-            return unit(Decimals.of(-plane.insideX()), Decimals.of(-plane.insideY()));
+            return PLANES.computeIfAbsent(plane, any -> unit(Decimals.of(-plane.insideX()),
+                Decimals.of(-plane.insideY()))).clone();
         }
         if (wall instanceof Arena arena) {
             BigDecimal dx = body.x.subtract(Decimals.of(arena.x()));

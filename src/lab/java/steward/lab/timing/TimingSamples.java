@@ -6,10 +6,6 @@ import steward.numerics.Median;
 /** The measured rounds of some kinds of turns, and what is said of them: medians, and ratios of the same medians. */
 public final class TimingSamples {
 
-    /** Four rounds in five lie between {@link #low} and {@link #high}. */
-    private static final double LOW = 0.1;
-    private static final double HIGH = 0.9;
-
     private final double[][][] nanos;
     private final double[] bytes;
     private int unsteady;
@@ -54,19 +50,14 @@ public final class TimingSamples {
         return Median.of(all(job));
     }
 
-    /** One round in ten is faster than this, in nanoseconds a turn. */
-    public double low(int job) {
-        return quantile(all(job), LOW);
-    }
-
-    /** One round in ten is slower than this, in nanoseconds a turn. */
-    public double high(int job) {
-        return quantile(all(job), HIGH);
-    }
-
     /** The time of a turn as a multiple of another kind's: of the medians. */
     public double ratio(int job, int other) {
         return median(job) / median(other);
+    }
+
+    /** Nanoseconds of a turn in each repeat: the median of its rounds. */
+    public double[] medians(int job) {
+        return perRepeat(all -> all[job]);
     }
 
     /**
@@ -102,13 +93,5 @@ public final class TimingSamples {
             medians[repeat] = Median.of(values);
         }
         return medians;
-    }
-
-    /** Between the two nearest of the sorted values. */
-    static double quantile(double[] sorted, double share) {
-        double place = share * (sorted.length - 1);
-        int below = (int) Math.floor(place);
-        int above = Math.min(sorted.length - 1, below + 1);
-        return sorted[below] + (place - below) * (sorted[above] - sorted[below]);
     }
 }

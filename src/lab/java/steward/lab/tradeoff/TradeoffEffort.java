@@ -11,10 +11,20 @@ import steward.lab.timing.TimingEffort;
  */
 public record TradeoffEffort(double share, TimingEffort timing, int podTurns) {
 
-    /** Takes some minutes. */
-    public static final TradeoffEffort NORMAL = new TradeoffEffort(1, TimingEffort.NORMAL, 10_000_000);
+    /** How many JVMs time each rung: enough to see in which states its compiler settles. */
+    public static final int JVMS = 7;
+
+    private static final int ROUNDS = 5;
+
     /** Takes some seconds a scene; its figures may not be quoted. */
     public static final TradeoffEffort QUICK = new TradeoffEffort(0.05, TimingEffort.QUICK, 200_000);
+
+    /** @param jvms how many time each rung */
+    public static TradeoffEffort normal(int jvms) {
+        TimingEffort usual = TimingEffort.NORMAL;
+        return new TradeoffEffort(1, new TimingEffort(jvms, ROUNDS, usual.round(), usual.warmLeast(),
+            usual.warmMost()), 10_000_000);
+    }
 
     /** A scene's count at this effort, but not below the given least. */
     int of(int count, int least) {

@@ -68,10 +68,11 @@ final class TradeoffErrors {
         return states;
     }
 
+    /** @param ratios of the cost: that of the middle JVMs, the least, the greatest */
     TradeoffRow row(String scene, String rung, long impacts, TimingSamples samples, TradeoffRow.Cost cost,
-                    double ratio, int freeTurns, int freeBound, boolean onFront) {
-        return new TradeoffRow(scene, rung, states, impacts, samples.repeats(), samples.rounds(), cost, ratio,
-            quantile(0.5), quantile(0.99), quantile(1), missed, invented, energy, freeTurns, freeBound, differing,
-            compared, onFront);
+                    double[] ratios, int freeTurns, int freeBound, boolean onFront) {
+        return new TradeoffRow(scene, rung, states, impacts, samples.repeats(), samples.rounds(), cost, ratios[0],
+            ratios[1], ratios[2], quantile(0.5), quantile(0.99), quantile(1), missed, invented, energy, freeTurns,
+            freeBound, differing, compared, onFront);
     }
 }

@@ -90,13 +90,16 @@ public final class TradeoffMeasurement {
 
     private List<TradeoffRow> rows(List<TradeoffErrors> errors, TimingSamples samples, long impacts, int[] free) {
         TradeoffRow.Cost[] cost = new TradeoffRow.Cost[errors.size()];
+        double[][] jvms = new double[cost.length][];
         double[] nanos = new double[cost.length];
         double[] off = new double[cost.length];
         int usual = ladder.stream().map(Accuracy::text).toList().indexOf(TradeoffRow.DEFAULT_RUNG);
         for (int r = 0; r < cost.length; r++) {
             long computed = errors.get(r).computed();
-            nanos[r] = samples.median(r);
-            cost[r] = new TradeoffRow.Cost(nanos[r], samples.low(r), samples.high(r),
+            jvms[r] = samples.medians(r);
+            double[] sorted = Arrays.stream(jvms[r]).sorted().toArray();
+            nanos[r] = sorted[(sorted.length - 1) / 2];
+            cost[r] = new TradeoffRow.Cost(nanos[r], sorted[0], sorted[sorted.length - 1],
                 computed == 0 ? Double.NaN : nanos[r] * errors.get(r).states() / computed, samples.bytes(r));
             off[r] = errors.get(r).quantile(0.99);
         }
@@ -104,9 +107,19 @@ public final class TradeoffMeasurement {
         List<TradeoffRow> rows = new ArrayList<>();
         for (int r = 0; r < cost.length; r++) {
             rows.add(errors.get(r).row(scene.name(), ladder.get(r).text(), impacts, samples, cost[r],
-                nanos[r] / nanos[usual], free[r], freeTurns, front[r]));
+                ratios(nanos[r] / nanos[usual], jvms[r], jvms[usual]), free[r], freeTurns, front[r]));
         }
         return rows;
+    }
+
+    /** With the range over the JVMs that were measured in the same rounds. */
+    private static double[] ratios(double middle, double[] nanos, double[] usual) {
+        double[] ratios = {middle, middle, middle};
+        for (int jvm = 0; jvm < nanos.length; jvm++) {
+            ratios[1] = Math.min(ratios[1], nanos[jvm] / usual[jvm]);
+            ratios[2] = Math.max(ratios[2], nanos[jvm] / usual[jvm]);
+        }
+        return ratios;
     }
 
     private int[] freeRuns(List<Bodies> starts, List<Advance> rungs, Runnable step) {

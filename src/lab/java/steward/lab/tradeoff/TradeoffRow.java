@@ -8,9 +8,11 @@ package steward.lab.tradeoff;
  * @param states      how many starting states, of a turn each
  * @param impacts     true impacts in all these turns
  * @param jvms        how many JVMs have timed it, one after the other
- * @param rounds      of timing in all of them, whose median the cost is
+ * @param rounds      of timing in all of them
  * @param cost        what a turn costs
- * @param costRatio   the time of a turn as a multiple of that of {@code event/double}: the ratio of the medians
+ * @param costRatio   the time of a turn as a multiple of that of {@code event/double}
+ * @param ratioLow    the least ratio of two JVMs that were measured in the same rounds
+ * @param ratioHigh   the greatest
  * @param median      position error after one turn, in u: half of the turns have at most this error
  * @param most99      99% of the turns have at most this error
  * @param worst       the largest error of a turn
@@ -25,22 +27,23 @@ package steward.lab.tradeoff;
  * @param onFront     whether no rung of the scene is both cheaper and more accurate (by {@code most99})
  */
 public record TradeoffRow(String scene, String rung, int states, long impacts, int jvms, int rounds,
-                          Cost cost, double costRatio, double median, double most99, double worst, long missed,
-                          long invented, double energyError, int freeTurns, int freeBound, long differing,
-                          long compared, boolean onFront) {
+                          Cost cost, double costRatio, double ratioLow, double ratioHigh, double median,
+                          double most99, double worst, long missed, long invented, double energyError, int freeTurns,
+                          int freeBound, long differing, long compared, boolean onFront) {
 
-    /** The demand by which a rung is chosen for pages and pictures: 99% of the turns are off by at most so many u. */
+    /** Part of the demand by which a rung is chosen: 99% of the turns are off by at most so many u. */
     public static final double DEMAND = 0.01;
 
     /** The rung that the others' cost is compared with. */
     public static final String DEFAULT_RUNG = "event/double";
 
     /**
-     * Cost of a turn.
+     * Cost of a turn. A JVM's time is the median of its rounds; there is none over JVMs, whose compilers settle in
+     * different states: the middle one stands for them, beside the range.
      *
-     * @param nanosPerTurn   of the thread's CPU, the median of the rounds
-     * @param low            one round in ten is faster than this
-     * @param high           one round in ten is slower than this
+     * @param nanosPerTurn   of the thread's CPU, in the JVM that is in the middle
+     * @param low            in the fastest JVM
+     * @param high           in the slowest JVM
      * @param nanosPerImpact the same by the impacts that the rung computes; NaN if there are none
      * @param bytesPerTurn   allocated; NaN where the JVM does not provide it
      */

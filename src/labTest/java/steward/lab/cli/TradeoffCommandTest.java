@@ -160,4 +160,25 @@ class TradeoffCommandTest {
         }
         assertTrue(spread[1] < spread[0] / 2, spread[1] + " against " + spread[0]);
     }
+
+    /** States of the shipped bodies are from all of a game, without an overlap, and within their walls. */
+    @Test
+    void statesOfBodiesBeginApart() {
+        for (TradeoffScene scene : TradeoffScenes.of(List.of("dense-box", "gas", "bullets", "bowl", "avalanche"),
+            Games::open)) {
+            Bodies bodies = scene.source().get();
+            bodies = scene.source().get();
+            for (int i = 0; i < bodies.size(); i++) {
+                double x = bodies.x[i];
+                double y = bodies.y[i];
+                double radius = bodies.radius[i];
+                assertTrue(scene.parts().walls().stream().allMatch(wall -> wall.gap(x, y, radius) > -1e-9),
+                    scene.name());
+                for (int j = 0; j < i; j++) {
+                    double touch = radius + bodies.radius[j];
+                    assertTrue(Math.hypot(x - bodies.x[j], y - bodies.y[j]) > touch * (1 - 1e-9), scene.name());
+                }
+            }
+        }
+    }
 }

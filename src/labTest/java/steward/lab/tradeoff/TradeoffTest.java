@@ -3,7 +3,6 @@ package steward.lab.tradeoff;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
-import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -116,6 +115,7 @@ class TradeoffTest {
             assertEquals(3, row.rounds());
             assertEquals(1, row.jvms());
             assertEquals(row.cost().nanosPerTurn() / usual, row.costRatio());
+            assertTrue(row.ratioLow() <= row.costRatio() && row.costRatio() <= row.ratioHigh(), row.toString());
             assertTrue(row.cost().low() <= row.cost().nanosPerTurn() && row.cost().nanosPerTurn() <= row.cost().high(),
                 row.toString());
             assertTrue(row.cost().nanosPerTurn() > 0 && row.costRatio() > 0, row.toString());
@@ -167,28 +167,10 @@ class TradeoffTest {
         assertTrue(axis.differing() > 50 && axis.differing() < 1000, axis.toString());
     }
 
-    /** The worlds of the lab have states without an overlap and within their walls. */
-    @Test
-    void statesOfTheWorldsBeginApart() {
-        for (TradeoffScene world : TradeoffWorlds.all()) {
-            Bodies bodies = world.source().get();
-            for (int i = 0; i < bodies.size(); i++) {
-                int body = i;
-                assertTrue(world.parts().walls().stream().allMatch(wall -> wall.gap(bodies.x[body], bodies.y[body],
-                    bodies.radius[body]) > -1e-9), world.name());
-                for (int j = 0; j < i; j++) {
-                    double dx = bodies.x[i] - bodies.x[j];
-                    double dy = bodies.y[i] - bodies.y[j];
-                    double touch = bodies.radius[i] + bodies.radius[j];
-                    assertTrue(Math.sqrt(dx * dx + dy * dy) > touch * (1 - 1e-9), world.name());
-                }
-            }
-        }
-    }
-
     private static TradeoffRow made(String scene, String rung, double nanos, double error, boolean front) {
         return new TradeoffRow(scene, rung, 100, 50, 3, 21,
-            new TradeoffRow.Cost(nanos, nanos - 1, nanos + 2, Double.NaN, 0), nanos / 80, 0, error, error,
+            new TradeoffRow.Cost(nanos, nanos - 1, nanos + 2, Double.NaN, 0), nanos / 80,
+            (nanos - 1) / 80, (nanos + 1) / 80, 0, error, error,
             rung.equals("event/exact") ? 0 : 2, 1, 1e-16, 9, 8, 3, 400, front);
     }
 
@@ -235,25 +217,42 @@ class TradeoffTest {
             files.finish();
         }
         BufferedImage picture = ImageIO.read(folder.resolve("tradeoff.png").toFile());
-        assertNotNull(picture);
-        assertTrue(picture.getWidth() > 1000, "width " + picture.getWidth());
-        assertTrue(Files.readString(folder.resolve("tradeoff.svg")).contains("<svg"), "a drawing");
+        BufferedImage all = ImageIO.read(folder.resolve("tradeoff-scenes.png").toFile());
+        assertEquals(1000, picture.getWidth(), "a column that a phone shows as it is");
+        assertEquals(1000, all.getWidth());
+        assertTrue(all.getHeight() > picture.getHeight() + 700, "a panel more");
+        assertTrue(Files.readString(folder.resolve("tradeoff-scenes.svg")).contains("<svg"), "a drawing");
         String page = Files.readString(folder.resolve("tradeoff.md"));
         assertTrue(page.contains("on 2030-01-02: a machine."), page);
-        assertTrue(page.contains(" srcset=\"tradeoff-dark.png\"><img alt=\"Position error against cost\" "
-            + "src=\"tradeoff.png\"></picture>\n"), page);
-        assertTrue(page.contains("0.88 times the cost of `event/double` on a race turn, and 3 of 400 pod-turns"), page);
-        assertTrue(page.contains("of 100 passes at a hair's breadth it got 1 wrong, `event/compensated` 3"), page);
-        assertTrue(page.contains("`step/1`: 0.50 times the cost"), page);
+        assertTrue(page.contains(" srcset=\"tradeoff-scenes-dark.png\"><img alt=\"Error against cost, a panel a scene\" "
+            + "src=\"tradeoff-scenes.png\"></picture>\n"), page);
+        assertTrue(page.contains("for 0.86 - 0.89 times the cost of `double` on a race turn, and 3 of 400 pod-turns"),
+            page);
+        assertTrue(page.contains("`step/1`: 0.49 - 0.51 times the cost"), page);
         assertTrue(page.contains("than any rung with exact times: `step/1` on official-race, "
             + "`step/1` on grazing."), page);
         assertTrue(page.contains("30.0 ns instead of 90.0 ns a pod's turn"), page);
         assertTrue(page.contains("7 in 1,000,000 pod-turns at random headings (a share of 7.0e-06) but of 0.20%"),
             page);
-        assertFalse(page.contains("Any other scene"), "in a race it missed or invented 3 of 50 impacts");
-        assertTrue(page.contains("\n4. ") && !page.contains("\n5. "), page);
+        assertFalse(page.contains("The default"), "in a race it missed or invented 3 of 50 impacts");
+        assertTrue(page.contains("\n5. ") && !page.contains("\n6. "), page);
         assertEquals(12, page.lines()
             .filter(line -> line.startsWith("| step/") || line.startsWith("| event/")).count());
+    }
+
+    /** A name that is longer than a line is shown whole, in several. */
+    @Test
+    void aLongTitleIsNotCutOff() throws IOException {
+        int[] heights = new int[2];
+        for (int k = 0; k < 2; k++) {
+            Path own = Files.createDirectory(folder.resolve("own" + k));
+            try (TradeoffReport files = new TradeoffReport(own, "a machine", "2030-01-02")) {
+                files.add(ladder(k == 0 ? "mine" : "two hundred discs in a bowl with two walls, " + "x".repeat(120)));
+                files.finish();
+            }
+            heights[k] = ImageIO.read(own.resolve("tradeoff.png").toFile()).getHeight();
+        }
+        assertTrue(heights[1] > heights[0], heights[1] + " against " + heights[0]);
     }
 
     /** Files of made rows in the folder that is named, as another process would write them. */
@@ -274,15 +273,15 @@ class TradeoffTest {
         String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
         assertEquals(0, process.waitFor(), said);
         assertEquals("null", said.strip());
-        assertTrue(Files.size(folder.resolve("tradeoff.svg")) > 0 && Files.size(folder.resolve("tradeoff.png")) > 0);
+        assertTrue(Files.size(folder.resolve("tradeoff-scenes.svg")) > 0 && Files.size(folder.resolve("tradeoff.png")) > 0);
     }
 
     @Test
     void aRunOfOneSceneSaysWhatItCan() {
         String page = TradeoffPage.text(new TradeoffResult("a machine", "2030-01-02", ladder("my scene"), List.of()));
         assertTrue(page.contains("### my scene"), page);
-        assertFalse(page.contains("\n1. "), page);
-        assertFalse(page.contains("How to choose"), page);
+        assertTrue(page.contains("| none | | | | | `steward tradeoff --quick --scene my-scene.json` |"), page);
+        assertFalse(page.contains("The default"), page);
         assertFalse(page.contains("### Headings"), page);
         assertNull(new TradeoffResult("", "", List.of(), List.of()).row("a", "b"));
     }

@@ -8,6 +8,7 @@ import picocli.CommandLine.Option;
 import steward.cli.league.run.RunCommand;
 import steward.cli.league.run.Serving;
 import steward.cli.options.CallCheck;
+import steward.cli.shared.ProgramVersion;
 import steward.contest.Contest;
 import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;

@@ -19,6 +19,7 @@ import steward.cli.options.SandboxOptions;
 import steward.cli.options.ThreadsOption;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Games;
+import steward.cli.shared.ProgramVersion;
 import steward.cli.streams.Interruption;
 import steward.cli.streams.Streams;
 import steward.files.InputException;

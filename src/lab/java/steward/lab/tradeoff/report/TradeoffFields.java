@@ -40,7 +40,9 @@ final class TradeoffFields {
         new Field("freeBound", TradeoffRow::freeBound),
         new Field("integersDiffering", TradeoffRow::differing),
         new Field("integersCompared", TradeoffRow::compared),
-        new Field("onFront", TradeoffRow::onFront));
+        new Field("onFront", TradeoffRow::onFront),
+        new Field("ratioLow", TradeoffRow::ratioLow),
+        new Field("ratioHigh", TradeoffRow::ratioHigh));
 
     private TradeoffFields() {
     }

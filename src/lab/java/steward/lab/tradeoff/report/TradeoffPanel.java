@@ -5,6 +5,7 @@ import java.awt.Color;
 import java.awt.Font;
 import java.math.BigDecimal;
 import java.math.MathContext;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import org.knowm.xchart.AnnotationText;
@@ -14,6 +15,8 @@ import org.knowm.xchart.XYSeries;
 import org.knowm.xchart.style.XYStyler;
 import org.knowm.xchart.style.markers.Marker;
 import org.knowm.xchart.style.markers.SeriesMarkers;
+import steward.lab.chart.ChartColours;
+import steward.lab.chart.ChartFiles;
 import steward.lab.tradeoff.TradeoffResult;
 import steward.lab.tradeoff.TradeoffRow;
 
@@ -23,37 +26,39 @@ final class TradeoffPanel {
     /** An error of 0, and any smaller one, is drawn here: there is no zero on a logarithmic axis. In u. */
     static final double FLOOR = 1e-15;
 
+    private static final String STEP = "step/";
     private static final double MOST = 1e9;
-    /** Rungs that cost more than so many times the usual one are left out: their errors are known from the others. */
-    static final double MOST_COST = 30;
-    private static final int MARK = 6;
+    private static final int MARK = 7;
     private static final float THIN = 0.8f;
     private static final float BAR = 2.4f;
-    private static final Font SMALL = new Font(Font.SANS_SERIF, Font.PLAIN, 11);
+    private static final int LETTERS = 12;
+    /** Steps have their number so many decades above and below their mark, in turn. */
+    private static final double NUMBER_OFF = 0.9;
     /**
-     * Names stand right of all marks with exact times, at this share of the axis, so many decades above or below their
-     * mark, and below the marks of steps.
+     * Names of rungs with exact times stand one under the other, at this share of the axis, below the marks of steps:
+     * the first at this error, each next one so many decades lower.
      */
-    private static final double NAMES_AT = 0.76;
+    private static final double NAMES_AT = 0.8;
+    private static final double FIRST_NAME = -5.5;
+    private static final double NEXT_NAME = -2.2;
     /** About half the width of a letter, as a share of the axis. */
-    private static final double HALF_LETTER = 0.0125;
-    private static final double NAME_OFF = 1.4;
-    private static final double HIGHEST_NAME = -2.8;
+    private static final double HALF_LETTER = 0.009;
     /** How far apart ticks are, about, in pixels. */
     private static final int TICKS = 110;
 
     private final XYChart chart;
-    private final TradeoffColours colours;
+    private final ChartColours colours;
     private final Axes axes;
 
     /** The range of all panels, in decades: XChart's logarithmic axes draw too many lines for this many decades. */
     record Axes(double least, double most, double lowest, double highest) {
 
         static Axes of(List<TradeoffRow> rows) {
-            double least = rows.stream().mapToDouble(row -> cost(row, row.cost().low())).min().orElse(0);
+            double least = rows.stream().mapToDouble(row -> Math.log10(row.ratioLow())).min().orElse(0);
+            double most = rows.stream().mapToDouble(row -> Math.log10(row.ratioHigh())).max().orElse(0);
             double highest = rows.stream().mapToDouble(TradeoffPanel::error).max().orElse(0);
-            return new Axes(Math.min(-1, Math.floor(least)), Math.log10(MOST_COST), Math.log10(FLOOR) - 0.5,
-                Math.ceil(highest));
+            return new Axes(Math.min(-0.5, least - 0.1), Math.max(1.5, most + 0.1), Math.log10(FLOOR) - 0.5,
+                Math.ceil(highest) + 1);
         }
 
         /** The place at a share of the way along the cost. */
@@ -62,26 +67,25 @@ final class TradeoffPanel {
         }
     }
 
-    private TradeoffPanel(XYChart chart, Axes axes, TradeoffColours colours) {
+    private TradeoffPanel(XYChart chart, Axes axes, ChartColours colours) {
         this.chart = chart;
         this.axes = axes;
         this.colours = colours;
     }
 
-    static XYChart of(TradeoffResult result, String scene, Axes axes, TradeoffColours colours) {
-        TradeoffRow usual = result.row(scene, TradeoffRow.DEFAULT_RUNG);
-        XYChart chart = new XYChartBuilder().width(1).height(1).title(scene
-            + (usual == null ? "" : " (" + TradeoffPage.time(usual.cost().nanosPerTurn()) + ")")).build();
+    static XYChart of(TradeoffResult result, String scene, Axes axes, ChartColours colours) {
+        XYChart chart = new XYChartBuilder().width(1).height(1).xAxisTitle("cost of a turn, times that of double")
+            .yAxisTitle("error of 99% of the turns, in u").build();
         TradeoffPanel panel = new TradeoffPanel(chart, axes, colours);
         panel.style(chart.getStyler());
-        List<TradeoffRow> rows = result.of(scene).stream().filter(row -> row.costRatio() <= MOST_COST).toList();
+        List<TradeoffRow> rows = result.of(scene);
         double demand = Math.log10(TradeoffRow.DEMAND);
         panel.line("demand", axes.least, demand, axes.most, demand, colours.ink())
             .setLineStyle(new BasicStroke(THIN, BasicStroke.CAP_BUTT, BasicStroke.JOIN_MITER, 10, new float[] {3, 3},
                 0));
-        panel.names(usual, result.chosen(scene));
+        panel.names(rows, result.chosen(scene));
         for (TradeoffRow row : rows) {
-            panel.line("spread " + row.rung(), cost(row, row.cost().low()), error(row), cost(row, row.cost().high()),
+            panel.line("spread " + row.rung(), Math.log10(row.ratioLow()), error(row), Math.log10(row.ratioHigh()),
                 error(row), panel.colour(row)).setLineStyle(new BasicStroke(BAR));
         }
         panel.points("steps", rows.stream().filter(TradeoffPanel::isStep).toList(), colours.steps(),
@@ -91,24 +95,24 @@ final class TradeoffPanel {
         return chart;
     }
 
-    /** The name of the rung with the larger error stands above its mark, that of the other below. */
-    private void names(TradeoffRow usual, TradeoffRow chosen) {
-        if (usual != null) {
-            boolean above = chosen == null || error(usual) >= error(chosen);
-            name(usual, usual == chosen ? ", chosen" : "", above);
+    /** Names of exact times are in the order of their errors, so that few of their lines cross. */
+    private void names(List<TradeoffRow> rows, TradeoffRow chosen) {
+        double y = FIRST_NAME;
+        for (TradeoffRow row : rows.stream().filter(row -> !isStep(row)).sorted(Comparator.comparingDouble(
+                TradeoffPanel::error).reversed().thenComparing(TradeoffPanel::cost, Comparator.reverseOrder()))
+                .toList()) {
+            String name = TradeoffAdvice.shortName(row) + (row == chosen ? ", chosen" : "");
+            line("leader " + row.rung(), cost(row), error(row), axes.at(NAMES_AT - HALF_LETTER * (1 + name.length())),
+                y, colours.faint()).setLineStyle(new BasicStroke(THIN));
+            chart.addAnnotation(new AnnotationText(name, axes.at(NAMES_AT), y, false));
+            y += NEXT_NAME;
         }
-        if (chosen != null && chosen != usual) {
-            name(chosen, ", chosen", usual == null || error(chosen) > error(usual));
+        double off = NUMBER_OFF;
+        for (TradeoffRow row : rows.stream().filter(TradeoffPanel::isStep).toList()) {
+            chart.addAnnotation(new AnnotationText(row.rung().replace(STEP, "") + (row == chosen ? ", chosen" : ""),
+                cost(row), error(row) + off, false));
+            off = -off;
         }
-    }
-
-    private void name(TradeoffRow row, String more, boolean above) {
-        double y = above ? Math.min(HIGHEST_NAME, error(row) + NAME_OFF)
-            : Math.max(Math.log10(FLOOR), error(row) - NAME_OFF);
-        String name = row.rung().replace("event/", "") + more;
-        line("leader " + row.rung(), cost(row, row.cost().nanosPerTurn()), error(row),
-            axes.at(NAMES_AT - HALF_LETTER * name.length()), y, colours.faint()).setLineStyle(new BasicStroke(THIN));
-        chart.addAnnotation(new AnnotationText(name, axes.at(NAMES_AT), y, false));
     }
 
     private XYSeries line(String name, double x1, double y1, double x2, double y2, Color colour) {
@@ -120,7 +124,7 @@ final class TradeoffPanel {
     private void points(String name, List<TradeoffRow> rows, Color colour, Marker marker) {
         if (!rows.isEmpty()) {
             XYSeries points = chart.addSeries(name, rows.stream()
-                .mapToDouble(row -> cost(row, row.cost().nanosPerTurn())).toArray(),
+                .mapToDouble(TradeoffPanel::cost).toArray(),
                 rows.stream().mapToDouble(TradeoffPanel::error).toArray());
             points.setMarker(marker).setMarkerColor(colour);
             points.setXYSeriesRenderStyle(XYSeries.XYSeriesRenderStyle.Scatter);
@@ -132,7 +136,7 @@ final class TradeoffPanel {
     }
 
     private static boolean isStep(TradeoffRow row) {
-        return row.rung().startsWith("step/");
+        return row.rung().startsWith(STEP);
     }
 
     /** In decades. */
@@ -140,27 +144,16 @@ final class TradeoffPanel {
         return Math.log10(Math.max(FLOOR, Math.min(row.most99(), MOST)));
     }
 
-    /** A time of the row as a multiple of the time of the usual rung, in decades. */
-    private static double cost(TradeoffRow row, double nanos) {
-        return Math.log10(row.costRatio() * nanos / row.cost().nanosPerTurn());
+    /** In decades. */
+    private static double cost(TradeoffRow row) {
+        return Math.log10(row.costRatio());
     }
 
     private void style(XYStyler style) {
-        style.setChartBackgroundColor(colours.background());
-        style.setPlotBackgroundColor(colours.background());
-        style.setPlotBorderColor(colours.grid());
-        style.setChartFontColor(colours.ink());
-        style.setAxisTickLabelsColor(colours.ink());
-        style.setAxisTickMarksColor(colours.grid());
-        style.setChartTitleFont(new Font(Font.SANS_SERIF, Font.BOLD, 13));
-        style.setChartTitleBoxVisible(false);
-        style.setAxisTickLabelsFont(SMALL);
-        style.setAnnotationTextFont(SMALL);
+        ChartFiles.style(style, colours, LETTERS);
+        style.setAnnotationTextFont(ChartFiles.font(Font.PLAIN, LETTERS));
         style.setAnnotationTextFontColor(colours.ink());
         style.setLegendVisible(false);
-        style.setPlotGridLinesColor(colours.grid());
-        style.setPlotGridLinesStroke(new BasicStroke(THIN));
-        style.setChartPadding(4);
         style.setXAxisMin(axes.least);
         style.setXAxisMax(axes.most);
         style.setYAxisMin(axes.lowest);

@@ -18,8 +18,8 @@ import tools.jackson.core.JsonGenerator;
 
 /**
  * The trade-off in files. {@code tradeoff.csv} grows by the rows of each scene, {@code tradeoff.json} is replaced by
- * one with them: both are whole after each scene, so that an interrupted run leaves what was measured. The plot and the
- * page that shows it come last.
+ * one with them: both are whole after each scene, so that an interrupted run leaves what was measured. The pictures and
+ * the page that shows them come last.
  */
 public final class TradeoffReport implements AutoCloseable {
 
@@ -31,7 +31,7 @@ public final class TradeoffReport implements AutoCloseable {
     public static final String PAGE = "tradeoff.md";
     /** All files that a run writes. */
     public static final List<String> ALL = List.of(CSV, JSON, TradeoffPlot.SVG, TradeoffPlot.DARK_SVG,
-        TradeoffPlot.PNG, TradeoffPlot.DARK_PNG, PAGE);
+        TradeoffPlot.PNG, TradeoffPlot.DARK_PNG, TradeoffPlot.ALL_PNG, TradeoffPlot.ALL_DARK_PNG, PAGE);
 
     private final Path folder;
     private final String machine;

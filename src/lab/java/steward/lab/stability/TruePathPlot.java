@@ -1,0 +1,120 @@
+package steward.lab.stability;
+
+import java.awt.Color;
+import java.awt.Font;
+import java.awt.Graphics2D;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import org.knowm.xchart.CategoryChart;
+import org.knowm.xchart.CategoryChartBuilder;
+import org.knowm.xchart.style.CategoryStyler;
+import steward.lab.chart.ChartColours;
+import steward.lab.chart.ChartFiles;
+import steward.lab.chart.Drawing;
+import steward.lab.stability.crowds.TruePathCase;
+import steward.lab.stability.crowds.TruePathCase.Figure;
+
+/** Draws how long a path is true, by the rung and the number of bodies. */
+final class TruePathPlot implements Drawing {
+
+    /** The picture for light and for dark pages. */
+    static final String PNG = "true-path.png";
+    static final String DARK_PNG = "true-path-dark.png";
+
+    private static final int WIDTH = 520;
+    private static final int CHART = 340;
+    private static final int LINE = 22;
+    private static final int SQUARE = 12;
+    private static final int PLACE = 130;
+    private static final int LEFT = 60;
+    private static final int LETTERS = 13;
+    private static final double LABELS = 1.06;
+    private static final double FILLED = 0.9;
+    private static final double ABOVE = 1.15;
+
+    private final List<StabilityRow> rows;
+
+    private TruePathPlot(List<StabilityRow> rows) {
+        this.rows = rows;
+    }
+
+    /** The rows of the case among others. */
+    static List<StabilityRow> of(List<StabilityRow> all) {
+        return all.stream().filter(row -> row.name().equals(TruePathCase.NAME)
+            && !TruePathCase.figures(row.seen()).isEmpty()).toList();
+    }
+
+    /**
+     * Writes both pictures into a folder, replacing older ones; nothing if the case was not run.
+     *
+     * @throws IOException if one cannot be written
+     */
+    static void write(List<StabilityRow> all, Path folder) throws IOException {
+        if (!of(all).isEmpty()) {
+            for (ChartColours colours : ChartColours.both()) {
+                ChartFiles.png(new TruePathPlot(of(all)), colours, folder.resolve(colours.isDark() ? DARK_PNG : PNG));
+            }
+        }
+    }
+
+    @Override
+    public int width() {
+        return WIDTH;
+    }
+
+    @Override
+    public int height() {
+        return CHART + LINE * (1 + (rows.size() - 1) / perLine()) + LINE / 2;
+    }
+
+    @Override
+    public void paint(Graphics2D pen, ChartColours colours) {
+        CategoryChart chart = new CategoryChartBuilder().width(WIDTH).height(CHART)
+            .xAxisTitle("discs in a box").yAxisTitle("true impacts of each disc").build();
+        style(chart.getStyler(), colours);
+        double most = 1;
+        for (int k = 0; k < rows.size(); k++) {
+            List<Figure> figures = TruePathCase.figures(rows.get(k).seen());
+            Color colour = colours.bars().get(k % colours.bars().size());
+            chart.addSeries(rows.get(k).rung(), figures.stream().map(Figure::discs).map(String::valueOf).toList(),
+                figures.stream().map(Figure::each).toList()).setFillColor(colour);
+            most = Math.max(most, figures.stream().mapToInt(Figure::each).max().orElse(0));
+        }
+        chart.getStyler().setYAxisMax(ABOVE * most);
+        chart.paint(pen, WIDTH, CHART);
+        legend(pen, colours);
+    }
+
+    private static int perLine() {
+        return (WIDTH - LEFT) / PLACE;
+    }
+
+    /** That of XChart is cut off where its names do not fit into a line. */
+    private void legend(Graphics2D pen, ChartColours colours) {
+        pen.setFont(ChartFiles.font(Font.PLAIN, LETTERS));
+        for (int k = 0; k < rows.size(); k++) {
+            int x = LEFT + k % perLine() * PLACE;
+            int y = CHART + (1 + k / perLine()) * LINE;
+            pen.setColor(colours.bars().get(k % colours.bars().size()));
+            pen.fillRect(x, y - SQUARE, SQUARE, SQUARE);
+            pen.setColor(colours.ink());
+            pen.drawString(rows.get(k).rung(), x + SQUARE + SQUARE / 2, y);
+        }
+    }
+
+    private static void style(CategoryStyler style, ChartColours colours) {
+        ChartFiles.style(style, colours, LETTERS);
+        style.setLegendVisible(false);
+        style.setAvailableSpaceFill(FILLED);
+        style.setLabelsVisible(true);
+        style.setLabelsPosition(LABELS);
+        style.setLabelsFont(ChartFiles.font(Font.PLAIN, LETTERS - 2));
+        style.setLabelsFontColorAutomaticEnabled(false);
+        style.setLabelsFontColor(colours.ink());
+        style.setPlotGridVerticalLinesVisible(false);
+        style.setYAxisMin(0.0);
+        style.setLocale(Locale.ROOT);
+    }
+}

@@ -1,0 +1,114 @@
+package steward.lab.stability;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import steward.lab.stability.crowds.TruePathCase;
+import steward.lab.stability.crowds.TruePathCase.Figure;
+import steward.lab.trial.Finding;
+import steward.lab.trial.RunLength;
+import steward.lab.trial.Rung;
+import steward.lab.trial.StabilityCase;
+
+/**
+ * Published results of the extreme cases, in {@code docs}: page and table are of one whole run. A page that was changed
+ * by hand fails: {@code steward stability --out docs --overwrite} makes it anew. How the page must be is left in {@code
+ * build/pages}.
+ */
+class PublishedStabilityTest {
+
+    private static final Path DOCS = Path.of("docs");
+    private static final StabilityRun RUN = new StabilityRun(RunLength.NORMAL, "2030-01-02", "1.2.3", "a machine");
+    private static final Pattern CELL = Pattern.compile("\"((?:[^\"]|\"\")*)\"(?:,|$)|([^,]*)(?:,|$)");
+
+    @TempDir
+    private Path folder;
+
+    private static List<String> cells(String line) {
+        List<String> cells = new ArrayList<>();
+        for (Matcher cell = CELL.matcher(line); cells.size() < 10 && cell.find();) {
+            cells.add(cell.group(1) == null ? cell.group(2) : cell.group(1).replace("\"\"", "\""));
+        }
+        return cells;
+    }
+
+    @Test
+    void thePageIsWhatTheTableSays() throws IOException {
+        List<List<String>> lines = Files.readAllLines(DOCS.resolve(StabilityFiles.CSV)).stream().skip(1)
+            .map(PublishedStabilityTest::cells).toList();
+        List<StabilityRow> rows = lines.stream().map(cells -> new StabilityRow(cells.get(0), cells.get(5), cells.get(1),
+            new Finding(Finding.Verdict.valueOf(cells.get(2).toUpperCase(Locale.ROOT)), cells.get(4)),
+            Double.parseDouble(cells.get(3)))).toList();
+        assertEquals(1, lines.stream().map(cells -> cells.subList(6, 10)).distinct().count(), "of one run");
+        List<String> run = lines.get(0).subList(6, 10);
+        String page = StabilityPage.text(new StabilityRun(RunLength.valueOf(run.get(0).toUpperCase(Locale.ROOT)),
+            run.get(1), run.get(2), run.get(3)), rows);
+        Files.createDirectories(Path.of("build/pages"));
+        Files.writeString(Path.of("build/pages", StabilityFiles.PAGE), page);
+        assertEquals(page, Files.readString(DOCS.resolve(StabilityFiles.PAGE)));
+        assertEquals(RunLength.NORMAL.name().toLowerCase(Locale.ROOT), run.get(0));
+        assertTrue(Files.exists(DOCS.resolve(TruePathPlot.PNG)) && Files.exists(DOCS.resolve(TruePathPlot.DARK_PNG)));
+        List<String> all = new ArrayList<>();
+        for (StabilityCase each : StabilityCases.all()) {
+            Rung.all().forEach(rung -> all.add(each.name() + ", " + rung.name() + ": " + each.demand()));
+        }
+        assertEquals(all, rows.stream().map(row -> row.name() + ", " + row.rung() + ": " + row.demand()).toList(),
+            "every case on every rung, with the bounds of today");
+        assertTrue(rows.stream().noneMatch(StabilityRow::failed));
+    }
+
+    @Test
+    void everyCaseHasASentence() {
+        List<String> names = StabilityCases.all().stream().map(StabilityCase::name).toList();
+        assertEquals(names, List.copyOf(StabilityPage.meanings().keySet()));
+        StabilityPage.meanings().values().forEach(sentence -> assertTrue(sentence.matches("[A-Z].*\\."), sentence));
+        assertEquals(names.size(), names.stream().map(StabilityPage::anchor).distinct().count());
+    }
+
+    private static StabilityRow path(String rung, int of3, int of10) {
+        Finding seen = Finding.reported(String.format(Locale.ROOT,
+            "3 discs: %d impacts, %d for each; 10 discs: %d impacts, %d for each", of3 * 3 / 2, of3, of10 * 5, of10));
+        return new StabilityRow(TruePathCase.NAME, "some", rung, seen, 1);
+    }
+
+    @Test
+    void theFiguresOfAPathAreThoseOfItsText() {
+        assertEquals(List.of(new Figure(3, 60, 40), new Figure(10, 100, 20)),
+            TruePathCase.figures(path("double", 40, 20).seen()));
+        assertEquals(List.of(), TruePathCase.figures(Finding.reported("not tried")));
+    }
+
+    @Test
+    void thePictureShowsEveryRungAndThePageItsRange() throws IOException {
+        List<StabilityRow> rows = List.of(path("step/1", 0, 0), path("double", 40, 20), path("exact", 41, 19),
+            new StabilityRow("rounding", "a | b", "double", Finding.demanded(false, "1 | 2"), 1));
+        try (StabilityFiles files = new StabilityFiles(folder, RUN)) {
+            rows.forEach(files::add);
+            assertEquals(null, files.finish());
+        }
+        BufferedImage picture = ImageIO.read(folder.resolve(TruePathPlot.PNG).toFile());
+        assertTrue(picture.getWidth() > 1000, "readable: " + picture.getWidth());
+        assertTrue(Files.size(folder.resolve(TruePathPlot.DARK_PNG)) > 0);
+        String page = Files.readString(folder.resolve(StabilityFiles.PAGE));
+        assertTrue(page.contains("true for 19 to 41 impacts, whatever the arithmetic; with steps not for one."), page);
+        assertTrue(page.contains("| [rounding](#rounding) | The rounding of official scenes is right at its edges. "
+            + "| **fails** |  |"), page);
+        assertTrue(page.contains("\n| double | **fails** | 1 \\| 2 |\n"), page);
+        assertTrue(page.contains("Of 1 demand\n0 are met and 1 is not, in the normal version."), page);
+        assertTrue(page.contains("Written by `steward stability` 1.2.3 on 2030-01-02: a machine."), page);
+        assertFalse(page.contains("--quick: few"), page);
+    }
+}
