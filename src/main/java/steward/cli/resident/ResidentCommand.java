@@ -32,7 +32,7 @@ import steward.files.InputException;
         "compiler. They start a resident themselves where there is none. A resident",
         "serves one user, folder, environment, control group, set of limits and so on;",
         "a call in which any of that differs has another resident, or starts plainly.",
-        "", "By hand it is for another --idle, or to have it before the first match:",
+        "", "Example, for another --idle, or to have it before the first match:",
         "  steward resident --idle 8h &",
         "", "Exit status: 0 it was idle for so long; 2 wrong call, or there is one."})
 public final class ResidentCommand implements Callable<Integer> {
