@@ -22,6 +22,7 @@ import steward.cli.replay.FeedCommand;
 import steward.cli.replay.ImportCommand;
 import steward.cli.replay.KeyCommand;
 import steward.cli.replay.ReplayCommand;
+import steward.cli.resident.ResidentCommand;
 import steward.cli.sequential.SprtCommand;
 import steward.cli.sequential.TuneCommand;
 import steward.cli.setup.DoctorCommand;
@@ -56,7 +57,7 @@ public final class Main {
 
     private static final List<String> COMMANDS = List.of("match", "run", "replay", "feed", "scene", "explain", "demo",
         "league", "worker", "sprt", "tune", "check", "tournament",
-        "simulate", "import", "key", "referee", "play", "stability", "tradeoff", "bench", "new", "doctor",
+        "simulate", "import", "key", "referee", "play", "resident", "stability", "tradeoff", "bench", "new", "doctor",
         CompletionCommand.NAME, HelpCommand.NAME);
 
     /** The commands that are about all commands. */
@@ -177,6 +178,7 @@ public final class Main {
             case "key" -> new KeyCommand(streams);
             case "referee" -> RefereeCommand.spec(streams);
             case "play" -> new PlayCommand(streams);
+            case "resident" -> new ResidentCommand(streams, Main::run);
             case "stability", "tradeoff", "bench" -> Lab.commandOrMissing(name, streams);
             case "new" -> new NewCommand(streams);
             case "doctor" -> new DoctorCommand(streams);

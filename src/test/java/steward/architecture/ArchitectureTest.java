@@ -36,6 +36,7 @@ class ArchitectureTest {
         LISTED_GAMES(House::onlyTheListKnowsTheOtherGames, "KnowsFish"),
         OTHER_GAMES(House::gamesDoNotKnowEachOther, "Borrows"),
         CONTESTS(House::contestsKnowNoTerminal, "Prints"),
+        STREAMS(House::onlyTheStreamsKnowTheProcess, "Prints", "Exits", "Hooks"),
         LEAGUES(House::leaguesKnowGamesThroughContests, "Pushes"),
         SQLITE(House::onlyTheStoreKnowsSqlite, "Pushes"),
         ARTEMIS(House::onlyTheBrokerKnowsArtemis, "Queues"),

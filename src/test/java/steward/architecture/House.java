@@ -39,8 +39,8 @@ final class House {
         "machines.check", "machines.part", "machines.token", "machines.wire", "machines.bundle", "machines.broker",
         "machines.serve", "machines.worker",
         "cli.streams", "cli.shared", "cli.options", "cli.explain", "cli.replay", "cli.play", "cli.sequential",
-        "cli.check", "cli.league.view", "cli.league.run", "cli.league", "cli.tournament", "cli.machines",
-        "cli.setup", "cli",
+        "cli.check", "cli.league.view", "cli.league.run", "cli.league", "cli.tournament", "cli.resident",
+        "cli.machines", "cli.setup", "cli",
         "lab.chart", "lab.oracle", "lab.trial", "lab.stability.pairs", "lab.stability.crowds", "lab.stability",
         "lab.timing", "lab.calibration", "lab.tradeoff", "lab.tradeoff.report",
         "lab.bench", "lab.bench.textbook", "lab.bench.section", "lab.statistics", "lab.capacity",
@@ -146,6 +146,24 @@ final class House {
             .orShould().accessTargetWhere(describe("reaches the streams of the process", access ->
                 access.getTargetOwner().isEquivalentTo(System.class)
                     && Set.of("out", "err", "in", "console").contains(access.getTarget().getName())));
+    }
+
+    /**
+     * A command has its streams and its end from one object, so that a client of a resident can be at the other end.
+     * The entry points of the program know the process, and so may readers of environment and folder: a resident has one
+     * of each.
+     */
+    ArchRule onlyTheStreamsKnowTheProcess() {
+        return noClasses().that().resideOutsideOfPackages(in("lab"), in("cli.streams"))
+            .and().haveNameNotMatching("steward\\.cli\\.(Main|ArchiveTraining)"
+                + "|steward\\.cli\\.shared\\.OutOfMemory.*"            // ends the JVM that has none left
+                + "|steward\\.replay\\.WriteBehind.*")                  // writes what all commands have left
+            .should().accessTargetWhere(describe("reaches the streams or the end of the process", access ->
+                access.getTargetOwner().isEquivalentTo(System.class)
+                    && Set.of("out", "err", "in", "console", "exit").contains(access.getTarget().getName())
+                || access.getTargetOwner().isEquivalentTo(Runtime.class)
+                    && Set.of("exit", "halt", "addShutdownHook").contains(access.getTarget().getName())
+                || access.getTargetOwner().isEquivalentTo(java.io.FileDescriptor.class)));
     }
 
     /** A league knows games only through contests: it plays none by itself, and starts no process. */

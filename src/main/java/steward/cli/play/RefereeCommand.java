@@ -1,7 +1,5 @@
 package steward.cli.play;
 
-import java.io.FileDescriptor;
-import java.io.FileInputStream;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -180,7 +178,7 @@ public final class RefereeCommand implements Callable<Integer>, RefusedCall {
 
     private Integer playOld(double factor, Long wanted) throws InterruptedException {
         GameSetup setup = open();
-        OldReferee referee = new OldReferee(setup, new FileInputStream(FileDescriptor.in), streams.out());
+        OldReferee referee = new OldReferee(setup, streams.in(), streams.out());
         try {
             TimeControl time = factor == Double.POSITIVE_INFINITY ? TimeControl.UNLIMITED
                 : TimeControl.of(setup.scene().time(), factor);

@@ -111,7 +111,7 @@ record FeedSession(Streams streams, RecordedMatch match, int player, BotCommand 
             throw new InputException("the bot could not be started: " + problem.getMessage());
         }
         Thread last = new Thread(() -> end(process), "feed-end");
-        Runtime.getRuntime().addShutdownHook(last);
+        streams.hooks().add(last);
         PrintStream terminal = debugger ? null : streams.errTerminal() ? streams.err()
             : streams.outTerminal() ? streams.out() : null;
         try (WaitingNotice waiting = new WaitingNotice(terminal, protocol.word(), WaitingNotice.AFTER_MS)) {
@@ -131,16 +131,7 @@ record FeedSession(Streams streams, RecordedMatch match, int player, BotCommand 
             return status;
         } finally {
             end(process);
-            removeHook(last);
-        }
-    }
-
-    private static void removeHook(Thread hook) {
-        try {
-            Runtime.getRuntime().removeShutdownHook(hook);
-        } catch (IllegalStateException shutdown) {
-            // The hook is already running or has run.
-            return;
+            streams.hooks().remove(last);
         }
     }
 

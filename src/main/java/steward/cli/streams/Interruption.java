@@ -9,6 +9,7 @@ import java.util.function.Supplier;
  */
 public final class Interruption implements AutoCloseable {
 
+    private final EndHooks hooks;
     private final Thread hook;
     private volatile boolean over;
 
@@ -24,6 +25,7 @@ public final class Interruption implements AutoCloseable {
 
     /** @param kept is called at the interruption, on another thread; gives {@code null} to print nothing */
     public Interruption(Streams streams, Supplier<String> kept) {
+        hooks = streams.hooks();
         hook = kept == null ? null : new Thread(() -> {
             String told = over ? null : kept.get();
             if (told != null) {
@@ -31,7 +33,7 @@ public final class Interruption implements AutoCloseable {
             }
         }, "interruption");
         if (hook != null) {
-            Runtime.getRuntime().addShutdownHook(hook);
+            hooks.add(hook);
         }
     }
 
@@ -43,13 +45,8 @@ public final class Interruption implements AutoCloseable {
     @Override
     public void close() {
         over = true;
-        try {
-            if (hook != null) {
-                Runtime.getRuntime().removeShutdownHook(hook);
-            }
-        } catch (IllegalStateException shutdown) {
-            // The hook is already running or has run.
-            return;
+        if (hook != null) {
+            hooks.remove(hook);
         }
     }
 }

@@ -18,8 +18,9 @@ import steward.text.TerminalOutputStream;
 import steward.text.TextFormat;
 
 /**
- * The input and outputs of a command: UTF-8 in every locale, because frames are printed byte for byte. The standard
- * output is buffered; {@link PrintStream#flush} writes it out.
+ * The input and outputs of a command, and its hooks: all that it takes from its process besides environment and folder,
+ * so that a client can stand in for the process. UTF-8 in every locale, because frames are printed byte for byte. The
+ * standard output is buffered; {@link PrintStream#flush} writes it out.
  */
 public final class Streams {
 
@@ -32,6 +33,7 @@ public final class Streams {
     private final PrintStream err;
     private final boolean outTerminal;
     private final boolean errTerminal;
+    private final EndHooks hooks;
 
     /** Streams without an input. */
     public Streams(OutputStream out, OutputStream err, boolean outTerminal, boolean errTerminal) {
@@ -45,6 +47,13 @@ public final class Streams {
      */
     public Streams(InputStream in, boolean inTerminal, OutputStream out, OutputStream err, boolean outTerminal,
             boolean errTerminal) {
+        this(in, inTerminal, out, err, outTerminal, errTerminal, EndHooks.OF_PROCESS);
+    }
+
+    /** As above, of a command that may end without its process. */
+    public Streams(InputStream in, boolean inTerminal, OutputStream out, OutputStream err, boolean outTerminal,
+            boolean errTerminal, EndHooks hooks) {
+        this.hooks = hooks;
         this.in = in;
         this.inTerminal = inTerminal;
         watched = new Watched(outTerminal ? new TerminalOutputStream(out) : out);
@@ -62,6 +71,7 @@ public final class Streams {
         outTerminal = from.outTerminal;
         this.err = err;
         errTerminal = false;
+        hooks = from.hooks;
     }
 
     /** Returns streams whose standard output goes nowhere, for a command that prints JSON in place of its table. */
@@ -112,6 +122,11 @@ public final class Streams {
 
     public boolean inTerminal() {
         return inTerminal;
+    }
+
+    /** What is started when the command is ended from outside. */
+    public EndHooks hooks() {
+        return hooks;
     }
 
     /** For results. */

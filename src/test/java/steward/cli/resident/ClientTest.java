@@ -1,0 +1,244 @@
+package steward.cli.resident;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.Writer;
+import java.net.StandardProtocolFamily;
+import java.net.UnixDomainSocketAddress;
+import java.nio.channels.ServerSocketChannel;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Random;
+import java.util.concurrent.TimeUnit;
+import java.util.function.BooleanSupplier;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import steward.cli.TextShellBots;
+
+/** The compiled clients, {@code steward-referee} and {@code steward-play}, and the residents that they start. */
+@Tag("process")
+@Tag("slow")
+class ClientTest {
+
+    private static final String REFEREE = "bin/steward-referee";
+    private static final long PATIENCE_NANOS = TimeUnit.SECONDS.toNanos(60);
+
+    @TempDir
+    private Path folder;
+    private ClientHome home;
+    private TextShellBots bots;
+
+    @BeforeEach
+    void install() throws IOException, InterruptedException {
+        assumeTrue(ClientHome.isPossible(), "there is no C compiler, or this is not Linux");
+        home = new ClientHome(folder);
+        bots = new TextShellBots(folder);
+    }
+
+    @AfterEach
+    void endResidents() {
+        if (home != null) {
+            home.close();
+        }
+    }
+
+    private String[] match(String program, String one, long seed, String... more) {
+        List<String> words = new ArrayList<>(List.of(program.split(" ")));
+        words.addAll(List.of("-p1", one, "-p2", bots.idler(0), "-scene", "duel", "--sandbox", "off", "--no-deadline",
+            "-d", "seed=" + seed));
+        words.addAll(List.of(more));
+        return words.toArray(new String[0]);
+    }
+
+    private void await(String what, BooleanSupplier there) throws InterruptedException {
+        long end = System.nanoTime() + PATIENCE_NANOS;
+        while (!there.getAsBoolean()) {
+            assertTrue(System.nanoTime() < end, what);
+            Thread.sleep(10);
+        }
+    }
+
+    private void sameAsProcesses(int matches) throws IOException, InterruptedException {
+        Path log = folder.resolve("log");
+        for (int seed = 1; seed <= matches; seed++) {
+            ClientHome.Said plain = home.call(match("bin/steward referee", bots.driver(), seed, "-l", log.toString()));
+            byte[] logged = Files.readAllBytes(log);
+            ClientHome.Said resident = home.call(match(REFEREE, bots.driver(), seed, "-l", log.toString()));
+            assertEquals(plain, resident, "seed " + seed);
+            assertEquals(0, plain.status());
+            assertTrue(Arrays.equals(logged, Files.readAllBytes(log)), "log of seed " + seed);
+        }
+        assertEquals(1, home.residents().size());
+    }
+
+    @Test
+    void matchesAreThoseOfProcesses() throws IOException, InterruptedException {
+        sameAsProcesses(20);
+    }
+
+    @Test
+    @Tag("campaign")
+    void aThousandMatchesAreThoseOfProcesses() throws IOException, InterruptedException {
+        sameAsProcesses(1000);
+    }
+
+    private void killed(int clients) throws IOException, InterruptedException {
+        home.call(match(REFEREE, bots.driver(), 1));
+        Path slow = Files.writeString(folder.resolve("slow.sh"),
+            "while read -r line; do sleep 0.05; echo 0 0 0; done\n");
+        Random random = new Random(38);
+        for (int k = 0; k < clients; k++) {
+            Process client = home.builder(match(REFEREE, "sh " + slow, k)).start();
+            Thread.sleep(random.nextInt(k % 2 == 0 ? 20 : 300));
+            client.destroyForcibly().waitFor();
+        }
+        await("bots outlive their client", () -> ClientHome.processes(slow.toString()).isEmpty());
+        assertEquals(1, home.residents().size());
+        assertEquals(0, home.call(match(REFEREE, bots.driver(), 1)).status());
+    }
+
+    @Test
+    void killedClientsLeaveNoBots() throws IOException, InterruptedException {
+        killed(20);
+    }
+
+    @Test
+    @Tag("campaign")
+    void hundredsOfKilledClientsLeaveNoBots() throws IOException, InterruptedException {
+        killed(500);
+    }
+
+    @Test
+    void aSignalEndsTheMatchAndIsTheStatus() throws IOException, InterruptedException {
+        Path slow = Files.writeString(folder.resolve("slow.sh"), "while read -r line; do sleep 9; done\n");
+        Process client = home.builder(match(REFEREE, "sh " + slow, 1)).start();
+        await("a bot", () -> ClientHome.processes(slow.toString()).size() > 1);
+        client.toHandle().destroy();                     // the process would close the streams as well
+        ClientHome.Said said = ClientHome.end(client);
+
+        assertEquals(new ClientHome.Said("", "", 143), said);
+        await("no bot", () -> ClientHome.processes(slow.toString()).isEmpty());
+    }
+
+    @Test
+    void manyClientsAtOnceHaveOneResident() throws IOException, InterruptedException {
+        List<Process> clients = new ArrayList<>();
+        for (int k = 0; k < 6; k++) {
+            clients.add(home.builder(match(REFEREE, bots.driver(), 1)).start());
+        }
+        for (Process client : clients) {
+            assertEquals(new ClientHome.Said("1\n0\n", "", 0), ClientHome.end(client));
+        }
+        assertEquals(1, home.residents().size());
+    }
+
+    @Test
+    void anotherEnvironmentOrFolderHasAnotherResident() throws IOException, InterruptedException {
+        home.call(match(REFEREE, bots.driver(), 1));
+        ProcessBuilder other = home.builder(match(REFEREE, bots.driver(), 1));
+        other.environment().put("STEWARD_OTHER", "1");
+        assertEquals(0, ClientHome.end(other.start()).status());
+        assertEquals(2, home.residents().size());
+        assertEquals(0, ClientHome.end(home.builder(match(REFEREE, bots.driver(), 1)).directory(folder.toFile())
+            .start()).status());
+        assertEquals(3, home.residents().size());
+    }
+
+    @Test
+    void whereThereAreFourAMatchStartsPlainly() throws IOException, InterruptedException {
+        Files.createDirectories(home.sockets());
+        Files.setPosixFilePermissions(home.sockets(), PosixFilePermissions.fromString("rwx------"));
+        List<ServerSocketChannel> four = new ArrayList<>();
+        for (int k = 0; k < 5; k++) {
+            four.add(ServerSocketChannel.open(StandardProtocolFamily.UNIX)
+                .bind(UnixDomainSocketAddress.of(home.sockets().resolve("0".repeat(31) + k))));
+        }
+        four.get(4).close();                             // as of a resident that was killed
+        assertEquals("1\n0\n", home.call(match(REFEREE, bots.driver(), 1)).out());
+        assertEquals(List.of(), home.residents());
+        assertTrue(Files.notExists(home.sockets().resolve("0".repeat(31) + 4)), "the socket that nobody serves");
+        for (ServerSocketChannel each : four) {
+            each.close();
+        }
+    }
+
+    @Test
+    void aFolderThatOthersCanOpenIsNotUsed() throws IOException, InterruptedException {
+        Files.createDirectories(home.sockets());
+        Files.setPosixFilePermissions(home.sockets(), PosixFilePermissions.fromString("rwxr-xr-x"));
+        assertEquals("1\n0\n", home.call(match(REFEREE, bots.driver(), 1)).out());
+        assertEquals(List.of(), home.residents());
+    }
+
+    @Test
+    void aResidentThatIsKilledIsReplaced() throws IOException, InterruptedException {
+        Path slow = Files.writeString(folder.resolve("slow.sh"),
+            "once='" + folder + "/once'\n[ -e \"$once\" ] || { : >\"$once\"; sleep 9; }\nwhile read -r line; do echo 0 0 0; done\n");
+        Process client = home.builder(match(REFEREE, "sh " + slow, 1)).start();
+        await("a match", () -> Files.exists(folder.resolve("once")));
+        home.close();
+        ClientHome.Said said = ClientHome.end(client);
+
+        assertEquals(0, said.status(), said.err());
+        assertEquals(List.of(), home.residents(), "the match was played plainly");
+        assertEquals(0, home.call(match(REFEREE, bots.driver(), 1)).status());
+        assertEquals(1, home.residents().size());
+    }
+
+    @Test
+    void inputGoesThrough() throws IOException, InterruptedException {
+        Process client = home.builder(REFEREE, "--old", "--no-deadline", "-scene", "duel").start();
+        try (BufferedReader in = client.inputReader(StandardCharsets.UTF_8);
+             Writer out = client.outputWriter(StandardCharsets.UTF_8)) {
+            out.write("###Seed 5\n###Start 2\n");
+            out.flush();
+            assertEquals("###Input 0", in.readLine());
+        }
+        assertEquals(1, home.residents().size());
+        client.destroyForcibly().waitFor();
+    }
+
+    @Test
+    void anOutputThatCannotBeWrittenIsSaid() throws IOException, InterruptedException {
+        Process client = home.builder(match(REFEREE, bots.driver(), 1))
+            .redirectOutput(Path.of("/dev/full").toFile()).start();
+        String err = ClientHome.end(client).err();
+
+        assertEquals("steward: cannot write the output: No space left on device\n", err);
+        assertEquals(1, client.exitValue());
+    }
+
+    @Test
+    void playAndRefusalsAreThoseOfTheCommand() throws IOException, InterruptedException {
+        assertEquals(home.call("bin/steward", "play", "--no"), home.call("bin/steward-play", "--no"));
+        assertEquals(2, home.call("bin/steward-play", "--no").status());
+    }
+
+    @Test
+    void aResidentThatIsIdleEnds() throws IOException, InterruptedException {
+        Process resident = home.builder("lib/steward-resident", "resident", "--idle", "2s").start();
+        BufferedReader in = resident.inputReader(StandardCharsets.UTF_8);
+        String line = in.readLine();
+        assertTrue(line.endsWith(" and ends when it was idle for 2s"), line);
+        ClientHome.Said second = home.call("lib/steward-resident", "resident");
+        assertEquals("steward: found a resident for this folder and environment already, process "
+            + resident.pid() + "\n", second.err());
+        assertTrue(resident.waitFor(60, TimeUnit.SECONDS));
+        assertEquals(0, resident.exitValue());
+        try (var sockets = Files.list(home.sockets())) {
+            assertEquals(List.of(), sockets.filter(each -> !each.endsWith("lock")).toList());
+        }
+    }
+}
