@@ -80,7 +80,8 @@ public final class TradeoffCommand implements Callable<Integer> {
         if (parts.isAsked()) {
             if (quick || json || out != null || !scenes.isEmpty() || calibrate.isAsked()) {
                 throw new InputException("--parts: found " + (quick ? "--quick" : json ? "--json"
-                    : out != null ? "--out" : scenes.isEmpty() ? "--calibrate" : "--scene") + " with it, expected nothing but --overwrite");
+                    : out != null ? "--out" : scenes.isEmpty() ? "--calibrate" : "--scene")
+                    + " with it, expected nothing but --overwrite");
             }
             return parts.run(streams, tables.overwrite());
         }
