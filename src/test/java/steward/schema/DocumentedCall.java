@@ -159,7 +159,8 @@ final class DocumentedCall {
 
     private static String build() {
         try {
-            return Files.readString(Path.of("build.gradle")) + Files.readString(Path.of("gradle/publish.gradle"));
+            return Files.readString(Path.of("build.gradle")) + Files.readString(Path.of("gradle/publish.gradle"))
+                + Files.readString(Path.of("gradle/release.gradle"));
         } catch (IOException problem) {
             throw new UncheckedIOException(problem);
         }
