@@ -13,7 +13,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import steward.cli.Cli;
 import tools.jackson.databind.JsonNode;
 
-/** Each command that prints a table prints it as one JSON object too; those with more to say have tests of their own. */
+/** Each command that prints a table prints it as one JSON object too; some have further tests of their own. */
 @Tag("slow")
 class JsonOfTablesTest {
 

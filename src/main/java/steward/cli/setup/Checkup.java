@@ -65,6 +65,7 @@ final class Checkup {
     private void java() {
         add("java", "JDK", Runtime.version().feature() >= 17, Runtime.version() + ", "
             + System.getProperty("java.vendor") + ", " + System.getProperty("java.vm.name"));
+        items.add(CommandPlatforms.item());
         boolean fma = useFma();
         add("java", "fused multiply-add", fma, fma ? "in hardware"
             : "not in hardware, or unknown: the rungs compensated and exact are slow, their results the same");

@@ -134,8 +134,9 @@ class NewCommandTest {
 
     @Test
     void whatARefusalNamesIsNotRefused() {
-        assertEquals("steward: --game: found 'bodies', expected one of pod-race, search-race, mean-max, fantastic-bits, "
-            + "poker-chip-race\n", Cli.run("new", "python", folder.toString(), "--game", "bodies").err());
+        assertEquals("steward: --game: found 'bodies', expected one of pod-race, search-race, mean-max, "
+            + "fantastic-bits, poker-chip-race\n",
+            Cli.run("new", "python", folder.toString(), "--game", "bodies").err());
         assertEquals("steward: LANGUAGE: found 'rust', expected one of python for search-race\n",
             Cli.run("new", "rust", folder.toString(), "--game", "search-race").err());
         for (String game : NewCommand.GameIds.all()) {
