@@ -150,8 +150,8 @@ final class House {
 
     /**
      * A command has its streams and its end from one object, so that a client of a resident can be at the other end.
-     * The entry points of the program know the process, and so may readers of environment and folder: a resident has one
-     * of each.
+     * The entry points of the program know the process, and so may readers of environment and folder: a resident has
+     * one of each.
      */
     ArchRule onlyTheStreamsKnowTheProcess() {
         return noClasses().that().resideOutsideOfPackages(in("lab"), in("cli.streams"))

@@ -159,7 +159,8 @@ class ClientTest {
     @Test
     void whereThereAreFourAMatchStartsPlainly() throws IOException, InterruptedException {
         Files.createDirectories(home.sockets());
-        Files.setPosixFilePermissions(home.sockets(), PosixFilePermissions.fromString("rwx------"));
+        Files.setPosixFilePermissions(home.sockets(),
+            PosixFilePermissions.fromString("rwx------"));
         List<ServerSocketChannel> four = new ArrayList<>();
         for (int k = 0; k < 5; k++) {
             four.add(ServerSocketChannel.open(StandardProtocolFamily.UNIX)
@@ -177,7 +178,8 @@ class ClientTest {
     @Test
     void aFolderThatOthersCanOpenIsNotUsed() throws IOException, InterruptedException {
         Files.createDirectories(home.sockets());
-        Files.setPosixFilePermissions(home.sockets(), PosixFilePermissions.fromString("rwxr-xr-x"));
+        Files.setPosixFilePermissions(home.sockets(),
+            PosixFilePermissions.fromString("rwxr-xr-x"));
         assertEquals("1\n0\n", home.call(match(REFEREE, bots.driver(), 1)).out());
         assertEquals(List.of(), home.residents());
     }
@@ -185,7 +187,8 @@ class ClientTest {
     @Test
     void aResidentThatIsKilledIsReplaced() throws IOException, InterruptedException {
         Path slow = Files.writeString(folder.resolve("slow.sh"),
-            "once='" + folder + "/once'\n[ -e \"$once\" ] || { : >\"$once\"; sleep 9; }\nwhile read -r line; do echo 0 0 0; done\n");
+            "once='" + folder + "/once'\n[ -e \"$once\" ] || { : >\"$once\"; sleep 9; }\n"
+            + "while read -r line; do echo 0 0 0; done\n");
         Process client = home.builder(match(REFEREE, "sh " + slow, 1)).start();
         await("a match", () -> Files.exists(folder.resolve("once")));
         home.close();
