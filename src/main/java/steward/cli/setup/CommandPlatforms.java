@@ -13,7 +13,10 @@ final class CommandPlatforms {
         /** Starts bots or JVMs. */
         BOTS("starts bots", "without a sandbox and `--time cpu`", "without a sandbox, `--time cpu` and process groups"),
         /** Runs programs that come with POSIX systems. */
-        POSIX("a POSIX shell", "as on Linux", "does not work");
+        POSIX("a POSIX shell", "as on Linux", "does not work"),
+        /** Asks the system who is at the other end of a socket, and with which limits. */
+        LINUX_ONLY("a Unix socket, `/proc`", "does not work: `steward-play` and `steward-referee` start plainly",
+            "does not work");
 
         private final String uses;
         private final String macos;
@@ -38,7 +41,8 @@ final class CommandPlatforms {
                 "doctor", "help" -> Need.JAVA;
             case "match", "feed", "demo", "league", "worker", "sprt", "tune", "check", "tournament", "referee", "play"
                 -> Need.BOTS;
-            case "bench", "completion", "resident" -> Need.POSIX;
+            case "bench", "completion" -> Need.POSIX;
+            case "resident" -> Need.LINUX_ONLY;
             default -> throw new IllegalArgumentException("no platforms are told for " + command);
         };
     }
