@@ -50,7 +50,8 @@ public final class TradeoffPage {
         int jvms = result.rows().stream().mapToInt(TradeoffRow::jvms).min().orElse(0);
         StringBuilder out = new StringBuilder("# Speed against accuracy\n\n").append(advice.table()).append('\n')
             .append(String.format(Locale.ROOT, ABOVE, TradeoffRow.DEMAND, 100 * AccuracyFigures.SAME_COST))
-            .append("\nWritten by `steward tradeoff` on ").append(result.date()).append(": ").append(result.machine()).append(".\n")
+            .append("\nWritten by `steward tradeoff` on ").append(result.date()).append(": ")
+            .append(result.machine()).append(".\n")
             .append(jvms < FEWEST_JVMS ? "\n" + ONE_JVM + "\n" : "");
         int number = 1;
         for (String sentence : advice.sentences()) {
