@@ -174,7 +174,8 @@ final class TradeoffAdvice {
         if (next > 0) {
             all.add(String.format(Locale.ROOT, "**`step/%d` and more** are never on the front: on every scene some "
                 + "rung is both cheaper and nearer to the truth. They are there for those who compare with a program "
-                + "that takes as many steps, or want to see steps converge: the error falls only as their number grows.",
+                + "that takes as many steps, or want to see steps converge: the error falls only as their number "
+                + "grows.",
                 next));
         }
     }
