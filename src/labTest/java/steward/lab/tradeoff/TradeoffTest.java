@@ -224,8 +224,8 @@ class TradeoffTest {
         assertTrue(Files.readString(folder.resolve("tradeoff-scenes.svg")).contains("<svg"), "a drawing");
         String page = Files.readString(folder.resolve("tradeoff.md"));
         assertTrue(page.contains("on 2030-01-02: a machine."), page);
-        assertTrue(page.contains(" srcset=\"tradeoff-scenes-dark.png\"><img alt=\"Error against cost, a panel a scene\" "
-            + "src=\"tradeoff-scenes.png\"></picture>\n"), page);
+        assertTrue(page.contains(" srcset=\"tradeoff-scenes-dark.png\"><img alt=\"Error against cost, a panel a scene"
+            + "\" src=\"tradeoff-scenes.png\"></picture>\n"), page);
         assertTrue(page.contains("for 0.86 - 0.89 times the cost of `double` on a race turn, and 3 of 400 pod-turns"),
             page);
         assertTrue(page.contains("`step/1`: 0.49 - 0.51 times the cost"), page);
@@ -273,7 +273,8 @@ class TradeoffTest {
         String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
         assertEquals(0, process.waitFor(), said);
         assertEquals("null", said.strip());
-        assertTrue(Files.size(folder.resolve("tradeoff-scenes.svg")) > 0 && Files.size(folder.resolve("tradeoff.png")) > 0);
+        assertTrue(Files.size(folder.resolve("tradeoff-scenes.svg")) > 0
+            && Files.size(folder.resolve("tradeoff.png")) > 0);
     }
 
     @Test

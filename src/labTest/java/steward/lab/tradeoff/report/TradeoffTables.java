@@ -32,7 +32,8 @@ final class TradeoffTables {
             whole(row, "jvms"), whole(row, "rounds"),
             new TradeoffRow.Cost(number(row, "nanosPerTurn"), number(row, "nanosLow"), number(row, "nanosHigh"),
                 number(row, "nanosPerImpact"), number(row, "bytesPerTurn")), number(row, "costRatio"),
-            number(row, "ratioLow"), number(row, "ratioHigh"), number(row, "errorMedian"), number(row, "error99"), number(row, "errorWorst"), whole(row, "missed"),
+            number(row, "ratioLow"), number(row, "ratioHigh"), number(row, "errorMedian"), number(row, "error99"),
+            number(row, "errorWorst"), whole(row, "missed"),
             whole(row, "invented"), number(row, "energyError"), whole(row, "freeTurns"), whole(row, "freeBound"),
             whole(row, "integersDiffering"), whole(row, "integersCompared"), Boolean.parseBoolean(row.get("onFront")));
     }
