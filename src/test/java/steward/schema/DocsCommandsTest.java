@@ -86,8 +86,8 @@ class DocsCommandsTest {
 
     @Test
     void theTestOfASimulatorHasTheAnswerThatIsShown() throws IOException, InterruptedException {
-        Files.writeString(folder.resolve("tests.txt"), PageShell.fenced("docs/library.md", FENCE, 4));
-        assertEquals(PageShell.fenced("docs/library.md", FENCE, 5),
+        Files.writeString(folder.resolve("tests.txt"), PageShell.fenced("docs/tables/simulate.md", FENCE, 0));
+        assertEquals(PageShell.fenced("docs/tables/simulate.md", FENCE, 1),
             shell.run(0, "docs/library.md", "steward simulate < tests.txt"));
     }
 

@@ -30,6 +30,7 @@ import steward.cli.shared.FailedException;
 import steward.cli.shared.Games;
 import steward.cli.shared.Verbosity;
 import steward.cli.streams.Interruption;
+import steward.cli.streams.Json;
 import steward.cli.streams.Streams;
 import steward.contest.Contest;
 import steward.contest.FailureCounts;
@@ -129,6 +130,10 @@ public final class TuneCommand implements Callable<Integer> {
         + "PNG and SVG.")
     private String plots;
 
+    @Option(names = "--json", description = "Prints a JSON object in place of the result, and one of the test, each on "
+        + "a line of its own.")
+    private boolean json;
+
     @Mixin
     private final TimeLimitOptions pace = new TimeLimitOptions();
 
@@ -195,12 +200,26 @@ public final class TuneCommand implements Callable<Integer> {
             search(search, first);
             interruption.over();
         }
+        return result(search, ofStep, first);
+    }
+
+    private int result(Spsa search, int ofStep, long first) throws InterruptedException {
         if (!search.isOver()) {
             streams.err().println("steward: the search ends after " + TextFormat.count(search.step(), "step")
                 + ": in the last " + STALE + " every game was one that had been played before. These bots play alike "
                 + "whatever the seed is, and the values differ in nothing that is seen");
         }
+        if (json) {
+            Json.print(streams, out -> {
+                TuneJson.write(out, command, search, search.step() >= LEAST_STEPS);
+                FailureReport.json(out, failures.values().stream().flatMap(each -> each.counts().kinds().stream())
+                    .toList());
+            });
+        }
         if (search.step() < LEAST_STEPS) {
+            if (json) {
+                return ExitStatus.DONE;
+            }
             streams.out().println("Start:  " + command.text(command.start()));
             streams.out().println("Result: withheld, " + TextFormat.count(search.step(), "step") + " of "
                 + TextFormat.count(ofStep, "game") + " tell nothing yet; " + LEAST_STEPS + " steps are --games "
@@ -296,6 +315,13 @@ public final class TuneCommand implements Callable<Integer> {
     }
 
     private void tell(Spsa search) {
+        if (!json) {
+            print(search);
+        }
+        plot(search);
+    }
+
+    private void print(Spsa search) {
         double[] result = search.result();
         double[] spread = search.spread();
         streams.out().println("Start:  " + command.text(command.start()));
@@ -309,6 +335,9 @@ public final class TuneCommand implements Callable<Integer> {
         streams.out().println("Bot:    " + command.with(result));
         printFailures();
         streams.out().flush();
+    }
+
+    private void plot(Spsa search) {
         if (plots != null) {
             Path folder = OutputFiles.path(plots);
             try {
@@ -326,20 +355,25 @@ public final class TuneCommand implements Callable<Integer> {
         String result = command.with(search.result());
         String start = command.with(command.start());
         if (testGames == 0 || result.equals(start)) {
-            streams.out().println(testGames == 0 ? "Not tested." : "The result is the start.");
+            if (!json) {
+                streams.out().println(testGames == 0 ? "Not tested." : "The result is the start.");
+            }
             return ExitStatus.DONE;
         }
         Contest contest = contest(List.of("tune.result=" + bare(result), "tune.start=" + bare(start)));
         Gsprt test = new Gsprt(0, GAIN, ALPHA, ALPHA, Gsprt.Model.NORMALIZED);
         SprtRun.Ending ending = new SprtRun.Ending(testGames, keepGoing, random);
-        streams.out().println();
+        Verbosity report = json ? Verbosity.JSON : Verbosity.FULL;
+        if (!json) {
+            streams.out().println();
+        }
         if (into == null) {
-            return new SprtRun(streams, contest, test, ending, null, Verbosity.FULL)
+            return new SprtRun(streams, contest, test, ending, null, report)
                 .play(first + games, threads.count(streams));
         }
         try (StoredSeries store = StoredSeries.open(OutputFiles.path(into), contest, factor, sandbox.variables(),
                 streams)) {
-            return new SprtRun(streams, contest, test, ending, store, Verbosity.FULL)
+            return new SprtRun(streams, contest, test, ending, store, report)
                 .play(store.ownSeed(), threads.count(streams));
         }
     }

@@ -11,6 +11,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -19,6 +20,7 @@ import org.junit.jupiter.api.io.TempDir;
 import steward.cli.Cli;
 import steward.cli.ShellBots;
 import steward.cli.TextShellBots;
+import steward.cli.streams.Json;
 
 /** Tests that stop, rules that end a league, and the search for parameters, with programs that play. */
 @Tag("process")
@@ -158,5 +160,13 @@ class SequentialProcessTest {
         assertEquals(whole, done(words.toArray(String[]::new)));
         assertEquals(whole, done(words.toArray(String[]::new)), "from what is stored");
         assertTrue(Files.size(folder.resolve("plots/tune.png")) > 1000);
+
+        words.add("--json");
+        List<String> lines = done(words.toArray(String[]::new)).lines().toList();
+        assertEquals(2, lines.size(), lines::toString);
+        Map<String, Object> result = Json.object(lines.get(0));
+        assertTrue(result.get("bot").toString().contains(" drive "), lines.get(0));
+        assertEquals("way", Json.objects(result.get("parameters")).get(0).get("name"));
+        assertTrue(Json.object(lines.get(1)).containsKey("llr"), lines.get(1));
     }
 }

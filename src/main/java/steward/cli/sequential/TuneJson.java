@@ -1,0 +1,40 @@
+package steward.cli.sequential;
+
+import steward.league.tune.Parameter;
+import steward.league.tune.Spsa;
+import steward.league.tune.TunedCommand;
+import tools.jackson.core.JsonGenerator;
+
+/** The result of a search for parameters, as the fields of one object; values are as in the command. */
+final class TuneJson {
+
+    private TuneJson() {
+    }
+
+    /** @param found whether there were steps enough for a result; without it {@code bot} is null */
+    static void write(JsonGenerator out, TunedCommand command, Spsa search, boolean found) {
+        out.writeNumberProperty("steps", search.step());
+        out.writeName("bot");
+        if (found) {
+            out.writeString(command.with(search.result()));
+        } else {
+            out.writeNull();
+        }
+        out.writeArrayPropertyStart("parameters");
+        for (int k = 0; k < command.parameters().size(); k++) {
+            Parameter parameter = command.parameters().get(k);
+            out.writeStartObject();
+            out.writeStringProperty("name", parameter.name());
+            out.writeStringProperty("start", parameter.value(command.start()[k]));
+            if (found) {
+                double value = search.result()[k];
+                double most = 2 * search.spread()[k];
+                out.writeStringProperty("result", parameter.value(value));
+                out.writeStringProperty("low", parameter.value(value - most));
+                out.writeStringProperty("high", parameter.value(value + most));
+            }
+            out.writeEndObject();
+        }
+        out.writeEndArray();
+    }
+}
