@@ -12,11 +12,11 @@ import java.nio.channels.SocketChannel;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.attribute.UserPrincipal;
 import java.util.Arrays;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Objects;
 import java.util.Set;
 import java.util.concurrent.BlockingQueue;
-import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.function.ToIntBiFunction;
 import jdk.net.ExtendedSocketOptions;
@@ -44,7 +44,7 @@ final class Session {
     private final ToIntBiFunction<Streams, String[]> program;
     private final BlockingQueue<byte[]> written = new LinkedBlockingQueue<>();
     private final BlockingQueue<Frame> inputs = new LinkedBlockingQueue<>();
-    private final Set<Thread> hooks = ConcurrentHashMap.newKeySet();
+    private final Set<Thread> hooks = new HashSet<>();
     private volatile boolean over;
 
     private record Frame(char type, byte[] bytes) {
@@ -132,9 +132,11 @@ final class Session {
 
     /** Ends the command and waits for that: its bots have been killed then, and its files closed. */
     private void breakOff(Thread command) {
-        over = true;
-        hooks.forEach(Thread::start);
-        hooks.clear();
+        synchronized (hooks) {
+            over = true;
+            hooks.forEach(Thread::start);
+            hooks.clear();
+        }
         while (command.isAlive()) {
             command.interrupt();
             try {
@@ -224,14 +226,23 @@ final class Session {
 
     private final class Hooks implements EndHooks {
 
+        /** At once, if the command is being broken off: it cannot know that yet. */
         @Override
         public void add(Thread hook) {
-            hooks.add(hook);
+            synchronized (hooks) {
+                if (over) {
+                    hook.start();
+                } else {
+                    hooks.add(hook);
+                }
+            }
         }
 
         @Override
         public void remove(Thread hook) {
-            hooks.remove(hook);
+            synchronized (hooks) {
+                hooks.remove(hook);
+            }
         }
     }
 }
