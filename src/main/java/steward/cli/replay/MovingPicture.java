@@ -98,6 +98,10 @@ final class MovingPicture {
             outcome = Json.object(next.outcome());
             turn++;
         }
+        if (turn < from) {
+            throw new InputException("--from: found " + from + ", expected at most " + turn
+                + ", the turns of the match");
+        }
         List<String> names = IntStream.range(0, replay.header().names().size())
             .mapToObj(player -> HeaderText.name(replay.header(), player)).toList();
         return picture.drawn(drawing, names);

@@ -218,6 +218,11 @@ public final class ReplayCommand implements Callable<Integer> {
             "--site: expected --view with it, and an address that begins with http:// or https://");
         check.that(picture == null || !StandardFiles.is(picture) && !json && !map && (at == null || turn == null),
             "--picture: expected a file, no --json or --map, and only one of --turn and --at with it");
+        check.that(picture == null || StandardFiles.is(picture) || moving()
+            || picture.toLowerCase(Locale.ROOT).endsWith(".png"),
+            "--picture: found " + picture + ", expected a name that ends in .png or .svg");
+        check.that(picture == null || !verify && !frames && !impacts, "--picture: expected no --verify, --frames or "
+            + "--impacts with it");
         check.that(!moving() || turn == null && at == null && view == null && !open && !quiet,
             "--picture: found " + picture + ", a moving picture, expected no --turn, --at, --view, --open or --quiet "
             + "with it");
@@ -263,13 +268,15 @@ public final class ReplayCommand implements Callable<Integer> {
             }
         }
         if (picture != null) {
+            check.that(turn == null || turn <= page.turns(), "--turn: found " + turn + ", expected 1 to "
+                + page.turns());
             say("Picture: " + page.picture(picture, at != null ? at : turn != null ? turn : page.turns(), overwrite));
         }
         return ExitStatus.DONE;
     }
 
     private boolean moving() {
-        return picture != null && picture.endsWith(".svg");
+        return picture != null && picture.toLowerCase(Locale.ROOT).endsWith(".svg");
     }
 
     private int movingPicture(boolean piped) {
