@@ -90,8 +90,8 @@ class ClientTest {
 
     @Test
     @Tag("campaign")
-    void aThousandMatchesAreThoseOfProcesses() throws IOException, InterruptedException {
-        sameAsProcesses(1000);
+    void hundredsOfMatchesAreThoseOfProcesses() throws IOException, InterruptedException {
+        sameAsProcesses(200);
     }
 
     private void killed(int clients) throws IOException, InterruptedException {
@@ -117,7 +117,7 @@ class ClientTest {
     @Test
     @Tag("campaign")
     void hundredsOfKilledClientsLeaveNoBots() throws IOException, InterruptedException {
-        killed(500);
+        killed(100);
     }
 
     @Test
