@@ -124,7 +124,7 @@ final class TradeoffScenes {
     }
 
     /**
-     * How much of a scene is measured; less of a crowd, because the truth and the steps look at all pairs: a
+     * Extent of a measurement; less of a crowd, because the truth and the steps look at all pairs: a
      * turn of a heap of a hundred takes the oracle seconds.
      *
      * @param steps most steps a turn

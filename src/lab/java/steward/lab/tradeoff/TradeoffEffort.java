@@ -11,7 +11,7 @@ import steward.lab.timing.TimingEffort;
  */
 public record TradeoffEffort(double share, TimingEffort timing, int podTurns) {
 
-    /** How many JVMs time each rung: enough to see in which states its compiler settles. */
+    /** JVMs that time each rung: enough to see in which states its compiler settles. */
     public static final int JVMS = 7;
 
     private static final int ROUNDS = 5;

@@ -6,7 +6,7 @@ import steward.bot.command.Platform;
 /** Systems on which each command works: rows of {@code docs/platforms.md}, and an item of {@code steward doctor}. */
 final class CommandPlatforms {
 
-    /** What a command needs of the system, and so where it works. */
+    /** Needs of a command, which decide where it works. */
     enum Need {
         /** Nothing else. */
         JAVA("Java alone", "as on Linux", "as on Linux"),

@@ -51,7 +51,7 @@ enum Starter {
         return name().replaceFirst("_.*", "").toLowerCase(Locale.ROOT);
     }
 
-    /** What it speaks. */
+    /** Protocol of the bot. */
     Protocol protocol() {
         return bot.startsWith(BotCommand.Prefix.CODINGAME.written()) ? Protocol.CODINGAME : Protocol.JSON;
     }

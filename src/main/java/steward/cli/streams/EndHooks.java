@@ -3,7 +3,7 @@ package steward.cli.streams;
 /** Threads that are started when a command is ended from outside, with its process or by its client. */
 public interface EndHooks {
 
-    /** Those of this process. */
+    /** Hooks of this process. */
     EndHooks OF_PROCESS = new EndHooks() {
         @Override
         public void add(Thread hook) {

@@ -76,7 +76,7 @@ public final class Streams {
 
     /** Returns streams whose standard output goes nowhere, for a command that prints JSON in place of its table. */
     public Streams withoutOutput() {
-        return new Streams(in, inTerminal, OutputStream.nullOutputStream(), err, false, errTerminal);
+        return new Streams(in, inTerminal, OutputStream.nullOutputStream(), err, false, errTerminal, hooks);
     }
 
     /** Returns these streams with a log for errors: each line has its time, and is an object of JSON if so wanted. */
@@ -124,7 +124,7 @@ public final class Streams {
         return inTerminal;
     }
 
-    /** What is started when the command is ended from outside. */
+    /** Hooks that are started when the command is ended from outside. */
     public EndHooks hooks() {
         return hooks;
     }

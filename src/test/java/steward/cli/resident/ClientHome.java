@@ -22,7 +22,7 @@ final class ClientHome implements AutoCloseable {
     private final Path home;
     private final Path runtime;
 
-    /** What a call printed, and its status. */
+    /** Output of a call, and its status. */
     record Said(String out, String err, int status) {
     }
 

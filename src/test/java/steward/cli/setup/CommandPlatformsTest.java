@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 import steward.cli.Main;
 import steward.cli.streams.Streams;
 
-/** What is said of platforms is said of every command. */
+/** Platforms of commands: every command has a row in the page. */
 class CommandPlatformsTest {
 
     /** The table is printed by a failure: put it into the page. */
