@@ -50,7 +50,8 @@ class BodiesScenesTest {
     /** The bodies stand in the fourth line. */
     @ParameterizedTest
     @CsvSource(delimiter = '|', quoteCharacter = '`', textBlock = """
-        "listed": [ DISC, {"x": 60, "y": 50, "radius": 10} ] | 4:47: bodies.listed[1]: PLACE overlaps with body 0, OWN
+        "listed": [ DISC, {"x": 60, "y": 50, "radius": 10} ] | 4:47: bodies.listed[1]: OVERLAPS at s.json:4:13, OWN
+        "listed": [ SUN, {"x": 25, "y": 20, "radius": 1} ]   | 4:63: bodies.listed[1]: OVERLAPS "sun" at s.json:4:13
         "listed": [ {"x": 5, "y": 50, "radius": 10} ]        | 4:13: bodies.listed[0]: found a place in or behind wall 0
         "listed": [ {"x": -500, "y": 50, "radius": 10} ]     | 4:13: bodies.listed[0]: found a place in or behind wall 0
         "listed": [ {"x": 50, "y": "NaN", "radius": 10} ]    | 4:28: bodies.listed[0].y: found the text "NaN", expected
@@ -63,9 +64,11 @@ class BodiesScenesTest {
         "fill": []                                           | 3:13: bodies: found no body, expected bodies that are
         """)
     void whatCannotBeIsRefusedWithItsPlace(String bodies, String message) {
-        String text = bodies.replace("DISC", "{\"x\": 50, \"y\": 50, \"radius\": 10}")
+        String text = bodies.replace("SUN", "{\"label\": \"sun\", \"x\": 20, \"y\": 20, \"radius\": 10}")
+            .replace("DISC", "{\"x\": 50, \"y\": 50, \"radius\": 10}")
             .replace("ENDS", "{\"ax\": 20, \"ay\": 20, \"bx\": 119, \"by\": 20}");
-        String regex = message.replace("PLACE", "found a place that").replace("OWN", "expected a place of its own")
+        String regex = message.replace("OVERLAPS", "found a place that overlaps with the body")
+            .replace("OWN", "expected a place of its own")
             .replaceAll("[\\[\\]{}]", "\\\\$0");
         String found = assertThrows(SceneException.class, () -> open(text)).getMessage();
         assertTrue(found.matches("s.json:" + regex + ".*"), found);
@@ -131,7 +134,7 @@ class BodiesScenesTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', quoteCharacter = '`', textBlock = """
-        x,y,radius;50,60,10;50,65,10        | 3:1: found a place that overlaps with body 0, expected a place of its own
+        x,y,radius;50,60,10;50,65,10        | 3:1: found a place that overlaps with the body at discs.csv:2:1, exp
         x,y,radius;50,nan,10                | 2:4: y: found the text "nan", expected a number -1e12..1e12
         x,y,radius;50,60                    | 2:1: found 2 cells, expected 3, as many as the first line has names
         x,y,radios;50,60,10                 | 2:1: radius: found nothing, expected a number above 0; the nearest field h

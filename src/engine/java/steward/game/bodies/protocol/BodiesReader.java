@@ -72,7 +72,7 @@ final class BodiesReader {
             public void overlap(int body, int other) {
                 int bumpers = field.bumpers().size();
                 throw places.get(body).error("a place that overlaps with " + (other < bumpers ? "bumper " + other
-                    : "body " + (other - bumpers)), "a place of its own");
+                    : named(places.get(other - bumpers), listed.get(other - bumpers))), "a place of its own");
             }
 
             @Override
@@ -82,6 +82,11 @@ final class BodiesReader {
         });
         places.clear();
         return layout;
+    }
+
+    /** A body as its file names it: with its label, and where it stands. */
+    private static String named(Block block, Body body) {
+        return "the body " + (body.label().isEmpty() ? "" : "\"" + body.label() + "\" ") + "at " + block.place();
     }
 
     private Body listed(Block block) {
