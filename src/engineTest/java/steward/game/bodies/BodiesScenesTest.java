@@ -61,6 +61,7 @@ class BodiesScenesTest {
         "fill": {"shape": "line", "count": 11, "radius": 10, "in": ENDS} | 4:9: bodies.fill: found room for 1 of 11 b
         "fill": {"count": 3, "radius": 60, "in": {"x": 99, "y": 99, "radius": 50}} | 4:9: bodies.fill: found room for 0
         "fill": {"count": 3, "radius": [9, 8]}               | 4:32: bodies.fill.radius: found 9.0 before 8.0, expected
+        "csv": { "file": "discs.csv" }                       | 4:8: bodies.csv: found .*, expected the name of a file
         "fill": []                                           | 3:13: bodies: found no body, expected bodies that are
         """)
     void whatCannotBeIsRefusedWithItsPlace(String bodies, String message) {
@@ -137,7 +138,8 @@ class BodiesScenesTest {
         x,y,radius;50,60,10;50,65,10        | 3:1: found a place that overlaps with the body at discs.csv:2:1, exp
         x,y,radius;50,nan,10                | 2:4: y: found the text "nan", expected a number -1e12..1e12
         x,y,radius;50,60                    | 2:1: found 2 cells, expected 3, as many as the first line has names
-        x,y,radios;50,60,10                 | 2:1: radius: found nothing, expected a number above 0; the nearest field h
+        x,y,radios;50,60,10                 | 1:1: found no column "radius" in x,y,radios, expected x, y, radius and
+        x;y;radius;50;60;10                 | 1:1: found no column "y" in x, expected x, y, radius and others, separated
         x,y,radius,speed;50,60,10,1         | 1:12: speed: found an unknown field, expected one of
         ``                                  | 1:1: found no names, expected a line with the names of the columns
         x,y,x;50,60,10                      | 1:5: found the column "x" a second time, expected it once

@@ -8,19 +8,20 @@ import steward.physics.Bodies;
 import steward.physics.ImpactLaw;
 import steward.physics.PhysicsParts;
 import steward.physics.Wall;
+import steward.physics.impulse.Rest;
 
 /**
  * A turn computed from the definitions in {@link Decimals#COUNT} decimal digits: find the earliest touch of all pairs
  * and walls, move all bodies there, let the impact react, search again. Slow, and meant to be obviously right: nothing
  * is kept from one impact to the next, and only pairs that provably touch later than the next impact are not examined
- * in all digits ({@link OracleBroadPhase}). It reads {@link ImpactLaw} and {@link Wall} as plain data and calls nothing of the
- * physics.
+ * in all digits ({@link OracleBroadPhase}). It reads {@link ImpactLaw} and {@link Wall} as plain data and calls
+ * nothing of the physics.
  *
  * <p>Where the physics has to decide whether two rounded distances are equal, the oracle treats numbers that agree to
  * {@code COUNT - 16} digits as equal: a body moved to a touch does touch, and a body that slides does not approach.
  *
- * <p>Caveat: a turn that reaches the limit on impacts stops there; what contacts may mean is said in
- * {@link OracleContacts}.
+ * <p>Caveat: a turn that reaches the limit on impacts stops there, and so does one in which a heap may come to rest
+ * ({@link Rest}): the oracle computes impacts only. What contacts may mean is said in {@link OracleContacts}.
  */
 public final class Oracle {
 
@@ -93,7 +94,7 @@ public final class Oracle {
         return this;
     }
 
-    /** True if the last turn reached the limit on impacts; then it stopped there, in the middle of the turn. */
+    /** True if the last turn stopped in the middle: at the limit on impacts, or where a heap may come to rest. */
     public boolean limited() {
         return limited;
     }
@@ -105,13 +106,15 @@ public final class Oracle {
         int bound = law.maximumImpacts() > 0 ? law.maximumImpacts() : 10_000 + 1_000 * bodies.size();
         int left = bound;
         limited = false;
+        bodies.forEach(body -> body.impacts = 0);
+        reaction.rests = false;
         for (;;) {
             List<Touch> next = together(touches(bodies, duration.subtract(now)));
             if (next.isEmpty()) {
                 fly(bodies, duration.subtract(now));
                 return impacts;
             }
-            if (left-- <= 0) {
+            if (left-- <= 0 || reaction.rests) {
                 limited = true;
                 return impacts;
             }

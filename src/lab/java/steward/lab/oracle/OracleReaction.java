@@ -4,6 +4,7 @@ import java.math.BigDecimal;
 import java.util.List;
 import steward.physics.ImpactLaw;
 import steward.physics.Wall;
+import steward.physics.impulse.Rest;
 
 /**
  * Impact in the oracle's arithmetic: the first step of the impulse stops the approach, the second gives back the share
@@ -14,6 +15,8 @@ final class OracleReaction {
 
     private final ImpactLaw law;
     private final List<Wall> walls;
+    /** True if an impact since this was set to false is rest if its bodies belong to a heap. */
+    boolean rests;
 
     OracleReaction(ImpactLaw law, List<Wall> walls) {
         this.law = law;
@@ -34,7 +37,9 @@ final class OracleReaction {
         BigDecimal ny = apart ? Decimals.divide(dy, distance) : BigDecimal.ZERO;
         BigDecimal approach = Decimals.dot(nx, ny, p.vx.subtract(q.vx), p.vy.subtract(q.vy));
         BigDecimal first = Decimals.divide(approach, p.inverseMass().add(q.inverseMass()));
-        BigDecimal impulse = first.add(second(first, p.restitution.min(q.restitution), true));
+        BigDecimal restitution = p.restitution.min(q.restitution);
+        rests |= mayRest(Math.max(p.impacts++, q.impacts++), restitution, approach);
+        BigDecimal impulse = first.add(second(first, restitution, true));
         BigDecimal ax = p.x;
         BigDecimal ay = p.y;
         BigDecimal bx = q.x;
@@ -59,8 +64,9 @@ final class OracleReaction {
             return null;
         }
         BigDecimal first = approach.multiply(body.mass);
-        BigDecimal impulse = first.add(
-            second(first, body.restitution.min(Decimals.of(wall.restitution())), law.minimumImpulseAtWalls()));
+        BigDecimal restitution = body.restitution.min(Decimals.of(wall.restitution()));
+        rests |= mayRest(body.impacts++, restitution, approach);
+        BigDecimal impulse = first.add(second(first, restitution, law.minimumImpulseAtWalls()));
         BigDecimal ax = body.x;
         BigDecimal ay = body.y;
         BigDecimal gap = OracleWallGeometry.gap(body, wall);
@@ -70,6 +76,13 @@ final class OracleReaction {
         }
         return new OracleImpact(time, a, b, impulse, ax, ay, ax, ay, body.vx, body.vy, BigDecimal.ZERO,
             BigDecimal.ZERO);
+    }
+
+    /** The rule of {@link Rest} for a body in a heap. */
+    private boolean mayRest(int impacts, BigDecimal restitution, BigDecimal approach) {
+        return law.bodiesRest() && restitution.compareTo(BigDecimal.ONE) < 0 && (Double.isNaN(law.restSpeed())
+            ? restitution.signum() == 0 || impacts >= Rest.PATIENCE
+            : restitution.multiply(approach).compareTo(Decimals.of(law.restSpeed())) <= 0);
     }
 
     /** e times the first step, raised to the minimum; or only in magnitude when it exceeds the dead zone. */

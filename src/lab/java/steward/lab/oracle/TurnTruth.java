@@ -86,7 +86,7 @@ public final class TurnTruth {
         return pairs.length;
     }
 
-    /** True if the turn reached the limit on impacts; then nothing may be compared with it. */
+    /** True if the oracle stopped in the middle of the turn; then nothing may be compared with it. */
     public boolean limited() {
         return limited;
     }

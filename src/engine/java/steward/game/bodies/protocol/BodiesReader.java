@@ -42,6 +42,9 @@ final class BodiesReader {
             bodies.blocks("listed").forEach(block -> listed.add(listed(block)));
         }
         if (bodies.has("csv")) {
+            if (!bodies.isBlock("csv") || !bodies.block("csv").has("lines")) {
+                throw bodies.error("csv", bodies.shown("csv"), "the name of a file beside the scene");
+            }
             for (Block row : new CsvRows(bodies.block("csv")).blocks()) {
                 listed.add(listed(row));
                 row.done();
