@@ -52,8 +52,6 @@ public final class Calibration {
 
     private static final int DIGITS = 3;
     private static final double LEAST_PLAIN = 1e-3;
-    /** States without a true turn are replaced, this many times at most. */
-    private static final int TRIES = 10;
     /** How many of the first states are timed. */
     private static final int TIMED = 512;
     /** The rung whose cost is 1. */
@@ -174,14 +172,9 @@ public final class Calibration {
         double[] work = new double[rungs.size()];
         int withImpacts = 0;
         Moments moments = new Moments();
-        int measured = 0;
-        for (int drawn = 0; measured < count && drawn < TRIES * count; drawn++) {
+        for (int k = 0; k < count; k++) {
             Bodies start = play.next();
             TurnTruth truth = TurnTruth.of(start, parts);
-            if (truth.limited() && parts.law().bodiesRest()) {
-                continue;                             // the oracle knows impacts only: a heap has no truth
-            }
-            int k = measured++;
             withImpacts += truth.impacts() > 0 ? 1 : 0;
             Bodies bodies = start.copy();
             for (int r = 0; r < advances.size(); r++) {
@@ -191,9 +184,6 @@ public final class Calibration {
                 errors[r][k] = truth.limited() ? Double.POSITIVE_INFINITY : truth.positionError(bodies);
                 work[r] += work(rungs.get(r), moments, tests(start));
             }
-        }
-        for (int r = 0; r < errors.length; r++) {
-            errors[r] = Arrays.copyOf(errors[r], measured);
         }
         return new Block(errors, work, withImpacts);
     }

@@ -20,7 +20,7 @@ import steward.physics.impulse.Rest;
  * <p>Where the physics has to decide whether two rounded distances are equal, the oracle treats numbers that agree to
  * {@code COUNT - 16} digits as equal: a body moved to a touch does touch, and a body that slides does not approach.
  *
- * <p>Caveat: a turn that reaches the limit on impacts stops there, and so does one in which a heap may come to rest
+ * <p>Caveat: a turn that reaches the limit on impacts stops there, and so does one in which a heap comes to rest
  * ({@link Rest}): the oracle computes impacts only. What contacts may mean is said in {@link OracleContacts}.
  */
 public final class Oracle {
@@ -35,6 +35,8 @@ public final class Oracle {
     private final OracleContacts contacts;
     private boolean limited;
     private boolean examineAll;
+    /** True if an impact of the turn was rest by the law. */
+    private boolean resting;
 
     /** Everything bounces. */
     public Oracle(ImpactLaw law, List<Wall> walls) {
@@ -94,9 +96,14 @@ public final class Oracle {
         return this;
     }
 
-    /** True if the last turn stopped in the middle: at the limit on impacts, or where a heap may come to rest. */
+    /** True if the last turn stopped in the middle: at the limit on impacts, or where a heap comes to rest. */
     public boolean limited() {
         return limited;
+    }
+
+    /** True if the last turn stopped where a heap comes to rest. */
+    public boolean rested() {
+        return resting && limited;
     }
 
     /** Plays for a duration from now, a turn being 1; changes the bodies. */
@@ -107,14 +114,14 @@ public final class Oracle {
         int left = bound;
         limited = false;
         bodies.forEach(body -> body.impacts = 0);
-        reaction.rests = false;
+        resting = false;
         for (;;) {
             List<Touch> next = together(touches(bodies, duration.subtract(now)));
             if (next.isEmpty()) {
                 fly(bodies, duration.subtract(now));
                 return impacts;
             }
-            if (left-- <= 0 || reaction.rests) {
+            if (left-- <= 0 || resting) {
                 limited = true;
                 return impacts;
             }
@@ -139,12 +146,15 @@ public final class Oracle {
     private OracleImpact react(List<OracleBody> bodies, Touch touch, BigDecimal now) {
         BigDecimal time = now.add(touch.until);
         if (contacts == null) {
-            return reaction.react(bodies, touch.a, touch.b, time);
+            OracleImpact impact = reaction.react(bodies, touch.a, touch.b, time);
+            resting |= reaction.wasRest(bodies, touch.a, touch.b);
+            return impact;
         }
         if (!contacts.bounces(bodies, touch.a, touch.b, time)) {
             return null;
         }
         OracleImpact impact = reaction.react(bodies, touch.a, touch.b, time);
+        resting |= reaction.wasRest(bodies, touch.a, touch.b);
         contacts.after(bodies, touch.a, touch.b, time);
         return impact == null ? null : impact.between(contacts.startIndex(touch.a),
             touch.b < 0 ? touch.b : contacts.startIndex(touch.b));

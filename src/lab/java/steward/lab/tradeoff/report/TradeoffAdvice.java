@@ -25,8 +25,8 @@ final class TradeoffAdvice {
 
     /** Kinds of scenes, by the scene that stands for each. */
     private static final Map<String, String> KINDS = Map.of(RACE, "race", "brawl", "brawl", "walled-race",
-        "race among walls", "dense-box", "box, crowded", "gas", "crowd", "bullets", "bullets", "avalanche",
-        "pile, until it rests", "bowl", "bowl, until it rests", GRAZING, "graze");
+        "race among walls", "dense-box", "box, crowded", "gas", "crowd", "bullets", "bullets", "avalanche", "pile",
+        "bowl", "bowl", GRAZING, "graze");
     /** A share of impacts. */
     private static final double RARELY = 0.001;
 
