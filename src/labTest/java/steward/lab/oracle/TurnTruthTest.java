@@ -294,6 +294,27 @@ class TurnTruthTest {
             new Contacts(1).set(0, 0, Contacts.Meaning.ASK), List.of(), reaction, false);
     }
 
+    /** Three in a row that come to rest on each other: the oracle knows impacts only, and exact stands for the truth. */
+    @Test
+    void whereAHeapRestsExactIsTheTruth() {
+        Bodies start = new Bodies(3);
+        for (int k = 0; k < 3; k++) {
+            start.add(100 * k, 0, 10, 1);
+            start.setRestitution(k, 0.05);
+        }
+        start.setVelocity(0, 1000, 0);
+        start.setVelocity(2, -1000, 0);
+        PhysicsParts soft = new PhysicsParts(ImpactLaw.PHYSICS.withRestitution(ImpactLaw.Restitution.MINIMUM),
+            Arithmetic.EXACT, new Contacts(1), List.of(), null, false);
+        TurnTruth truth = TurnTruth.of(start, soft);
+        Bodies after = copy(start);
+        TurnLog log = new TurnLog();
+        new EventAdvance(soft).turn(after, log);
+        assertEquals(new TurnError(0, 0, 0, 0), truth.error(after, log));
+        assertFalse(truth.limited());
+        assertTrue(truth.impacts() > 2, "found " + truth.impacts());
+    }
+
     /** A pair that meets in time is never skipped, by however little; most pairs that are far apart are. */
     @Test
     void theOracleSparesOnlyWhoCannotMeet() {
