@@ -74,7 +74,8 @@ public final class TradeoffPage {
         List<TradeoffRow> rows = result.of(scene);
         TradeoffRow first = rows.get(0);
         boolean rounds = first.compared() > 0;
-        out.append(String.format(Locale.ROOT, "%n### %s%n%n%,d states with %,d impacts; %d rounds in %s.%n%n",
+        out.append(String.format(Locale.ROOT, "%n### %s%n%n%,d states with %,d impacts; %d rounds in %s. "
+            + "Its panel is in the [picture](#picture).%n%n",
             scene, first.states(), first.impacts(), first.rounds(), TextFormat.count(first.jvms(), "JVM")));
         out.append("| rung | a turn | over JVMs | an impact | bytes | ratio | over JVMs | error, median "
             + "| 99% | worst | missed | invented | energy | free run |").append(rounds ? " ends |\n" : "\n");
