@@ -262,7 +262,7 @@ class OracleTest {
             bodies.add(100 * k, 0, 10, k == 1 ? 1e-3 : 1e9);
             bodies.setRestitution(k, 0.99);
         }
-        bodies.setVelocity(1, 600, 0);
+        bodies.setVelocity(1, 2000, 0);
         Oracle oracle = new Oracle(SOFT, List.of());
         assertTrue(oracle.turn(OracleBody.of(bodies)).size() > Rest.PATIENCE);
         assertFalse(oracle.limited());
