@@ -55,6 +55,9 @@ final class FailureHints {
         + "|NumberFormat|InputMismatch|NoSuchElement|ArrayIndexOutOfBounds|StringIndexOutOfBounds|ParseIntError"
         + "|invalid digit|invalid literal|FormatException|NaN|\\{\\s*\\\\?\"|JSON|Json|json");
 
+    /** Source line of a traceback that takes a field of an object, as programs that read JSON do. */
+    private static final Pattern OF_OBJECT = Pattern.compile("\\[(\"\\w+\"|'\\w+')]");
+
     private FailureHints() {
     }
 
@@ -121,6 +124,7 @@ final class FailureHints {
         if (FaultMessages.isExit(reason)) {
             return !reason.equals(FaultMessages.exited(0))
                 && stderr.stream().noneMatch(line -> CLEAR.matcher(line).find())
+                && (protocol != Protocol.JSON || stderr.stream().noneMatch(line -> OF_OBJECT.matcher(line).find()))
                 && (stderr.stream().noneMatch(line -> TRACEBACK.matcher(line).find())
                 || stderr.stream().anyMatch(line -> OF_INPUT.matcher(line).find()));
         }

@@ -99,6 +99,9 @@ class FailureReportTest {
         String input = match("", traceback + "ValueError: invalid literal for int()' >&2; exit 1", "--no-deadline")
             .out();
         assertTrue(input.contains("is it a CodinGame bot?"), input);
+        String reads = match("", "echo '    pod = frame[\"pods\"][9]' >&2; " + traceback
+            + "IndexError: list index out of range' >&2; exit 1", "--no-deadline").out();
+        assertTrue(reads.contains("IndexError") && !reads.contains("codingame:"), "it speaks JSON: " + reads);
     }
 
     @Test
