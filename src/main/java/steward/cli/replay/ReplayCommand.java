@@ -288,6 +288,7 @@ public final class ReplayCommand implements Callable<Integer> {
         if (picture != null) {
             check.that(turn == null || turn <= page.turns(), "--turn: found " + turn + ", expected 1 to "
                 + page.turns());
+            check.that(at == null || at <= page.turns(), "--at: found " + at + ", expected 0 to " + page.turns());
             say("Picture: " + page.picture(picture, at != null ? at : turn != null ? turn : page.turns(), overwrite));
         }
         return ExitStatus.DONE;
