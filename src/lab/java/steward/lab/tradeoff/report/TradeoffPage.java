@@ -17,8 +17,8 @@ public final class TradeoffPage {
     private static final String ABOVE = """
         A rung stands here if it decides every impact as in truth and 99%% of its turns are off by at most %s u:
         `double`, the default, unless it fails or another costs less in every JVM, by more than %.0f%%. Wrong impacts
-        are missed or invented; the error is that of 99%% of the turns. The last column measures your scene beside this
-        one.
+        are missed or invented; the error is that of 99%% of the turns. Where heaps come to rest, `exact` stands for
+        the truth. The last column measures your scene beside this one.
         """;
     private static final String MEANING = """
         ## What was measured
