@@ -257,7 +257,8 @@ class CalibrateTest {
         Path scene = folder.resolve("mine.json");
         Files.writeString(folder.resolve("mine.accuracy.json"),
             Files.readString(Path.of("config/scenes", name + ".accuracy.json")));
-        for (String demand : List.of("{ \"maxCost\": \"10s\" }", "{ \"maxPositionError\": 0.01, \"share\": 0.5 }")) {
+        for (String demand : List.of("{ \"maxCost\": \"90000us\" }",
+            "{ \"maxPositionError\": 0.01, \"share\": 0.5 }")) {
             Files.writeString(scene, SceneFiles.load(name).text()
                 .replaceFirst("\"accuracy\": \\{[^}]*}", "\"accuracy\": " + demand));
             Cli explained = Cli.run("explain", scene.toString(), "--no-prices");
