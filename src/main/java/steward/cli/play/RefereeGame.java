@@ -62,7 +62,8 @@ record RefereeGame(Streams streams, Contest contest, Path log, Path replay, bool
     }
 
     /** Plays the game. A tool that finds no scores takes it for a draw: if it has no result, each bot gets -1. */
-    private CountedGame<?> counted(long seed, boolean logged, Path recording) throws InterruptedException {
+    private CountedGame<?> counted(long seed, boolean logged, Path recording)
+            throws IOException, InterruptedException {
         try {
             CountedGame<?> game = CountedGame.play(contest, seed, () -> logged ? new GameResultLog() : NO_LISTENER,
                 () -> recording == null ? null : OutputFiles.open(recording, true));

@@ -90,8 +90,8 @@ class ClientTest {
 
     @Test
     @Tag("campaign")
-    void hundredsOfMatchesAreThoseOfProcesses() throws IOException, InterruptedException {
-        sameAsProcesses(200);
+    void manyMatchesAreThoseOfProcesses() throws IOException, InterruptedException {
+        sameAsProcesses(Integer.getInteger("steward.games", 200));
     }
 
     private void killed(int clients) throws IOException, InterruptedException {

@@ -63,7 +63,7 @@ final class ToolSection implements Section {
         for (ToolGames.Tool tool : ToolGames.Tool.values()) {
             List<Path> absent = tool.files(tools).stream().filter(file -> !Files.exists(file)).toList();
             if (absent.isEmpty()) {
-                compare(tool, rounds(effort), effort == Effort.QUICK ? 4 : 50, about, rows);
+                compare(tool, rounds(effort), effort == Effort.QUICK ? 4 : 30, about, rows);
             } else {
                 missing.add(tool.word() + " is skipped: there is no " + absent.get(0));
             }
