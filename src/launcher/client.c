@@ -97,10 +97,23 @@ static int addLink(const char *path) {
     return 1;
 }
 
-/* The program's files: a sum, because a folder has no order. */
+/* A sum of texts, for what has no order: a folder, or an environment, which a shell writes in its own. */
+static uint64_t sum;
+
+static void addToSum(const char *text, const struct stat *file) {
+    unsigned __int128 before = digest;
+    addText(text);
+    if (file) {
+        add(&file->st_mtim, sizeof file->st_mtim);
+        add(&file->st_size, sizeof file->st_size);
+    }
+    sum += (uint64_t) (digest >> 64) ^ (uint64_t) digest;
+    digest = before;
+}
+
+/* The program's files. */
 static int addInstallation(void) {
     char lib[PATH_MAX + 8];
-    uint64_t sum = 0;
     snprintf(lib, sizeof lib, "%s/lib", home);
     DIR *files = opendir(lib);
     if (!files) {
@@ -108,19 +121,12 @@ static int addInstallation(void) {
     }
     for (struct dirent *each; (each = readdir(files));) {
         struct stat file;
-        if (each->d_name[0] == '.' || fstatat(dirfd(files), each->d_name, &file, 0)) {
-            continue;
+        if (each->d_name[0] != '.' && !fstatat(dirfd(files), each->d_name, &file, 0)) {
+            addToSum(each->d_name, &file);
         }
-        unsigned __int128 before = digest;
-        addText(each->d_name);
-        add(&file.st_mtim, sizeof file.st_mtim);
-        add(&file.st_size, sizeof file.st_size);
-        sum += (uint64_t) (digest >> 64) ^ (uint64_t) digest;
-        digest = before;
     }
     closedir(files);
     addText(home);
-    add(&sum, sizeof sum);
     return 1;
 }
 
@@ -144,9 +150,10 @@ static int addPlace(void) {
             wanted &= strncmp(*variable, ofShells[i], strlen(ofShells[i])) != 0;
         }
         if (wanted) {
-            addText(*variable);
+            addToSum(*variable, NULL);
         }
     }
+    add(&sum, sizeof sum);
     for (int i = 0; namespaces[i]; i++) {
         snprintf(path, sizeof path, "/proc/self/ns/%s", namespaces[i]);
         if (!addLink(path)) {

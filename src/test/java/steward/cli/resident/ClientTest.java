@@ -214,6 +214,17 @@ class ClientTest {
         assertEquals(1, said.status());
     }
 
+    /** As the launcher does: a shell writes the environment of its programs in an order of its own. */
+    @Test
+    void aResidentThatAShellHasStartedIsFound() throws IOException, InterruptedException {
+        List<String> words = new ArrayList<>(List.of("sh", "-c", "exec \"$@\"", "sh"));
+        words.addAll(home.builder("lib/steward-resident", "resident", "--idle", "60s").command());
+        Process resident = home.builder("lib").command(words).start();
+        resident.inputReader(StandardCharsets.UTF_8).readLine();
+        assertEquals(0, home.call(match(REFEREE, bots.driver(), 1)).status());
+        assertEquals(List.of(resident.pid()), home.residents().stream().map(ProcessHandle::pid).toList());
+    }
+
     @Test
     void aClosedStreamIsNotTakenForAFile() throws IOException, InterruptedException {
         for (String closed : List.of("<&-", ">&-", "2>&-")) {
