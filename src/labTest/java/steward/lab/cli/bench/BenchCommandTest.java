@@ -100,6 +100,16 @@ class BenchCommandTest {
     }
 
     @Test
+    void toolsThatAreNotThereAreSkippedWithAWord() {
+        Cli cli = Cli.run("bench", "--quick", "--only", "tools", "--tools", folder.toString());
+
+        assertEquals(1, cli.status());
+        assertEquals("steward: tools: could not be measured: cg-brutaltester is skipped: there is no "
+            + folder.resolve("cg-brutaltester.jar") + "; psyleague is skipped: there is no "
+            + folder.resolve("bin/psyleague"), cli.err().strip());
+    }
+
+    @Test
     void everyPartIsThere() {
         Map<String, Integer> names = new java.util.TreeMap<>();
         BenchSuite.all(1, 1, List.of(10), folder).forEach(section -> names.merge(section.name(), 1, Integer::sum));
