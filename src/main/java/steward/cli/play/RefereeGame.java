@@ -69,6 +69,8 @@ record RefereeGame(Streams streams, Contest contest, Path log, Path replay, bool
                 () -> recording == null ? null : OutputFiles.open(recording, true));
             tell(streams, game);
             return game;
+        } catch (InputException refused) {
+            throw refused;                                  // who refuses the call says so
         } catch (RuntimeException | OutOfMemoryError problem) {
             contest.entrants().forEach(bot -> streams.out().println(-1));
             throw problem;

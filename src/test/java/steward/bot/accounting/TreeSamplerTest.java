@@ -73,7 +73,7 @@ class TreeSamplerTest {
 
     @Test
     void filesThatAreKeptShowWhatIsNewAndAreClosed() throws IOException, InterruptedException {
-        long root = start("echo ready; read -r line; sh -c ': child'; sleep 1000 & read -r line; kill %1; wait");
+        long root = start("echo ready; read -r line; sh -c ': child'; sleep 1000 & read -r line; kill $!; wait");
         try (TreeSampler tree = new TreeSampler(root).keepingFiles(true)) {
             long before = await(tree, 1).threads().get(root).run();
             assertTrue(open(root) > 0, "none is kept");
