@@ -93,5 +93,7 @@ class HelpTest {
         Cli wrong = Cli.run("help", "mtach");
         assertEquals(ExitStatus.UNUSABLE, wrong.status());
         assertTrue(wrong.err().startsWith("steward: unknown command 'mtach'; did you mean 'match'?\n"), wrong.err());
+        String topic = Cli.run("help", "sandbx").err();
+        assertTrue(topic.startsWith("steward: unknown command 'sandbx'; did you mean 'sandbox'?\n"), topic);
     }
 }
