@@ -79,7 +79,8 @@ public final class OfficialAdvance implements Advance {
         setRadius(radius);
     }
 
-    private void setRadius(double ofAll) {
+    /** Sets the radius of every body, in u; {@link #turn} finds it itself. */
+    public void setRadius(double ofAll) {
         radius = ofAll;
         double touch = radius + radius;
         touchSquare = touch * touch;

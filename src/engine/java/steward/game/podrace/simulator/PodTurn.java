@@ -31,11 +31,11 @@ final class PodTurn {
     static final double CHECKPOINT_SQUARE = CHECKPOINT_RADIUS * CHECKPOINT_RADIUS;
     static final double DRAG = 0.15;
     static final double KEEP = 1 - DRAG;
-    private static final int MAXIMUM_THRUST = 200;
+    static final int MAXIMUM_THRUST = 200;
     static final int TURNS_WITHOUT_CHECKPOINT = 100;
 
     /** Shield timers: masses are 1 and 10. */
-    private static final double SHIELD_MASS = PodRaceSettings.SHIELD_MASS_FACTOR;
+    static final double SHIELD_MASS = PodRaceSettings.SHIELD_MASS_FACTOR;
 
     /*
      * When a certified vector suffices. A pod below SMALL in each coordinate and speed is steered by a vector accurate
@@ -60,8 +60,8 @@ final class PodTurn {
     /** Offsets per pod in {@link #counts}; after the pods, per player, the turns left. */
     static final int TIMER = 0;
     /** The timer stands in these bits of its count; above them whether the last command was a shield. */
-    static final int TIMER_BITS = 7;
-    static final int HEAVY = 8;
+    static final int TIMER_BITS = (1 << 30) - 1;
+    static final int HEAVY = 1 << 30;
     static final int BOOST = 1;
     static final int PASSED = 2;
     static final int NEXT = 3;
@@ -77,9 +77,9 @@ final class PodTurn {
     private final int toFinish;
     private final double[] checkpointX;
     private final double[] checkpointY;
-    private final OfficialAdvance advance = new OfficialAdvance(RADIUS);
+    private final OfficialAdvance advance;
     private final Headings headings = new Headings();
-    private final TurnLog log = new TurnLog(TurnLog.RECORDED);
+    private final TurnLog log;
     private final PodPaths paths;
     private final CertifiedImpacts impacts;
     /** The pods of a turn with impacts. */
@@ -95,7 +95,19 @@ final class PodTurn {
     private int[] counts;
 
     PodTurn(double[][] checkpoints, int pods, int perPlayer, int laps, RulesEdition rules) {
+        this(checkpoints, pods, perPlayer, laps, rules, new OfficialAdvance(RADIUS), new TurnLog(TurnLog.RECORDED));
+    }
+
+    /**
+     * @param advance of the scene
+     * @param log     receives the impacts that are recorded
+     */
+    PodTurn(double[][] checkpoints, int pods, int perPlayer, int laps, RulesEdition rules, OfficialAdvance advance,
+            TurnLog log) {
         this.pods = pods;
+        this.log = log;
+        this.advance = advance;
+        advance.setRadius(RADIUS);
         this.perPlayer = perPlayer;
         this.checkpoints = checkpoints.length;
         toFinish = laps * checkpoints.length;
@@ -135,31 +147,37 @@ final class PodTurn {
         headings.set(to, NUMBERS * pod + HEADING, angle);
     }
 
+    /** Plays one turn and counts checkpoints. @param numbers have also the turns left, per player; see {@link #move} */
+    void play(double[] states, int[] numbers, double[] targetX, double[] targetY, int[] thrust, int first) {
+        int mayPass = move(states, numbers, targetX, targetY, thrust, first);
+        int last = numbers.length;
+        for (int player = COUNTS * pods; player < last; player++) {
+            numbers[player]--;
+        }
+        if (mayPass != 0) {
+            countCheckpoints(mayPass);
+        }
+    }
+
     /**
-     * Plays one turn.
+     * Plays the commands and the motion of one turn.
      *
      * @param states   {@link #NUMBERS} per pod, altered
-     * @param numbers  {@link #COUNTS} per pod, then the turns left per player, altered
+     * @param numbers  {@link #COUNTS} per pod, altered
      * @param targetX  of a command by target; or the degrees of a command by angle
      * @param targetY  of a command by target; NaN for a command by angle: then no target can be steered to by vectors,
      *                 so that commands by target are not delayed by a question
      * @param first    index of the command of the first pod
+     * @return the pods that may have passed their next checkpoint, as bits
      */
-    void play(double[] states, int[] numbers, double[] targetX, double[] targetY, int[] thrust, int first) {
+    int move(double[] states, int[] numbers, double[] targetX, double[] targetY, int[] thrust, int first) {
         state = states;
         counts = numbers;
         steer(targetX, targetY, thrust, first);
         paths.clear();
         long near = pods == 4 && PodPairFilter.allFar(speed, advance.reach()) ? 0 : PodPairFilter.nearPairs(speed,
             pods, advance);
-        int last = counts.length;
-        for (int player = COUNTS * pods; player < last; player++) {
-            counts[player]--;
-        }
-        int mayPass = near == 0 ? glide(OfficialAdvance.ALL) : collide(near);
-        if (mayPass != 0) {
-            countCheckpoints(mayPass);
-        }
+        return near == 0 ? glide(OfficialAdvance.ALL) : collide(near);
     }
 
     /** Applies headings and thrusts. Rare cases go to {@link #steerExactly}, so that values stay in registers here. */
