@@ -15,6 +15,7 @@ import steward.numerics.StrictAngles;
 import steward.physics.Advance;
 import steward.physics.Bodies;
 import steward.physics.Motion;
+import steward.physics.TurnLog;
 import steward.scene.Bumper;
 import steward.scene.Plan;
 import steward.scene.Scene;
@@ -50,6 +51,8 @@ public final class PodRace extends AbstractGame {
     private final TurnKernel kernel;
     /** Pods, as bits, whose {@link #heading} is to be taken from the kernel. */
     private int unread;
+    /** True if the impacts of the last turn are to be taken from the kernel. */
+    private boolean unlogged;
     private final Motion motion;
     private final SineCosine direction = new SineCosine();
     private final double reachOfPath;
@@ -202,6 +205,7 @@ public final class PodRace extends AbstractGame {
     /** Does so by the kernel. */
     private int moveQuickly() {
         unread = -1;
+        unlogged = true;
         return kernel.play(bodies, targetX, targetY, thrust, shieldTimer, boostLeft, passed);
     }
 
@@ -255,8 +259,9 @@ public final class PodRace extends AbstractGame {
 
     private boolean passesNext(int pod) {
         double[] next = toPass(pod);
-        return CheckpointSweep.passes(log, bodies.id(pod), startX[pod], startY[pod], bodies.x[pod], bodies.y[pod],
-            next[0], next[1], reachOfPath, reachOfEnd);
+        return kernel != null ? kernel.passes(pod, next[0], next[1])
+            : CheckpointSweep.passes(log, bodies.id(pod), startX[pod], startY[pod], bodies.x[pod], bodies.y[pod],
+                next[0], next[1], reachOfPath, reachOfEnd);
     }
 
     private void markCheckpoint(int pod) {
@@ -320,6 +325,15 @@ public final class PodRace extends AbstractGame {
     }
 
     @Override
+    public TurnLog log() {
+        if (unlogged) {
+            unlogged = false;
+            kernel.log();
+        }
+        return log;
+    }
+
+    @Override
     public Bodies bodies() {
         return bodies;
     }
@@ -374,6 +388,7 @@ public final class PodRace extends AbstractGame {
      * is heavy until its next command.
      */
     public void setPod(int pod, PodState state) {
+        log();
         bodies.setPosition(pod, state.x(), state.y());
         bodies.setVelocity(pod, state.vx(), state.vy());
         heading[pod] = state.heading();

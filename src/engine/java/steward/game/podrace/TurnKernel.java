@@ -38,11 +38,17 @@ public interface TurnKernel {
     TurnKernel copy(Advance advance, TurnLog log);
 
     /**
-     * Plays the commands and the motion up to the end of the turn, roundings included, and logs impacts.
+     * Plays the commands and the motion up to the end of the turn, roundings included.
      *
      * @param passed checkpoints passed, by pod; stays as it is
      * @return the pods that may have passed their next checkpoint, as bits
      */
     int play(Bodies bodies, double[] targetX, double[] targetY, int[] thrust, int[] shieldTimer, boolean[] boostLeft,
              int[] passed);
+
+    /** True if the path of a pod in the turn just played passes a checkpoint. */
+    boolean passes(int pod, double checkpointX, double checkpointY);
+
+    /** Logs the impacts and knots of the turn just played; headings have to be those after it. */
+    void log();
 }

@@ -12,10 +12,7 @@ import steward.physics.event.OfficialAdvance;
 import steward.scene.Plan;
 import steward.scene.Scene;
 
-/**
- * The official turn of a match by the kernel of {@link PodRaceSimulator}, with its impacts recorded: those are played
- * from the game's own directions, everything else from certified ones.
- */
+/** The official turn of a match by the kernel of {@link PodRaceSimulator}; impacts are recorded if they are asked for. */
 public final class MatchTurn implements TurnKernel {
 
     private static final List<Motion.Step> MOTION =
@@ -27,6 +24,8 @@ public final class MatchTurn implements TurnKernel {
     private final PodTurn turn;
     private final double[] state;
     private final int[] counts;
+    /** Velocities before the turn, vx and vy by pod. */
+    private final double[] before;
 
     private MatchTurn(PodRaceSettings settings, double[][] checkpoints, OfficialAdvance advance, TurnLog log) {
         this.settings = settings;
@@ -34,9 +33,9 @@ public final class MatchTurn implements TurnKernel {
         pods = settings.pods();
         turn = new PodTurn(checkpoints, pods, settings.podsPerPlayer(), settings.laps(), settings.rules(), advance,
             log);
-        turn.record(true);
         state = new double[PodTurn.NUMBERS * pods];
         counts = new int[PodTurn.COUNTS * pods];
+        before = new double[2 * pods];
         for (int pod = 0; pod < pods; pod++) {
             setHeading(pod, Double.NaN);
             counts[PodTurn.COUNTS * pod + PodTurn.PASSED] = -1;
@@ -78,6 +77,8 @@ public final class MatchTurn implements TurnKernel {
             int at = PodTurn.NUMBERS * pod;
             state[at + PodTurn.X] = bodies.x[pod];
             state[at + PodTurn.Y] = bodies.y[pod];
+            before[2 * pod] = bodies.vx[pod];
+            before[2 * pod + 1] = bodies.vy[pod];
             state[at + PodTurn.VX] = bodies.vx[pod];
             state[at + PodTurn.VY] = bodies.vy[pod];
             at = PodTurn.COUNTS * pod;
@@ -104,5 +105,19 @@ public final class MatchTurn implements TurnKernel {
             boostLeft[pod] = counts[at + PodTurn.BOOST] != 0;
         }
         return mayPass;
+    }
+
+    @Override
+    public boolean passes(int pod, double x, double y) {
+        return turn.passes(pod, x, y);
+    }
+
+    @Override
+    public void log() {
+        for (int pod = 0; pod < pods; pod++) {
+            state[PodTurn.NUMBERS * pod + PodTurn.VX] = before[2 * pod];
+            state[PodTurn.NUMBERS * pod + PodTurn.VY] = before[2 * pod + 1];
+        }
+        turn.recordLast();
     }
 }

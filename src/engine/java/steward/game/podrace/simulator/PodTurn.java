@@ -87,6 +87,9 @@ final class PodTurn {
     /** Per pod: the position before, the velocity in this turn, the thrust if by a certified vector, and the mass. */
     private final double[] speed;
 
+    /** The pairs that could meet in the last turn. */
+    private long near;
+
     /** The pods with certified impacts that pass a checkpoint, as bits. */
     private int passing;
 
@@ -128,6 +131,26 @@ final class PodTurn {
 
     void record(boolean wanted) {
         paths.record(wanted);
+        log.clear();
+    }
+
+    /**
+     * Adds the impacts of the last turn, which was not recorded, to the log. The state has to be as it was after that
+     * turn, but with the velocities before it, and is as after it then.
+     */
+    void recordLast() {
+        if (near != 0) {
+            paths.record(true);
+            paths.clear();
+            collide();
+            paths.record(false);
+        }
+    }
+
+    /** True if the path of a pod in the last turn passes a checkpoint. */
+    boolean passes(int pod, double x, double y) {
+        return paths.passes(pod, speed[SPEED * pod + X], speed[SPEED * pod + Y], state[NUMBERS * pod + X],
+            state[NUMBERS * pod + Y], x, y);
     }
 
     int toFinish() {
@@ -175,9 +198,9 @@ final class PodTurn {
         counts = numbers;
         steer(targetX, targetY, thrust, first);
         paths.clear();
-        long near = pods == 4 && PodPairFilter.allFar(speed, advance.reach()) ? 0 : PodPairFilter.nearPairs(speed,
-            pods, advance);
-        return near == 0 ? glide(OfficialAdvance.ALL) : collide(near);
+        near = pods == 4 && PodPairFilter.allFar(speed, advance.reach()) ? 0
+            : PodPairFilter.nearPairs(speed, pods, advance);
+        return near == 0 ? glide(OfficialAdvance.ALL) : collide();
     }
 
     /** Applies headings and thrusts. Rare cases go to {@link #steerExactly}, so that values stay in registers here. */
@@ -356,9 +379,9 @@ final class PodTurn {
      * The turn when some pairs may meet. Their pods get the game's own directions and speeds, then the game's event
      * loop is played; the other pods get them only if an impact sends a pod towards them.
      */
-    private int collide(long near) {
+    private int collide() {
         if (!paths.areRecorded()) {
-            if (flyCertified(near)) {
+            if (flyCertified()) {
                 int touched = impacts.touched();
                 for (int rest = touched; rest != 0; rest &= rest - 1) {
                     int pod = Integer.numberOfTrailingZeros(rest);
@@ -373,10 +396,10 @@ final class PodTurn {
             paths.clear();
         }
         int exact = advance.bodiesOf(near, pods);
-        if (!collide(near, exact) || paths.knots() > MOST_CORNERS || !areSure(~exact)) {
+        if (!collide(exact) || paths.knots() > MOST_CORNERS || !areSure(~exact)) {
             paths.clear();
             exact = OfficialAdvance.ALL;
-            collide(near, exact);
+            collide(exact);
         }
         for (int pod = 0; pod < pods; pod++) {
             if ((exact >> pod & 1) != 0) {
@@ -391,7 +414,7 @@ final class PodTurn {
     }
 
     /** True if the impacts of certified speeds, with all their results, are certified to be those of the game. */
-    private boolean flyCertified(long near) {
+    private boolean flyCertified() {
         for (int pod = 0; pod < pods; pod++) {
             int in = SPEED * pod;
             if (!impacts.set(pod, speed[in + X], speed[in + Y], speed[in + VX], speed[in + VY],
@@ -455,7 +478,7 @@ final class PodTurn {
         return Math.abs(value - Math.rint(value)) > DOUBT;
     }
 
-    private boolean collide(long near, int exact) {
+    private boolean collide(int exact) {
         for (int pod = 0; pod < pods; pod++) {
             int to = SPEED * pod;
             if (speed[to + POWER] != 0 && (exact >> pod & 1) != 0) {
@@ -490,8 +513,7 @@ final class PodTurn {
         int at = COUNTS * pod;
         boolean any = false;
         int next = counts[at + NEXT];
-        for (int most = checkpoints; most > 0 && paths.passes(pod, speed[SPEED * pod + X], speed[SPEED * pod + Y],
-            state[NUMBERS * pod + X], state[NUMBERS * pod + Y], checkpointX[next], checkpointY[next]); most--) {
+        for (int most = checkpoints; most > 0 && passes(pod, checkpointX[next], checkpointY[next]); most--) {
             any = true;
             counts[at + PASSED]++;
             next = next + 1 < checkpoints ? next + 1 : 0;
