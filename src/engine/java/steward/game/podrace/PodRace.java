@@ -179,9 +179,6 @@ public final class PodRace extends AbstractGame {
 
     @Override
     protected void playTurn() {
-        int pods = settings.pods();
-        System.arraycopy(bodies.x, 0, startX, 0, pods);
-        System.arraycopy(bodies.y, 0, startY, 0, pods);
         int mayPass = kernel == null ? move() : moveQuickly();
         Arrays.fill(thrust, NO_COMMAND);
         for (int player = 0; player < settings.players(); player++) {
@@ -195,6 +192,8 @@ public final class PodRace extends AbstractGame {
     /** Steers and moves the pods in the general way. @return the pods that may have passed a checkpoint, as bits */
     private int move() {
         for (int pod = 0; pod < settings.pods(); pod++) {
+            startX[pod] = bodies.x[pod];
+            startY[pod] = bodies.y[pod];
             steer(pod, thrust[pod]);                        // lines before a bad one take effect
         }
         advance.turn(bodies, log);

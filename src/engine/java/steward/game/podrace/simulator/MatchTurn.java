@@ -12,7 +12,7 @@ import steward.physics.event.OfficialAdvance;
 import steward.scene.Plan;
 import steward.scene.Scene;
 
-/** The official turn of a match by the kernel of {@link PodRaceSimulator}; impacts are recorded if they are asked for. */
+/** The official turn of a match by the kernel of {@link PodRaceSimulator}; impacts are recorded when asked for. */
 public final class MatchTurn implements TurnKernel {
 
     private static final List<Motion.Step> MOTION =
@@ -73,38 +73,51 @@ public final class MatchTurn implements TurnKernel {
     @Override
     public int play(Bodies bodies, double[] targetX, double[] targetY, int[] thrust, int[] shieldTimer,
                     boolean[] boostLeft, int[] passed) {
-        for (int pod = 0; pod < pods; pod++) {
+        load(bodies, shieldTimer, boostLeft, passed);
+        int mayPass = turn.move(state, counts, targetX, targetY, thrust, 0);
+        store(bodies, shieldTimer, boostLeft);
+        return mayPass;
+    }
+
+    private void load(Bodies bodies, int[] shieldTimer, boolean[] boostLeft, int[] passed) {
+        double[] to = state;
+        double[] velocities = before;
+        int[] count = counts;
+        for (int pod = 0; pod < shieldTimer.length; pod++) {
             int at = PodTurn.NUMBERS * pod;
-            state[at + PodTurn.X] = bodies.x[pod];
-            state[at + PodTurn.Y] = bodies.y[pod];
-            before[2 * pod] = bodies.vx[pod];
-            before[2 * pod + 1] = bodies.vy[pod];
-            state[at + PodTurn.VX] = bodies.vx[pod];
-            state[at + PodTurn.VY] = bodies.vy[pod];
+            to[at + PodTurn.X] = bodies.x[pod];
+            to[at + PodTurn.Y] = bodies.y[pod];
+            to[at + PodTurn.VX] = bodies.vx[pod];
+            to[at + PodTurn.VY] = bodies.vy[pod];
+            velocities[2 * pod] = bodies.vx[pod];
+            velocities[2 * pod + 1] = bodies.vy[pod];
             at = PodTurn.COUNTS * pod;
-            counts[at + PodTurn.TIMER] = bodies.mass[pod] == 1 ? shieldTimer[pod] : shieldTimer[pod] + PodTurn.HEAVY;
-            counts[at + PodTurn.BOOST] = boostLeft[pod] ? 1 : 0;
-            if (counts[at + PodTurn.PASSED] != passed[pod]) {
-                counts[at + PodTurn.PASSED] = passed[pod];
-                counts[at + PodTurn.NEXT] = (passed[pod] + 1) % checkpoints.length;
+            count[at + PodTurn.TIMER] = bodies.mass[pod] == 1 ? shieldTimer[pod] : shieldTimer[pod] + PodTurn.HEAVY;
+            count[at + PodTurn.BOOST] = boostLeft[pod] ? 1 : 0;
+            if (count[at + PodTurn.PASSED] != passed[pod]) {
+                count[at + PodTurn.PASSED] = passed[pod];
+                count[at + PodTurn.NEXT] = (passed[pod] + 1) % checkpoints.length;
             }
         }
-        int mayPass = turn.move(state, counts, targetX, targetY, thrust, 0);
-        for (int pod = 0; pod < pods; pod++) {
+    }
+
+    private void store(Bodies bodies, int[] shieldTimer, boolean[] boostLeft) {
+        double[] from = state;
+        int[] count = counts;
+        for (int pod = 0; pod < shieldTimer.length; pod++) {
             int at = PodTurn.NUMBERS * pod;
-            bodies.x[pod] = state[at + PodTurn.X];
-            bodies.y[pod] = state[at + PodTurn.Y];
-            bodies.vx[pod] = state[at + PodTurn.VX];
-            bodies.vy[pod] = state[at + PodTurn.VY];
+            bodies.x[pod] = from[at + PodTurn.X];
+            bodies.y[pod] = from[at + PodTurn.Y];
+            bodies.vx[pod] = from[at + PodTurn.VX];
+            bodies.vy[pod] = from[at + PodTurn.VY];
             at = PodTurn.COUNTS * pod;
-            int timer = counts[at + PodTurn.TIMER];
-            shieldTimer[pod] = timer & PodTurn.TIMER_BITS;
+            int timer = count[at + PodTurn.TIMER];
             boolean heavy = timer > PodTurn.TIMER_BITS;
+            shieldTimer[pod] = timer & PodTurn.TIMER_BITS;
             bodies.mass[pod] = heavy ? PodTurn.SHIELD_MASS : 1;
             bodies.inverseMass[pod] = heavy ? 1 / PodTurn.SHIELD_MASS : 1;
-            boostLeft[pod] = counts[at + PodTurn.BOOST] != 0;
+            boostLeft[pod] = count[at + PodTurn.BOOST] != 0;
         }
-        return mayPass;
     }
 
     @Override

@@ -1,6 +1,5 @@
 package steward.game.podrace.simulator;
 
-import java.util.Arrays;
 import steward.game.podrace.Headings;
 import steward.game.podrace.PodRaceSettings;
 import steward.game.podrace.RulesEdition;
@@ -22,7 +21,7 @@ import steward.physics.event.OfficialAdvance;
  * and gliding in one loop. A more precise filter of pairs would gain nothing: the pairs that it keeps nearly always
  * meet.
  *
- * <p>One file of about 480 lines, because all of it works on the same arrays.
+ * <p>One file of about 490 lines, because all of it works on the same arrays.
  */
 final class PodTurn {
 
@@ -46,8 +45,6 @@ final class PodTurn {
      * is computed.
      */
     static final double SMALL = 0x1p15;
-    /** See {@link #areSure}. */
-    private static final int MOST_CORNERS = 500;
     static final double DOUBT = 0x1p-26;
 
     /** Offsets per pod in {@link #state}: position, velocity, heading. */
@@ -114,8 +111,12 @@ final class PodTurn {
         this.perPlayer = perPlayer;
         this.checkpoints = checkpoints.length;
         toFinish = laps * checkpoints.length;
-        checkpointX = Arrays.stream(checkpoints).mapToDouble(place -> place[0]).toArray();
-        checkpointY = Arrays.stream(checkpoints).mapToDouble(place -> place[1]).toArray();
+        checkpointX = new double[checkpoints.length];
+        checkpointY = new double[checkpoints.length];
+        for (int k = 0; k < checkpoints.length; k++) {
+            checkpointX[k] = checkpoints[k][0];
+            checkpointY[k] = checkpoints[k][1];
+        }
         bodies = new Bodies(pods);
         paths = new PodPaths(pods, log, CHECKPOINT_RADIUS, rules);
         impacts = new CertifiedImpacts(pods, paths);
@@ -396,7 +397,8 @@ final class PodTurn {
             paths.clear();
         }
         int exact = advance.bodiesOf(near, pods);
-        if (!collide(exact) || paths.knots() > MOST_CORNERS || !areSure(~exact)) {
+        if (!collide(exact) || paths.knots() > CertainRounding.MOST_CORNERS
+            || !CertainRounding.areSure(~exact, speed, pods)) {
             paths.clear();
             exact = OfficialAdvance.ALL;
             collide(exact);
@@ -422,7 +424,7 @@ final class PodTurn {
                 return false;
             }
         }
-        if (!impacts.fly(near) || !areSure(~impacts.touched())) {
+        if (!impacts.fly(near) || !CertainRounding.areSure(~impacts.touched(), speed, pods)) {
             return false;
         }
         passing = 0;
@@ -449,33 +451,6 @@ final class PodTurn {
             next = next + 1 < checkpoints ? next + 1 : 0;
         }
         return true;
-    }
-
-    /*
-     * In a turn with impacts the game moves all pods from impact to impact, also those without impacts; a position is
-     * rounded at each, by less than 2^-37. In MOST_CORNERS / 2 flights that stays below the 2^-27 that DOUBT leaves.
-     */
-
-    /** True if the roundings of these pods (bits) are all certain: no fraction is close to where the result changes. */
-    private boolean areSure(int which) {
-        for (int pod = 0; pod < pods; pod++) {
-            if ((which >> pod & 1) != 0 && !isSure(SPEED * pod)) {
-                return false;
-            }
-        }
-        return true;
-    }
-
-    private boolean isSure(int in) {
-        double lostX = Math.abs(speed[in + VX] * KEEP);
-        double lostY = Math.abs(speed[in + VY] * KEEP);
-        return farFromWhole(speed[in + X] + speed[in + VX] + 0.5) && farFromWhole(speed[in + Y] + speed[in + VY] + 0.5)
-            && farFromWhole(lostX) && farFromWhole(lostY) && Math.max(lostX, lostY) < SMALL
-            && Math.max(Math.abs(speed[in + X]), Math.abs(speed[in + Y])) < SMALL;
-    }
-
-    private static boolean farFromWhole(double value) {
-        return Math.abs(value - Math.rint(value)) > DOUBT;
     }
 
     private boolean collide(int exact) {
