@@ -43,7 +43,8 @@ public final class OfficialAdvance implements Advance {
     private final double window = law.batchWindow();
     private final Collision collision = Collision.of(law, Arithmetic.OFFICIAL, new Wall[0]);
     private final PhysicsParts parts;
-    /** Made when it is first needed. */
+    /** Made when they are first needed. */
+    private Standstill standstill;
     private EventAdvance general;
 
     private double radius;
@@ -267,7 +268,8 @@ public final class OfficialAdvance implements Advance {
                 return true;
             }
             if (left <= 0) {
-                new Standstill(parts).finish(bodies, now, sink);
+                standstill = standstill == null ? new Standstill(parts) : standstill;
+                standstill.finish(bodies, now, sink);
                 return doubtful == 0;
             }
             EventAdvance.fly(bodies, times[0] - now);
