@@ -36,7 +36,7 @@ final class FramePrinter {
         print(streams, frames.setup(player));
         boolean failed = false;
         for (RecordedTurn turn = replay.next(); turn != null && !streams.outEnded(); turn = replay.next()) {
-            if (again.game().isIn(player) && turn.asked(player)) {
+            if (again.game().isAsked(player) && turn.asked(player)) {
                 print(streams, frames.turn(player));
             }
             failed |= turn.faults()[player] != null;

@@ -7,6 +7,7 @@ import steward.files.InputException;
 import steward.game.GameSetup;
 import steward.game.GameType;
 import steward.game.GameTypes;
+import steward.guest.GuestType;
 import steward.scene.Accuracy;
 import steward.scene.Scene;
 import steward.scene.SceneFiles;
@@ -24,7 +25,7 @@ public final class Games {
 
     /** All games: those of the program, and those of the user's jars. */
     public static GameTypes types() {
-        return GameTypes.installed();
+        return GameTypes.installed().hosting(new GuestType());
     }
 
     /** The weakest bundled bot of a game, or {@code null} if it has none. */
@@ -55,6 +56,15 @@ public final class Games {
     private static GameSetup open(SceneText scene, Accuracy accuracy) {
         GameSetup setup = types().open(SceneReader.read(scene, accuracy));
         setup.check();
+        return setup;
+    }
+
+    /** Refuses a scene with a referee of its own. @param use of the scene, as a command or option is called */
+    public static GameSetup computed(GameSetup setup, String use) {
+        if (setup.isHosted()) {
+            throw new InputException(use + ": found the scene \"" + setup.scene().name() + "\", which has a referee of "
+                + "its own, expected a game that Steward computes");
+        }
         return setup;
     }
 

@@ -164,7 +164,7 @@ public final class Resimulation {
                 return -1;
             }
             at++;
-            at = game.isIn(player) ? codec.state().readPlainCommand(json, at, to, player) : behindNull(json, at, to);
+            at = game.isAsked(player) ? codec.state().readPlainCommand(json, at, to, player) : behindNull(json, at, to);
             if (at < 0) {
                 return -1;
             }
@@ -235,7 +235,7 @@ public final class Resimulation {
     private boolean readEach(JsonParser in, String[] faults) {
         int player = 0;
         for (JsonToken token = in.nextToken(); token != JsonToken.END_ARRAY; token = in.nextToken()) {
-            if (player >= game.players() || !game.isIn(player) || isSpared(token, player, faults)
+            if (player >= game.players() || !game.isAsked(player) || isSpared(token, player, faults)
                 ? token != JsonToken.VALUE_NULL : readOne(in, token, player, faults[player]) != null) {
                 return false;
             }
@@ -277,7 +277,7 @@ public final class Resimulation {
         try (JsonParser in = JsonNumbers.FACTORY.createParser(ObjectReadContext.empty(), json, 0, json.length)) {
             in.nextToken();
             for (JsonToken token = in.nextToken(); token != JsonToken.END_ARRAY; token = in.nextToken()) {
-                boolean asked = player < game.players() && game.isIn(player) && !isSpared(token, player, turn.faults());
+                boolean asked = player < game.players() && game.isAsked(player) && !isSpared(token, player, turn.faults());
                 if (!asked && token != JsonToken.VALUE_NULL) {
                     return new Difference(turn.number(), "commands[" + player + "]", "a command", "null");
                 }

@@ -1,0 +1,78 @@
+package steward.guest;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Supplier;
+import steward.bot.isolation.Isolation;
+import steward.game.FrameCodec;
+import steward.game.Game;
+import steward.game.GameSetup;
+import steward.game.GameType;
+import steward.game.Pilot;
+import steward.game.TextCodec;
+import steward.match.HostedSetup;
+import steward.physics.Contacts;
+import steward.scene.Plan;
+import steward.scene.Scene;
+import steward.scene.SceneReader;
+
+/** Type of the games whose referee is a program of its own. */
+public final class GuestType implements GameType {
+
+    /** Id of the game in scenes. */
+    public static final String ID = "guest";
+
+    @Override
+    public String id() {
+        return ID;
+    }
+
+    @Override
+    public GameSetup open(Scene scene) {
+        if (scene.players() == 0) {
+            throw scene.root().error("players", "0", "1.." + MOST_PLAYERS + ", as many as its referee is for");
+        }
+        GuestProgram program = GuestProgram.read(scene.root());
+        scene.root().done();
+        return new Setup(scene, program, Plan.of(scene, new Contacts(1), 1, false, List.of()), Isolation::usual);
+    }
+
+    private record Setup(Scene scene, GuestProgram program, Plan plan, Supplier<Isolation> isolation)
+        implements HostedSetup {
+
+        @Override
+        public GameSetup isolatedBy(Supplier<Isolation> other) {
+            return new Setup(scene, program, plan, other);
+        }
+
+        @Override
+        public List<String> check() {
+            if (program.resolved() == null) {
+                throw scene.root().block(SceneReader.REFEREE).error("command", "\"" + program.command().get(0) + "\"",
+                    "a program that is there");
+            }
+            return List.of();
+        }
+
+        @Override
+        public Game create(long seed) {
+            return new GuestGame(program, scene.players(), seed, isolation);
+        }
+
+        @Override
+        public Pilot pilot(Pilot.Aim aim) {
+            throw new UnsupportedOperationException("nothing is known of a guest's commands");
+        }
+
+        @Override
+        public FrameCodec codec(Game game) {
+            GuestLines lines = new GuestLines((GuestGame) game);
+            return new FrameCodec(lines, new GuestState((GuestGame) game), lines);
+        }
+
+        @Override
+        public Optional<TextCodec> textCodec(Game game) {
+            return Optional.of(new GuestText((GuestGame) game));
+        }
+    }
+}
