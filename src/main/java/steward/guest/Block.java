@@ -36,11 +36,13 @@ record Block(Name name, List<String> lines) {
         /** End of the game: a line with player and score for each player. */
         SCORES,
         /** End of the game by an exception of the referee. */
-        FAIL;
+        FAIL,
+        /** Said by a JVM of {@link RefereeHost} between two games. */
+        READY;
 
         /** True if the host speaks next. */
         boolean isLast() {
-            return this == NEXT_PLAYER_INFO || this == SCORES || this == FAIL;
+            return this == NEXT_PLAYER_INFO || this == SCORES || this == FAIL || this == READY;
         }
     }
 

@@ -32,7 +32,10 @@ final class GuestGame extends AbstractGame {
     private final StateHash said = new StateHash();
     private final List<Block> blocks = new ArrayList<>();
     private final StringBuilder[] pending;
+    private final Bodies bodies = new Bodies(1);
     private final double[] scores;
+    private List<String> command;
+    private Isolation isolated;
     private RefereeProcess process;
     private boolean opened;
     private boolean closed;
@@ -61,19 +64,21 @@ final class GuestGame extends AbstractGame {
             return;
         }
         opened = true;
-        List<String> command = program.resolved();
-        if (command == null) {
-            throw new RefereeFault("cannot be started: found no program " + program.command().get(0));
+        if (program.missing() != null) {
+            throw new RefereeFault("cannot be started: found no " + program.missing());
         }
+        command = program.words();
+        isolated = program.isolated(isolation.get());
         synchronized (this) {
             if (closed) {
                 throw new RefereeFault("was ended");
             }
-            process = RefereeProcess.start(command, isolation.get(), program.limitMs());
+            process = program.isResident() ? ResidentReferees.shared().take(command, isolated, program.limitMs())
+                : RefereeProcess.start(command, isolated, program.limitMs());
         }
-        StringBuilder init = new StringBuilder();
-        Block.write(init, "INIT", program.init(players(), seed));
-        say(init);
+        StringBuilder begin = new StringBuilder();
+        program.begin(begin, players(), seed);
+        say(begin);
     }
 
     @Override
@@ -194,6 +199,14 @@ final class GuestGame extends AbstractGame {
         }
         player = -1;
         end("the referee has ended the game");
+        RefereeProcess playing;
+        synchronized (this) {
+            playing = closed ? null : process;
+            process = program.isResident() ? null : process;
+        }
+        if (program.isResident() && playing != null) {
+            ResidentReferees.shared().giveBack(command, isolated, playing);
+        }
         close();
     }
 
@@ -276,7 +289,7 @@ final class GuestGame extends AbstractGame {
 
     @Override
     public Bodies bodies() {
-        return new Bodies(0);
+        return bodies;
     }
 
     @Override

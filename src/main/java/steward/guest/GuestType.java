@@ -47,9 +47,10 @@ public final class GuestType implements GameType {
 
         @Override
         public List<String> check() {
-            if (program.resolved() == null) {
-                throw scene.root().block(SceneReader.REFEREE).error("command", "\"" + program.command().get(0) + "\"",
-                    "a program that is there");
+            if (program.missing() != null) {
+                throw scene.root().block(SceneReader.REFEREE).error(program.isResident() ? "classPath" : "command",
+                    "\"" + program.missing() + "\"", program.isResident() ? "folders and jars that are there"
+                    : "a program that is there");
             }
             return List.of();
         }

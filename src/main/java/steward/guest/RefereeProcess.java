@@ -100,6 +100,11 @@ final class RefereeProcess {
                 .map(line -> TextFormat.plain(TextFormat.beginning(line.strip(), STDERR_WIDTH))).toList()));
     }
 
+    /** Drops what it has written to its stderr: the game is over. */
+    void forgetStderr() {
+        process.stderr();
+    }
+
     /** Kills it, from any thread. */
     synchronized void close() {
         if (!closed) {
