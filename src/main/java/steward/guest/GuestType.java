@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
 import steward.bot.isolation.Isolation;
+import steward.files.Digested;
 import steward.game.FrameCodec;
 import steward.game.Game;
 import steward.game.GameSetup;
@@ -38,7 +39,12 @@ public final class GuestType implements GameType {
     }
 
     private record Setup(Scene scene, GuestProgram program, Plan plan, Supplier<Isolation> isolation)
-        implements HostedSetup {
+        implements HostedSetup, Digested {
+
+        @Override
+        public String digest() {
+            return program.digest();
+        }
 
         @Override
         public GameSetup isolatedBy(Supplier<Isolation> other) {

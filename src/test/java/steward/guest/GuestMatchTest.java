@@ -86,7 +86,7 @@ class GuestMatchTest {
     @Test
     void aBotIsFedWhatItWasSent() throws IOException {
         Path file = folder.resolve("x.jsonl");
-        match(scene("pairs", 2, ", \"properties\": {\"width\": \"12\"}"), "--out", file.toString(), "--no-deadline");
+        match(scene("pairs", 2, ", \"properties\": {\"width\": \"12\"}"), "--out", file.toString());
         Cli same = Cli.run("feed", file.toString(), "--player", "0", "--", "sh " + folder.resolve("low.sh"));
         assertEquals(ExitStatus.DONE, same.status(), same.out() + same.err());
         String frames = Cli.run("replay", file.toString(), "--frames", "--player", "1").out();
@@ -168,7 +168,7 @@ class GuestMatchTest {
         String mode = line.split("\\|", 2)[0].strip();
         String problem = line.split("\\|", 2)[1].strip();
         String limit = mode.equals("silence") ? ", \"limitMs\": 1500" : "";
-        Cli cli = match(scene(mode, 2, limit), "--no-deadline");
+        Cli cli = match(scene(mode, 2, limit));
         assertEquals(ExitStatus.FAILED, cli.status(), cli.out() + cli.err());
         assertTrue(cli.err().contains("the match could not be brought to a result: the referee " + problem),
             cli.err());

@@ -56,9 +56,15 @@ public final class Resimulation {
      */
     Resimulation(ReplayHeader header, GameTypes types, String source, ViewWriter views) {
         this.views = views;
-        checkJar(header, types, source);
         Scene scene = SceneReader.read(header.scene(), source + " (scene)");
+        if (types.hosted() == null || !types.hosted().id().equals(header.game())) {
+            checkJar(header, types, source);
+        }
         setup = types.open(views == null ? scene : views.observed(scene));
+        if (setup.isHosted() && !Objects.equals(header.jar(), JarFolder.digestOf(setup))) {
+            throw new ReplayException(source + ":1: jar: found " + header.jar() + ", expected "
+                + JarFolder.digestOf(setup) + ", which is that of the referee's class path here");
+        }
         if (!header.game().equals(setup.scene().gameId())) {
             throw new ReplayException(source + ":1: game: found \""
                 + TextFormat.beginning(header.game(), SHOWN) + "\", expected \""
