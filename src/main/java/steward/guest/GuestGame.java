@@ -3,12 +3,15 @@ package steward.guest;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Supplier;
+import java.util.regex.Pattern;
 import steward.bot.isolation.Isolation;
 import steward.game.AbstractGame;
 import steward.game.Game;
+import steward.game.TurnEvent;
 import steward.guest.Block.Name;
 import steward.numerics.StateHash;
 import steward.physics.Bodies;
+import steward.text.TextFormat;
 
 /**
  * A game whose referee is a program of its own. A turn is one question: the referee names a player, how many lines it
@@ -25,6 +28,11 @@ final class GuestGame extends AbstractGame {
     private static final int MOST_LINES = 1000;
     private static final int MOST_LIMIT_MS = 3_600_000;
     private static final int BYTES = 8;
+    /** Lines for people of a block, and characters of each, that become events. */
+    private static final int MOST_LINES_SHOWN = 20;
+    private static final int SHOWN = 300;
+    private static final Pattern COLOUR = Pattern.compile("[\u00a4\u00a7][A-Za-z_]+[\u00a4\u00a7]");
+    private static final Pattern PLAYER = Pattern.compile("\\$(\\d)");
 
     private final GuestProgram program;
     private final long seed;
@@ -137,6 +145,20 @@ final class GuestGame extends AbstractGame {
             blocks.add(block);
             hash(block.name().name());
             block.lines().forEach(this::hash);
+            // A tooltip is pairs of lines: a text and its player.
+            int step = block.name() == Name.SUMMARY ? 1 : block.name() == Name.TOOLTIP ? 2 : MOST_LINES_SHOWN;
+            for (int k = 0; step < MOST_LINES_SHOWN && k < Math.min(block.lines().size(), MOST_LINES_SHOWN); k += step) {
+                show(block.lines().get(k));
+            }
+        }
+    }
+
+    /** Makes a line for people an event, without colours, and with players by number: the program knows no names. */
+    private void show(String line) {
+        String text = PLAYER.matcher(COLOUR.matcher(line).replaceAll("")).replaceAll("player $1").strip();
+        if (!text.isEmpty()) {
+            events.add(TurnEvent.Kind.MARK, 1, -1, GuestLines.WIDTH / 2.0, GuestLines.HEIGHT / 2.0,
+                TextFormat.beginning(text, SHOWN), false);
         }
     }
 

@@ -9,8 +9,8 @@ import tools.jackson.core.JsonGenerator;
 /** Frames in JSON and the drawing of a guest: there are none, since its bots speak lines and nothing is known of it. */
 record GuestLines(GuestGame game) implements BotFrames, Drawing {
 
-    private static final int WIDTH = 1600;
-    private static final int HEIGHT = 900;
+    static final int WIDTH = 1600;
+    static final int HEIGHT = 900;
 
     @Override
     public void writeSetup(JsonGenerator out, int player) {

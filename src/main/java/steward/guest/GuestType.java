@@ -35,20 +35,21 @@ public final class GuestType implements GameType {
         }
         GuestProgram program = GuestProgram.read(scene.root());
         scene.root().done();
-        return new Setup(scene, program, Plan.of(scene, new Contacts(1), 1, false, List.of()), Isolation::usual);
+        return new Setup(scene, program, Plan.of(scene, new Contacts(1), 1, false, List.of()),
+            new ClassPathDigest(program.classPath()), Isolation::usual);
     }
 
-    private record Setup(Scene scene, GuestProgram program, Plan plan, Supplier<Isolation> isolation)
-        implements HostedSetup, Digested {
+    private record Setup(Scene scene, GuestProgram program, Plan plan, ClassPathDigest files,
+                         Supplier<Isolation> isolation) implements HostedSetup, Digested {
 
         @Override
         public String digest() {
-            return program.digest();
+            return files.text();
         }
 
         @Override
         public GameSetup isolatedBy(Supplier<Isolation> other) {
-            return new Setup(scene, program, plan, other);
+            return new Setup(scene, program, plan, files, other);
         }
 
         @Override

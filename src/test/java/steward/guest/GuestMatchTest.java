@@ -238,5 +238,8 @@ class GuestMatchTest {
         assertEquals(ExitStatus.DONE, cli.status(), cli.err());
         assertTrue(cli.out().startsWith("one wins: the referee has ended the game, 2 turns (heap, "), cli.out());
         assertTrue(Cli.run("replay", file.toString(), "--verify").out().startsWith("verified"), cli.out());
+        assertTrue(Cli.run("replay", file.toString()).out().contains(" stones are left"), cli.out());
+        String page = Files.readString(Path.of("docs/referees.md"));
+        assertTrue(page.contains(Files.readString(Path.of("src/examples/referees/heap.py"))), page);
     }
 }

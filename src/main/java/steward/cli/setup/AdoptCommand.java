@@ -7,14 +7,11 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
-import java.util.function.Supplier;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import steward.bot.command.CommandLine;
 import steward.bot.isolation.Isolation;
-import steward.cli.options.SandboxOptions;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.FailedException;
 import steward.cli.shared.Pages;
@@ -49,9 +46,6 @@ public final class AdoptCommand implements Callable<Integer> {
     @Option(names = "--overwrite", description = "Replaces a scene that exists.")
     private boolean overwrite;
 
-    @Mixin
-    private final SandboxOptions sandbox = new SandboxOptions();
-
     public AdoptCommand(Streams streams) {
         this.streams = streams;
     }
@@ -66,10 +60,9 @@ public final class AdoptCommand implements Callable<Integer> {
         }
         Path file = OutputFiles.path(called + ".json");
         OutputFiles.check(file, overwrite);
-        Supplier<Isolation> isolation = sandbox.isolation(streams);
         String scene;
         try {
-            scene = Adoption.scene(path, engine, called, isolation, this::say);
+            scene = Adoption.scene(path, engine, called, Isolation::usual, this::say);
         } catch (RefereeFault fault) {
             throw new FailedException("no trial game came to its end: " + fault.getMessage());
         }
