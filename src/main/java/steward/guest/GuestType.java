@@ -1,6 +1,7 @@
 package steward.guest;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Supplier;
 import steward.bot.isolation.Isolation;
@@ -26,6 +27,13 @@ public final class GuestType implements GameType {
     @Override
     public String id() {
         return ID;
+    }
+
+    /** The level of a referee on a class path; what a command plays is up to it. */
+    @Override
+    public String inLeague(Scene scene, int league) {
+        return scene.root().block(SceneReader.REFEREE).contains("classPath")
+            ? scene.root().json(SceneReader.REFEREE, Map.of("leagueLevel", Integer.toString(league))) : scene.json();
     }
 
     @Override

@@ -61,7 +61,7 @@ final class RefereeProcess {
         DaemonThreadPool.run(task);
         List<Block> answer = await(task);
         if (answer == null) {
-            throw fault(closed ? "was ended" : process.ending() + " in the middle of the game");
+            throw fault(closed ? "was ended" : process.ending());
         }
         Block last = answer.get(answer.size() - 1);
         if (last.name() == Block.Name.FAIL) {
@@ -81,7 +81,7 @@ final class RefereeProcess {
                 throw fault("was interrupted");
             } catch (ExecutionException failed) {
                 throw fault(failed.getCause() instanceof RefereeFault found
-                    ? found.getCause().getMessage() : process.ending() + " in the middle of the game");
+                    ? found.getCause().getMessage() : process.ending());
             }
         }
         throw fault("said nothing for " + limitMs + " ms that ends its turn to speak");

@@ -13,6 +13,8 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import steward.bot.command.ProgramFinder;
+import steward.bot.isolation.Launch;
+import steward.bot.process.ProgramRun;
 import steward.files.InputException;
 
 /**
@@ -34,6 +36,8 @@ record SdkProject(List<String> classPath, int fewestPlayers, int mostPlayers, bo
         + "<version>(?:\\$\\{([^}<]+)\\}|([^<]+))</version>");
     private static final Pattern NOT_TO_BE_HAD = Pattern.compile(
         "com\\.codingame\\.gameengine:[\\w-]+:(?:jar|pom):([\\w.-]+)");
+    /** A first build fetches all that a project needs. */
+    private static final long PATIENCE_MS = 900_000;
     /** The newest engine on Maven Central. */
     private static final String PUBLISHED = "4.3.0";
     private static final Pattern TEST_IN = Pattern.compile("\"testIn\"\\s*:\\s*\"((?:[^\"\\\\]|\\\\.)*)\"");
@@ -104,15 +108,14 @@ record SdkProject(List<String> classPath, int fewestPlayers, int mostPlayers, bo
             Path said = Files.createTempFile("steward-adopt", ".txt");
             try {
                 Path found = project.resolve("target/steward-class-path.txt");
-                List<String> words = new ArrayList<>(List.of(maven.toString(), "-q", "-B"));
+                List<String> words = new ArrayList<>(List.of(maven.toString(), "-q", "-B", "-f",
+                    project.resolve("pom.xml").toString()));
                 if (engine != null) {
                     words.add("-D" + property(project) + "=" + engine);
                 }
                 words.addAll(List.of("compile", "dependency:build-classpath", "-Dmdep.outputFile=" + found));
                 told.accept("running: " + String.join(" ", words));
-                int status = new ProcessBuilder(words).directory(project.toFile()).redirectErrorStream(true)
-                    .redirectOutput(said.toFile()).start().waitFor();
-                if (status != 0) {
+                if (ProgramRun.of(Launch.plain(words), said, said, PATIENCE_MS).orElse(-1) != 0) {
                     throw refusal(project, Files.readString(said), engine);
                 }
                 List<Path> classPath = new ArrayList<>(List.of(project.resolve("target/classes")));

@@ -150,11 +150,11 @@ class GuestMatchTest {
 
     @ParameterizedTest
     @ValueSource(strings = {
-        "exit     | exited with status 3 in the middle of the game; its stderr: the map is missing",
+        "exit     | exited with status 3 before answering; its stderr: the map is missing",
         "fail     | failed: java.lang.NullPointerException | at Referee.gameTurn",
         "silence  | said nothing for 1500 ms that ends its turn to speak",
         "flood    | said more than 16 MiB at a time",
-        "errors   | exited with status 4 in the middle of the game; its stderr: e",
+        "errors   | exited with status 4 before answering; its stderr: e",
         "unknown  | said '[[GARBAGE] 1]', expected a block such as [[VIEW] 3]",
         "noise    | said 'debug: 7 bodies', expected a block",
         "huge     | said more than 16 MiB at a time",
@@ -162,7 +162,7 @@ class GuestMatchTest {
         "few      | said SCORES [0 1], expected a player and a score in each of 2 lines",
         "endless  | asked more than 20000 times: the game does not end",
         "scores   | said SCORES before it asked anybody",
-        "children | exited with status 5 in the middle of the game",
+        "children | exited with status 5 before answering",
         })
     void whatTheRefereeDoesWrongIsItsFault(String line) throws IOException {
         String mode = line.split("\\|", 2)[0].strip();

@@ -119,7 +119,7 @@ class ResidentRefereeTest {
     void aFaultIsTheRefereesAndTheNextGameIsPlayedByANewJvm() {
         String scene = scene(2, ", \"limitMs\": 3000");
         play(scene, 200);
-        assertFault("exited with status 7 in the middle of the game; its stderr: noise of the referee | leaving", scene,
+        assertFault("exited with status 7 before answering; its stderr: noise of the referee | leaving", scene,
             101);
         assertTrue(play(scene, 200).get(0).endsWith(" game 1"));
         assertFault("failed: java.lang.reflect.InvocationTargetException", scene, 102);

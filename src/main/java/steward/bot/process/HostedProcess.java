@@ -61,7 +61,7 @@ public final class HostedProcess {
     /** Describes the end of its output: its exit status if it has exited. */
     public String ending() {
         return group.awaitExit(TimeUnit.MILLISECONDS.toNanos(EXIT_MS))
-            ? FaultMessages.exited(group.process().exitValue()) : "closed its output";
+            ? FaultMessages.exited(group.process().exitValue()) : "closed its output before answering";
     }
 
     /** True if the first process has not exited. */
