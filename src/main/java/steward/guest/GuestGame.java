@@ -147,7 +147,8 @@ final class GuestGame extends AbstractGame {
             block.lines().forEach(this::hash);
             // A tooltip is pairs of lines: a text and its player.
             int step = block.name() == Name.SUMMARY ? 1 : block.name() == Name.TOOLTIP ? 2 : MOST_LINES_SHOWN;
-            for (int k = 0; step < MOST_LINES_SHOWN && k < Math.min(block.lines().size(), MOST_LINES_SHOWN); k += step) {
+            int most = step < MOST_LINES_SHOWN ? Math.min(block.lines().size(), MOST_LINES_SHOWN) : 0;
+            for (int k = 0; k < most; k += step) {
                 show(block.lines().get(k));
             }
         }

@@ -55,7 +55,8 @@ record SdkProject(List<String> classPath, int fewestPlayers, int mostPlayers, bo
             return configured(whole.getParent(), checked(path, List.of(whole)));
         }
         if (!Files.isDirectory(whole)) {
-            throw new InputException(path + ": found no such file, expected the folder of a project on the SDK or its jar");
+            throw new InputException(path + ": found no such file, expected the folder of a project on the SDK or "
+                + "its jar");
         }
         Path classes = whole.resolve("target/classes");
         List<Path> jars = new ArrayList<>();
@@ -67,8 +68,8 @@ record SdkProject(List<String> classPath, int fewestPlayers, int mostPlayers, bo
             return configured(whole, checked(path, jars));
         }
         if (!Files.isRegularFile(whole.resolve("pom.xml"))) {
-            throw new InputException(path + ": found neither a pom.xml nor target/classes with jars in target/dependency, "
-                + "target/lib or lib, expected a project on the SDK");
+            throw new InputException(path + ": found neither a pom.xml nor target/classes with jars in "
+                + "target/dependency, target/lib or lib, expected a project on the SDK");
         }
         return configured(whole, checked(path, build(whole, engine, told)));
     }
@@ -94,7 +95,8 @@ record SdkProject(List<String> classPath, int fewestPlayers, int mostPlayers, bo
                 throw new InputException(entry + ": cannot be read as a jar: " + problem.getMessage());
             }
         }
-        throw new InputException(path + ": found no " + GuestProgram.SDK_MAIN + " in it, expected the SDK with the project");
+        throw new InputException(path + ": found no " + GuestProgram.SDK_MAIN
+            + " in it, expected the SDK with the project");
     }
 
     /** Builds a project with its Maven, and asks for the class path. */
@@ -145,8 +147,8 @@ record SdkProject(List<String> classPath, int fewestPlayers, int mostPlayers, bo
     private static InputException refusal(Path project, String said, String engine) {
         Matcher missing = NOT_TO_BE_HAD.matcher(said);
         if (said.contains("ould not find artifact") && missing.find() && engine == null) {
-            return new InputException(project + ": needs version " + missing.group(1) + " of the engine, which is not to "
-                + "be had: build it yourself, or try with --engine " + PUBLISHED + ", the newest that is published");
+            return new InputException(project + ": needs version " + missing.group(1) + " of the engine, which is "
+                + "not to be had: build it yourself, or try with --engine " + PUBLISHED + ", the newest that is published");
         }
         List<String> errors = said.lines().filter(line -> line.startsWith("[ERROR]")).limit(5).toList();
         return new InputException(project + ": its Maven failed: " + String.join(" | ", errors));
@@ -179,6 +181,7 @@ record SdkProject(List<String> classPath, int fewestPlayers, int mostPlayers, bo
 
     private static List<String> testIn(Path test) throws IOException {
         Matcher found = Files.isRegularFile(test) ? TEST_IN.matcher(Files.readString(test)) : null;
-        return found == null || !found.find() ? List.of("") : List.of(found.group(1).replace("\\\"", "\"").split("\\\\n"));
+        return found == null || !found.find() ? List.of("")
+            : List.of(found.group(1).replace("\\\"", "\"").split("\\\\n"));
     }
 }

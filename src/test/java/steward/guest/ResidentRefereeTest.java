@@ -46,7 +46,8 @@ class ResidentRefereeTest {
         assumeTrue(compiler != null, "skipped: this is no JDK");
         Path classes = Files.createDirectories(folder.resolve("target/classes"));
         Path sdk = Files.createDirectories(folder.resolve("sdk"));
-        assertEquals(0, compiler.run(null, null, null, "-d", sdk.toString(), SOURCES.resolve(MAIN + ".java").toString()));
+        assertEquals(0, compiler.run(null, null, null, "-d", sdk.toString(),
+            SOURCES.resolve(MAIN + ".java").toString()));
         assertEquals(0, compiler.run(null, null, null, "-d", classes.toString(),
             SOURCES.resolve("Referee.java").toString()));
         Files.createDirectories(folder.resolve("lib"));
@@ -149,8 +150,8 @@ class ResidentRefereeTest {
         Path scene = folder.resolve("made");
         Cli cli = Cli.run("adopt", folder.toString(), "--as", "../" + scene);
         cli.assertRefused("--as: found '../");
-        Cli.run("adopt", folder.resolve("nothing").toString()).assertRefused("found no such file, expected the folder of "
-            + "a project on the SDK or its jar");
+        Cli.run("adopt", folder.resolve("nothing").toString()).assertRefused("found no such file, expected the folder "
+            + "of a project on the SDK or its jar");
         Files.delete(folder.resolve("lib/core.jar"));
         Cli.run("adopt", folder.toString()).assertRefused("found neither a pom.xml nor target/classes with jars");
         assertEquals(ExitStatus.UNUSABLE, cli.status());

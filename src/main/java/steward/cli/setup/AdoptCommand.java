@@ -32,7 +32,8 @@ public final class AdoptCommand implements Callable<Integer> {
 
     private final Streams streams;
 
-    @Parameters(index = "0", paramLabel = "DIR|JAR", description = "The folder of the project, or a jar with all in it.")
+    @Parameters(index = "0", paramLabel = "DIR|JAR",
+        description = "The folder of the project, or a jar with all in it.")
     private String project;
 
     @Option(names = "--as", paramLabel = "NAME", description = "Name of the scene; it is written into NAME.json "
@@ -57,6 +58,9 @@ public final class AdoptCommand implements Callable<Integer> {
             .replaceFirst("\\.jar$", "").toLowerCase(Locale.ROOT);
         if (!called.matches("[\\w.-]{1,100}")) {
             throw new InputException("--as: found '" + called + "', expected letters, digits, '-', '_' and '.'");
+        }
+        if (engine != null && !engine.matches("[\\w.-]{1,40}")) {
+            throw new InputException("--engine: found '" + engine + "', expected a version such as 4.3.0");
         }
         Path file = OutputFiles.path(called + ".json");
         OutputFiles.check(file, overwrite);

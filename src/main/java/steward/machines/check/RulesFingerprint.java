@@ -29,8 +29,8 @@ public final class RulesFingerprint {
     /** 16 hexadecimal digits. */
     public static String of(GameSetup setup) {
         if (setup.isHosted()) {
-            throw new InputException("workers: found the scene \"" + setup.scene().name() + "\", which has a referee of "
-                + "its own, expected a game that Steward computes");
+            throw new InputException("workers: found the scene \"" + setup.scene().name() + "\", which has a "
+                + "referee of its own, expected a game that Steward computes");
         }
         StateHash hash = new StateHash().add(FORM);
         setup.edition().chars().forEach(hash::add);    // the games may be too short to tell

@@ -283,7 +283,8 @@ public final class Resimulation {
         try (JsonParser in = JsonNumbers.FACTORY.createParser(ObjectReadContext.empty(), json, 0, json.length)) {
             in.nextToken();
             for (JsonToken token = in.nextToken(); token != JsonToken.END_ARRAY; token = in.nextToken()) {
-                boolean asked = player < game.players() && game.isAsked(player) && !isSpared(token, player, turn.faults());
+                boolean asked = player < game.players() && game.isAsked(player)
+                    && !isSpared(token, player, turn.faults());
                 if (!asked && token != JsonToken.VALUE_NULL) {
                     return new Difference(turn.number(), "commands[" + player + "]", "a command", "null");
                 }
