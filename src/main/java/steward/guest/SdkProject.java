@@ -148,7 +148,8 @@ record SdkProject(List<String> classPath, int fewestPlayers, int mostPlayers, bo
         Matcher missing = NOT_TO_BE_HAD.matcher(said);
         if (said.contains("ould not find artifact") && missing.find() && engine == null) {
             return new InputException(project + ": needs version " + missing.group(1) + " of the engine, which is "
-                + "not to be had: build it yourself, or try with --engine " + PUBLISHED + ", the newest that is published");
+                + "not to be had: build it yourself, or try with --engine " + PUBLISHED
+                + ", the newest that is published");
         }
         List<String> errors = said.lines().filter(line -> line.startsWith("[ERROR]")).limit(5).toList();
         return new InputException(project + ": its Maven failed: " + String.join(" | ", errors));
