@@ -1,8 +1,8 @@
 package steward.guest;
 
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
-import java.io.OutputStream;
 import java.io.PrintStream;
 import java.lang.management.ManagementFactory;
 import java.lang.management.MemoryPoolMXBean;
@@ -173,7 +173,7 @@ public final class RefereeHost {
 
         /** The next line without its end, or {@code null}; END sets {@link #ended}. */
         String line() throws IOException {
-            java.io.ByteArrayOutputStream line = new java.io.ByteArrayOutputStream();
+            ByteArrayOutputStream line = new ByteArrayOutputStream();
             for (;;) {
                 if (from == to) {
                     from = 0;
