@@ -1,5 +1,7 @@
 package steward.cli;
 
+import java.util.ArrayList;
+import java.util.Collection;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
@@ -63,7 +65,10 @@ final class HelpCommand implements Callable<Integer> {
                     + found.getCommandSpec().qualifiedName() + " takes");
             }
             if (!commands.containsKey(word)) {
-                throw new ParameterException(found, UnknownWord.command(word, commands.keySet()));
+                Collection<String> known = new ArrayList<>(commands.keySet());
+                known.add(SANDBOX);
+                throw new ParameterException(found, UnknownWord.command(word,
+                    found == spec.root().commandLine() ? known : commands.keySet()));
             }
             found = commands.get(word);
         }

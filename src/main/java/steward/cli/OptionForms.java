@@ -2,6 +2,7 @@ package steward.cli;
 
 import java.lang.reflect.Field;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -33,7 +34,7 @@ final class OptionForms {
         }
     }
 
-    /** Puts the options of classes with an {@link OptionSection} below headings, after the others. */
+    /** Puts options with an {@link OptionSection} below headings, after the others; of these the usual ones first. */
     static void arrange(CommandSpec spec) {
         UsageMessageSpec usage = spec.usageMessage();
         usage.abbreviateSynopsis(spec.options().size() > MOST_IN_SYNOPSIS);
@@ -44,12 +45,12 @@ final class OptionForms {
         List<OptionSpec> plain = new ArrayList<>();
         Map<OptionSection, List<OptionSpec>> sections = new LinkedHashMap<>();
         for (OptionSpec option : help.commandSpec().options()) {
-            OptionSection section = option.userObject() instanceof Field field
-                ? field.getDeclaringClass().getAnnotation(OptionSection.class) : null;
+            OptionSection section = option.userObject() instanceof Field field ? section(field) : null;
             if (!option.hidden()) {
                 (section == null ? plain : sections.computeIfAbsent(section, key -> new ArrayList<>())).add(option);
             }
         }
+        plain.sort(Comparator.comparing(option -> !option.required() && !SHORT.containsKey(option.longestName())));
         StringBuilder text = new StringBuilder(help.optionListExcludingGroups(plain));
         sections.forEach((section, options) -> {
             boolean elsewhere = !section.elsewhere().isEmpty() && options.size() > 1;
@@ -58,5 +59,10 @@ final class OptionForms {
                 .append(help.optionListExcludingGroups(elsewhere ? options.subList(0, 1) : options));
         });
         return text.toString();
+    }
+
+    private static OptionSection section(Field field) {
+        OptionSection own = field.getAnnotation(OptionSection.class);
+        return own != null ? own : field.getDeclaringClass().getAnnotation(OptionSection.class);
     }
 }

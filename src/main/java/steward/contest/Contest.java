@@ -192,7 +192,7 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
 
     private static Contest create(GameSetup setup, List<String> bots, Protocol usual, double timeFactor) {
         List<Entrant> entrants = entrants(bots, setup.isHosted() ? Protocol.CODINGAME : usual);
-        checkProtocols(setup, entrants);
+        checkPlayable(setup, entrants);
         return new Contest(setup, entrants, timeControl(setup, timeFactor), timeFactor);
     }
 
@@ -261,8 +261,8 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
         return numbered;
     }
 
-    /** Refuses bots whose protocol the scene's game does not support. */
-    public static void checkProtocols(GameSetup setup, List<Entrant> entrants) {
+    /** Refuses bots whose protocol the scene's game does not support, and builtin bots of other games. */
+    public static void checkPlayable(GameSetup setup, List<Entrant> entrants) {
         for (Entrant entrant : entrants) {
             if (entrant.protocol() == Protocol.JSON && setup.isHosted()) {
                 throw new InputException("bot '" + entrant.bot() + "': the scene \"" + setup.scene().name()
@@ -271,6 +271,13 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
             if (entrant.protocol() == Protocol.CODINGAME && !hasText(setup)) {
                 throw new InputException("bot '" + entrant.bot() + "': the scene \"" + setup.scene().name()
                     + "\" has no codingame protocol, expected a bot that speaks json");
+            }
+            if (entrant.problem() == null) {
+                try {
+                    BotCommand.parse(entrant.bot()).checkPlays(setup.scene().gameId());
+                } catch (IllegalArgumentException problem) {
+                    throw new InputException(problem.getMessage());
+                }
             }
         }
     }

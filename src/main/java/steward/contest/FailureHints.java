@@ -55,6 +55,9 @@ final class FailureHints {
         + "|NumberFormat|InputMismatch|NoSuchElement|ArrayIndexOutOfBounds|StringIndexOutOfBounds|ParseIntError"
         + "|invalid digit|invalid literal|FormatException|NaN|\\{\\s*\\\\?\"|JSON|Json|json");
 
+    /** Source line of a traceback that takes a field of an object, as programs that read JSON do. */
+    private static final Pattern OF_OBJECT = Pattern.compile("\\[(\"\\w+\"|'\\w+')]");
+
     private FailureHints() {
     }
 
@@ -119,9 +122,11 @@ final class FailureHints {
     /** True if it exited at its first input, or answered in the form of the other protocol. */
     private static boolean speaksTheOther(Protocol protocol, String reason, String received, List<String> stderr) {
         if (FaultMessages.isExit(reason)) {
+            boolean readsObjects = stderr.stream().anyMatch(line -> OF_OBJECT.matcher(line).find());
             return !reason.equals(FaultMessages.exited(0))
                 && stderr.stream().noneMatch(line -> CLEAR.matcher(line).find())
-                && (stderr.stream().noneMatch(line -> TRACEBACK.matcher(line).find())
+                && (protocol != Protocol.JSON || !readsObjects)
+                && (readsObjects || stderr.stream().noneMatch(line -> TRACEBACK.matcher(line).find())
                 || stderr.stream().anyMatch(line -> OF_INPUT.matcher(line).find()));
         }
         boolean object = received.stripLeading().startsWith("{");

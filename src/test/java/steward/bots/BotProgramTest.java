@@ -114,7 +114,7 @@ class BotProgramTest {
             "chaser", "captain", "nibbler", "glutton"),
             list.stringPropertyNames());
         for (String name : list.stringPropertyNames()) {
-            Class.forName(list.getProperty(name)).getMethod("main", String[].class);
+            Class.forName(list.getProperty(name).replaceFirst(".* ", "")).getMethod("main", String[].class);
         }
     }
 

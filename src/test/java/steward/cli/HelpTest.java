@@ -10,6 +10,7 @@ import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import picocli.CommandLine.Model.OptionSpec;
 import steward.cli.shared.ExitStatus;
 
@@ -38,6 +39,16 @@ class HelpTest {
     @Test
     void theListOfCommandsFitsToo() {
         assertEquals(List.of(), Cli.run().out().lines().filter(line -> line.length() > 80).toList());
+    }
+
+    /** The short options of 'referee' are fixed by the tools that call it. */
+    @ParameterizedTest
+    @MethodSource("commands")
+    @ValueSource(strings = {"league run", "league sprt", "league table", "league games", "league worker"})
+    void longListsOfOptionsHaveHeadings(String command) {
+        List<String> plain = Cli.run((command + " --help").split(" ")).out().lines().takeWhile(line -> !line.endsWith(":"))
+            .filter(line -> line.matches(" +-.*") && !line.matches(" +-[hV], .*")).toList();
+        assertTrue(plain.size() <= 12 || command.equals("referee"), () -> String.join("\n", plain));
     }
 
     @ParameterizedTest
@@ -75,9 +86,14 @@ class HelpTest {
         assertEquals(ExitStatus.DONE, sandbox.status(), sandbox.err());
         assertTrue(sandbox.out().contains("\n      --memory=SIZE "), sandbox.out());
         assertEquals(List.of(), sandbox.out().lines().filter(line -> line.length() > 80).toList());
+        String tune = Cli.run("tune", "--help").out();
+        assertTrue(tune.indexOf(" --against=") < tune.indexOf(" --accuracy="), "what has to be given stands first");
+        assertTrue(tune.indexOf("The search:") < tune.indexOf(" -g, --games="), tune);
         assertEquals(2, Cli.run("help", "league", "rnu").status());
         Cli wrong = Cli.run("help", "mtach");
         assertEquals(ExitStatus.UNUSABLE, wrong.status());
         assertTrue(wrong.err().startsWith("steward: unknown command 'mtach'; did you mean 'match'?\n"), wrong.err());
+        String topic = Cli.run("help", "sandbx").err();
+        assertTrue(topic.startsWith("steward: unknown command 'sandbx'; did you mean 'sandbox'?\n"), topic);
     }
 }

@@ -123,7 +123,9 @@ class PublishedTest {
         List<String> match = new ArrayList<>(compiled("OneMatch", "steward"));
         match.add("searcher=codingame:" + String.join(" ", bot));
         match.add("builtin:racer");
-        String said = run(match);
-        assertTrue(said.matches("(searcher|racer) wins: .*\n"), said);
+        assertTrue(run(match).matches("searcher: rank (1\nracer: rank 2|2\nracer: rank 1)\n"));
+        List<String> noWinner = new ArrayList<>(compiled("OneMatch", "steward"));
+        noWinner.addAll(List.of("false", "false"));
+        assertTrue(run(noWinner).contains("false-1: rank "), "a match of two bots that fail has no winner");
     }
 }

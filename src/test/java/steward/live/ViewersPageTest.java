@@ -108,9 +108,9 @@ class ViewersPageTest {
             feed.close();
             browser.await("it does not come in", () -> {
                 browser.run("document.querySelector('#notice button')?.click()");
-                return browser.text("#scene").contains("7 games of duel");
+                return browser.text("#scene").contains("7 games of duel")
+                    && browser.is("document.body.classList.contains('live')");
             });
-            browser.await("it is not live", () -> browser.is("document.body.classList.contains('live')"));
             assertEquals(List.of(), browser.complaints());
         }
     }

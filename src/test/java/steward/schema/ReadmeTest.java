@@ -5,12 +5,15 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import javax.tools.JavaCompiler;
+import javax.tools.ToolProvider;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -72,6 +75,19 @@ class ReadmeTest {
         assertEquals(0, result.winner());
         String shown = block(PROTOCOL, "json", 0).strip().split("\\R")[2];
         assertTrue(shown.contains("\"turns\":" + result.turns() + ","), PROTOCOL + " says " + shown);
+    }
+
+    /** The README's match in Java compiles, with the imports of the library's page. */
+    @Test
+    void theMatchInJavaCompiles(@TempDir Path folder) throws IOException {
+        JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
+        assumeTrue(compiler != null, "skipped: this Java has no compiler");
+        String page = block("docs/library.md", "java", 1);
+        Path source = Files.writeString(folder.resolve("Readme.java"), page.substring(0, page.indexOf("public class"))
+            + "class Readme {\n    void play() throws Exception {\n" + block("README.md", "java", 0) + "    }\n}\n");
+        ByteArrayOutputStream said = new ByteArrayOutputStream();
+        assertEquals(0, compiler.run(null, said, said, "-cp", System.getProperty("java.class.path"), "-proc:none", "-d",
+            folder.toString(), source.toString()), said::toString);
     }
 
     private static boolean runs(String program) {

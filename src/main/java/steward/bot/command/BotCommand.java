@@ -182,6 +182,21 @@ public record BotCommand(String name, Prefix prefix, List<String> words) {
         }
     }
 
+    /**
+     * Checks that the bot is not a builtin one of another game; programs of other people are not known.
+     *
+     * @throws IllegalArgumentException if it is; the message says which play the game
+     */
+    public void checkPlays(String game) {
+        BuiltinBots builtins = BuiltinBots.installed();
+        if (prefix == Prefix.BUILTIN && !builtins.game(words.get(0)).equals(game)) {
+            List<String> others = builtins.of(game);
+            throw new IllegalArgumentException("bot '" + this + "': found a bot of " + builtins.game(words.get(0))
+                + ", expected one of " + game + (others.isEmpty() ? ", which has no builtin bots"
+                    : "; there are: " + String.join(", ", others)));
+        }
+    }
+
     private String hint() {
         boolean odd = prefix != Prefix.BUILTIN && UNKNOWN_PREFIX.matcher(words.get(0)).matches();
         if (!odd) {

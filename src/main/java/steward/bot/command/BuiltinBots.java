@@ -3,21 +3,22 @@ package steward.bot.command;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Properties;
-import java.util.SortedMap;
-import java.util.TreeMap;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import steward.text.NearestName;
 
 /**
  * The bots bundled with the program: ordinary bot programs, started as processes of the JVM that runs the referee.
  *
- * <p>The class-path resource {@value #RESOURCE} lists them, one {@code NAME = main.Class} per line, with optional
- * arguments after the class, quoted as in {@link CommandLine}.
+ * <p>The class-path resource {@value #RESOURCE} lists them, one {@code NAME = GAME main.Class} per line, with optional
+ * arguments after the class, quoted as in {@link CommandLine}; the bots of a game from the weakest to the strongest.
  */
 public final class BuiltinBots {
 
@@ -31,11 +32,14 @@ public final class BuiltinBots {
     private static final String SHORT_START =
         "-XX:TieredStopAtLevel=1 -XX:+UseSerialGC -Xshare:auto -XX:-UsePerfData";
 
-    private final SortedMap<String, String> mains;
+    private static final Pattern LINE = Pattern.compile("([^#\\s]\\S*)\\s*=\\s*(\\S+)\\s+(.+)");
 
-    /** @param mains by bot name: the main class, then optional arguments */
-    BuiltinBots(Map<String, String> mains) {
-        this.mains = Collections.unmodifiableSortedMap(new TreeMap<>(mains));
+    /** The lines by name, in the order of the list. */
+    private final Map<String, Matcher> lines = new LinkedHashMap<>();
+
+    /** @param list the lines; others than those of bots are passed over */
+    BuiltinBots(String list) {
+        list.lines().map(LINE::matcher).filter(Matcher::matches).forEach(line -> lines.put(line.group(1), line));
     }
 
     /**
@@ -44,22 +48,26 @@ public final class BuiltinBots {
      * @throws UncheckedIOException when the list cannot be read
      */
     public static BuiltinBots installed() {
-        Properties properties = new Properties();
         try (InputStream list = BuiltinBots.class.getClassLoader().getResourceAsStream(RESOURCE)) {
-            if (list != null) {
-                properties.load(list);
-            }
+            return new BuiltinBots(list == null ? "" : new String(list.readAllBytes(), StandardCharsets.UTF_8));
         } catch (IOException e) {
             throw new UncheckedIOException("cannot read the list of builtin bots " + RESOURCE, e);
         }
-        SortedMap<String, String> mains = new TreeMap<>();
-        properties.stringPropertyNames().forEach(name -> mains.put(name, properties.getProperty(name)));
-        return new BuiltinBots(mains);
     }
 
-    /** The names, in alphabetical order. */
+    /** The names, in the order of the list. */
     public List<String> names() {
-        return List.copyOf(mains.keySet());
+        return List.copyOf(lines.keySet());
+    }
+
+    /** The names of the bots of a game, from the weakest to the strongest. */
+    public List<String> of(String game) {
+        return lines.keySet().stream().filter(name -> game(name).equals(game)).toList();
+    }
+
+    /** The game that a bot plays; it is one of {@link #names()}. */
+    String game(String name) {
+        return lines.get(name).group(2);
     }
 
     /**
@@ -71,8 +79,7 @@ public final class BuiltinBots {
      *     system property {@value #JVM_OPTIONS} cannot be split into words
      */
     public List<String> command(String name, List<String> arguments) {
-        String main = mains.get(name);
-        if (main == null) {
+        if (!lines.containsKey(name)) {
             throw new IllegalArgumentException(unknown(name));
         }
         List<String> command = new ArrayList<>();
@@ -80,7 +87,7 @@ public final class BuiltinBots {
         command.addAll(jvmOptions());
         command.add("-cp");
         command.add(System.getProperty("java.class.path"));
-        command.addAll(CommandLine.split(main));
+        command.addAll(CommandLine.split(lines.get(name).group(3)));
         command.addAll(arguments);
         return List.copyOf(command);
     }
@@ -95,11 +102,12 @@ public final class BuiltinBots {
 
     private String unknown(String name) {
         String problem = "there is no builtin bot '" + name + "'";
-        if (mains.isEmpty()) {
+        if (lines.isEmpty()) {
             return problem + ": this installation has none (no " + RESOURCE + " on the class path)";
         }
-        String question = NearestName.question(name, mains.keySet(), "'");
+        String question = NearestName.question(name, lines.keySet(), "'");
         return problem + (question.isEmpty() ? "; there are: " : question + " There are: ")
-            + String.join(", ", mains.keySet());
+            + names().stream().map(this::game).distinct().map(game -> String.join(", ", of(game)) + " (" + game + ")")
+                .collect(Collectors.joining("; "));
     }
 }

@@ -92,7 +92,7 @@ public final class CheckCommand implements Callable<Integer> {
             throw new InputException(entrant.problem() + Advice.missing(BotCommand.parse(entrant.bot()).words())
                 .map(advice -> ". " + advice).orElse(""));
         }
-        Contest.checkProtocols(empty.setup(), List.of(entrant));
+        Contest.checkPlayable(empty.setup(), List.of(entrant));
         BotCheck check = BotCheck.of(empty, entrant);
         if (json) {
             printJson(streams, check);

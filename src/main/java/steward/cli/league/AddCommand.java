@@ -105,7 +105,7 @@ final class AddCommand implements Callable<Integer> {
         if (entrant.problem() != null && !programElsewhere) {
             throw new InputException(entrant.problem());
         }
-        Contest.checkProtocols(LeagueOpening.setup(folder, settings), List.of(entrant));
+        Contest.checkPlayable(LeagueOpening.setup(folder, settings), List.of(entrant));
         LeagueBot other = same ? other(settings, added) : null;
         if (other == null) {
             refuseTwins(settings, added);

@@ -9,8 +9,10 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import steward.cli.league.view.LeagueArgument;
 import steward.cli.shared.ExitStatus;
+import steward.cli.streams.Json;
 import steward.cli.streams.Streams;
 import steward.files.InputException;
+import steward.json.JsonObject;
 import steward.league.FolderLock;
 import steward.league.LeagueFolder;
 import steward.league.store.BadRow;
@@ -24,12 +26,17 @@ import steward.text.TextFormat;
         "with the games that need them, and keeps a copy of the database as it was.",
         "A value that is only untrue, such as another score, is not found: replays are",
         "checked by steward replay --verify.",
+        "", "--json: integrity (by SQLite), games, rows (table, key, column, value,",
+        "expected; the first 100), more, setAside (rows, games, copy) or null.",
         "", "Exit status: 0 every row can be used, or now can; 1 some cannot.",
         "", "Example:", "  steward league verify night --drop"})
 final class VerifyCommand implements Callable<Integer> {
 
     /** Rows that are listed at most. */
     private static final int LISTED = 100;
+
+    /** The word of SQLite for a database that is whole. */
+    private static final String SOUND = "ok";
 
     private final Streams streams;
 
@@ -38,6 +45,9 @@ final class VerifyCommand implements Callable<Integer> {
 
     @Option(names = "--drop", description = "Sets the rows aside, and the games that need them.")
     private boolean drop;
+
+    @Option(names = "--json", description = "Prints one JSON object instead; see below.")
+    private boolean json;
 
     VerifyCommand(Streams streams) {
         this.streams = streams;
@@ -50,42 +60,77 @@ final class VerifyCommand implements Callable<Integer> {
             throw new InputException(folder.path() + ": found a league without games, expected one that has been "
                 + "played; 'steward league run " + folder.path() + "' plays it");
         }
-        return drop ? dropped(folder) : listed(folder);
-    }
-
-    private int listed(LeagueFolder folder) {
-        try (GameStore store = GameStore.unchecked(folder, false)) {
-            String whole = store.integrity();
-            if (!whole.equals("ok")) {
-                streams.out().println(folder.database() + ": SQLite finds it damaged: " + TextFormat.plain(whole));
+        if (drop) {
+            try (FolderLock lock = FolderLock.take(folder); GameStore store = GameStore.unchecked(folder, true)) {
+                return verify(folder, store);
             }
-            return whole.equals("ok") && list(store) ? ExitStatus.DONE : ExitStatus.FAILED;
+        }
+        try (GameStore store = GameStore.unchecked(folder, false)) {
+            return verify(folder, store);
         }
     }
 
-    /** True if there is none. */
-    private boolean list(GameStore store) {
-        List<BadRow> rows = store.badRows(LISTED + 1);
+    private int verify(LeagueFolder folder, GameStore store) {
+        String whole = drop ? SOUND : store.integrity();
+        List<BadRow> rows = whole.equals(SOUND) ? store.badRows(LISTED + 1) : List.of();
+        if (!json) {
+            list(folder, store, whole, rows);
+        }
+        Dropped dropped = drop && !rows.isEmpty() ? drop(folder, store) : null;
+        if (json) {
+            print(store, whole, rows, dropped);
+        } else if (dropped != null) {
+            streams.out().println("Set aside: " + TextFormat.count(dropped.rows, "row") + ", with "
+                + TextFormat.count(dropped.games, "game") + "; the database as it was: " + dropped.copy);
+        }
+        return drop || whole.equals(SOUND) && rows.isEmpty() ? ExitStatus.DONE : ExitStatus.FAILED;
+    }
+
+    private void list(LeagueFolder folder, GameStore store, String whole, List<BadRow> rows) {
+        if (!whole.equals(SOUND)) {
+            streams.out().println(folder.database() + ": SQLite finds it damaged: " + TextFormat.plain(whole));
+            return;
+        }
         rows.stream().limit(LISTED).forEach(row -> streams.out().println(row));
         streams.out().println(rows.isEmpty() ? "Every row can be used: " + TextFormat.count(store.games(), "game")
             : rows.size() > LISTED ? "and more" : TextFormat.count(rows.size(), "row") + " cannot be used; --drop sets "
                 + (rows.size() == 1 ? "it" : "them") + " aside");
-        return rows.isEmpty();
     }
 
-    private int dropped(LeagueFolder folder) {
-        try (FolderLock lock = FolderLock.take(folder); GameStore store = GameStore.unchecked(folder, true)) {
-            if (list(store)) {
-                return ExitStatus.DONE;
+    private void print(GameStore store, String whole, List<BadRow> rows, Dropped dropped) {
+        Json.print(streams, out -> {
+            out.writeStringProperty("integrity", whole);
+            out.writeNumberProperty("games", store.games());
+            JsonObject.writeAll(out, "rows", rows.subList(0, Math.min(LISTED, rows.size())), row -> {
+                out.writeStringProperty("table", row.table());
+                out.writeStringProperty("key", row.key());
+                out.writeStringProperty("column", row.column());
+                out.writeStringProperty("value", row.value());
+                out.writeStringProperty("expected", row.expected());
+            });
+            out.writeBooleanProperty("more", rows.size() > LISTED);
+            if (dropped == null) {
+                out.writeNullProperty("setAside");
+                return;
             }
-            Path copy = copyOf(folder);
-            long before = store.games();
-            store.backup(copy.toAbsolutePath());
-            long rows = store.dropBadRows();
-            streams.out().println("Set aside: " + TextFormat.count(rows, "row") + ", with "
-                + TextFormat.count(before - store.games(), "game") + "; the database as it was: " + copy);
-            return ExitStatus.DONE;
-        }
+            out.writeObjectPropertyStart("setAside");
+            out.writeNumberProperty("rows", dropped.rows);
+            out.writeNumberProperty("games", dropped.games);
+            out.writeStringProperty("copy", dropped.copy.toString());
+            out.writeEndObject();
+        });
+    }
+
+    /** Rows set aside, the games that needed them, and the database as it was. */
+    private record Dropped(long rows, long games, Path copy) {
+    }
+
+    private static Dropped drop(LeagueFolder folder, GameStore store) {
+        Path copy = copyOf(folder);
+        long before = store.games();
+        store.backup(copy.toAbsolutePath());
+        long rows = store.dropBadRows();
+        return new Dropped(rows, before - store.games(), copy);
     }
 
     private static Path copyOf(LeagueFolder folder) {

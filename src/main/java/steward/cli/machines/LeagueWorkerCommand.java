@@ -9,8 +9,10 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import steward.cli.options.CallCheck;
 import steward.cli.shared.ExitStatus;
+import steward.cli.streams.Json;
 import steward.cli.streams.Streams;
 import steward.files.OutputFiles;
+import steward.json.JsonObject;
 import steward.league.LeagueFolder;
 import steward.machines.token.BrokerKey;
 import steward.machines.token.Invitation;
@@ -29,6 +31,8 @@ import steward.text.TextFormat;
         "is a worker from then on, called like its host. revoke ends an invitation, too;",
         "the workers that came with it stay, and are revoked one by one.",
         "renew makes a new certificate for the broker's key, which workers go on trusting.",
+        "", "list --json: workers (name, invitation or null, revoked: why, or null),",
+        "invitations (name, until, used, count, revoked).",
         "", "Examples:",
         "  steward league worker add night attic",
         "  steward league worker invite night --count 40 --until 2030-12-24",
@@ -66,6 +70,9 @@ final class LeagueWorkerCommand implements Callable<Integer> {
         + "--serve' plays them again.")
     private boolean aside;
 
+    @Option(names = "--json", description = "With list: prints one JSON object instead; see below.")
+    private boolean json;
+
     LeagueWorkerCommand(Streams streams) {
         this.streams = streams;
     }
@@ -81,6 +88,7 @@ final class LeagueWorkerCommand implements Callable<Integer> {
         check.that(out == null || action.equals("add") || invites, "--out is for add and invite, expected none with "
             + action);
         check.that(!aside || action.equals("revoke"), "--set-aside is for revoke, expected none with " + action);
+        check.that(!json || action.equals("list"), "--json is for list, expected none with " + action);
         check.that(invites == (count != null) && invites == (until != null), invites
             ? "found no --count or no --until, expected both with invite"
             : "--count and --until are for invite, expected none with " + action);
@@ -126,6 +134,23 @@ final class LeagueWorkerCommand implements Callable<Integer> {
     }
 
     private void list(WorkerList list) {
+        if (json) {
+            Json.print(streams, out -> {
+                JsonObject.writeAll(out, "workers", list.workers(), worker -> {
+                    out.writeStringProperty("name", worker.name());
+                    out.writeStringProperty("invitation", worker.invited());
+                    out.writeStringProperty("revoked", worker.revoked());
+                });
+                JsonObject.writeAll(out, "invitations", list.invitations(), each -> {
+                    out.writeStringProperty("name", each.name());
+                    out.writeStringProperty("until", each.until().toString());
+                    out.writeNumberProperty("used", list.used(each));
+                    out.writeNumberProperty("count", each.count());
+                    out.writeBooleanProperty("revoked", each.revoked());
+                });
+            });
+            return;
+        }
         list.workers().forEach(worker -> streams.out().println(worker.name()
             + (worker.invited() == null ? "" : " (by " + worker.invited() + ")")
             + (worker.revoked() == null ? "" : " (revoked: " + worker.revoked() + ")")));

@@ -8,6 +8,7 @@ import picocli.CommandLine.Option;
 import steward.cli.league.run.RunCommand;
 import steward.cli.league.run.Serving;
 import steward.cli.options.CallCheck;
+import steward.cli.options.OptionSection;
 import steward.cli.shared.ProgramVersion;
 import steward.contest.Contest;
 import steward.league.LeagueFolder;
@@ -16,6 +17,7 @@ import steward.league.Season;
 import steward.machines.serve.RemoteGames;
 
 /** The options of {@code league run} that let workers play. */
+@OptionSection("Workers")
 final class ServeOptions implements Serving {
 
     /** Where a league listens unless told otherwise: only programs of this machine can join. */

@@ -8,6 +8,6 @@ public final class BuiltinBotWords implements Iterable<String> {
 
     @Override
     public Iterator<String> iterator() {
-        return BuiltinBots.installed().names().stream().map(name -> "builtin:" + name).iterator();
+        return BuiltinBots.installed().names().stream().sorted().map(name -> "builtin:" + name).iterator();
     }
 }

@@ -88,6 +88,9 @@ public final class MatchCommand implements Callable<Integer> {
     private boolean overwrite;
 
     @Mixin
+    private final SeriesOptions many = new SeriesOptions();
+
+    @Mixin
     private final DisplayOptions show = new DisplayOptions();
 
     @Option(names = "--quiet", description = "Prints only the line of the result.")
@@ -104,9 +107,6 @@ public final class MatchCommand implements Callable<Integer> {
 
     @Mixin
     private final SandboxOptions sandbox = new SandboxOptions();
-
-    @Mixin
-    private final SeriesOptions many = new SeriesOptions();
 
     public MatchCommand(Streams streams) {
         this.streams = streams;

@@ -138,7 +138,7 @@ public final class FeedCommand implements Callable<Integer> {
         if (spoken == Protocol.CODINGAME && again.setup().textCodec(again.game()).isEmpty()) {
             throw new InputException("--protocol: found codingame, expected json: the scene has no other");
         }
-        FeedSession feeding = new FeedSession(streams, match, player, bot, spoken, words(bot), pause, quiet, json,
+        FeedSession feeding = new FeedSession(streams, match, player, bot, spoken, words(bot, again), pause, quiet, json,
             StandardFiles.is(out));
         return replace ? feeding.replace(from, out, overwrite)
             : feeding.compare(until == null ? Integer.MAX_VALUE : until);
@@ -190,9 +190,11 @@ public final class FeedCommand implements Callable<Integer> {
         return spoken;
     }
 
-    private static List<String> words(BotCommand bot) {
+    private static List<String> words(BotCommand bot, Resimulation match) {
         try {
-            return bot.resolve();
+            List<String> words = bot.resolve();
+            bot.checkPlays(match.setup().scene().gameId());
+            return words;
         } catch (IllegalArgumentException problem) {
             throw new InputException(problem.getMessage());
         }

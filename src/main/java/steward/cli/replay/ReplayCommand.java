@@ -14,6 +14,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import steward.bot.isolation.SandboxLevel;
 import steward.cli.options.CallCheck;
+import steward.cli.options.OptionSection;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.FailedException;
 import steward.cli.shared.Games;
@@ -74,62 +75,79 @@ public final class ReplayCommand implements Callable<Integer> {
         description = "The replay; - is the standard input.")
     private String file;
 
+    @OptionSection("Looking at a part")
     @Option(names = "--turn", paramLabel = "N", description = "Prints everything about this turn.")
     private Integer turn;
 
+    @OptionSection("Looking at a part")
     @Option(names = "--from", paramLabel = "A", description = "Begins with this turn.")
     private Integer from;
 
+    @OptionSection("Looking at a part")
     @Option(names = "--to", paramLabel = "B", description = "Ends with this turn.")
     private Integer to;
 
+    @OptionSection("Looking at a part")
     @Option(names = "--impacts", description = "Prints the impacts instead of the states.")
     private boolean impacts;
 
+    @OptionSection("Looking at a part")
     @Option(names = "--map", description = "Draws the end of the match with characters.")
     private boolean map;
 
+    @OptionSection("Verifying")
     @Option(names = "--verify", description = "Plays the match again and compares every turn.")
     private boolean verify;
 
+    @OptionSection("Verifying")
     @Option(names = "--partial", description = "With --verify: accepts what agrees up to a cut.")
     private boolean partial;
 
+    @OptionSection("Verifying")
     @Option(names = "--signed-by", paramLabel = "PUB",
         description = "With --verify: demands that the owner of this public key has signed the replay.")
     private String signedBy;
 
+    @OptionSection("Verifying")
     @Option(names = "--require", paramLabel = "off|light|strict", description = "With --verify and --signed-by: "
         + "demands that the signer says that bots were kept apart at this level at least.")
     private String require;
 
+    @OptionSection("Looking at a part")
     @Option(names = "--frames", description = "Prints the lines that one bot was sent, byte for byte; with --player.")
     private boolean frames;
 
+    @OptionSection("Looking at a part")
     @Option(names = "--player", paramLabel = "P",
         description = "Which bot: its number, counted from 0, or its name.")
     private String player;
 
+    @OptionSection("Pages and pictures")
     @Option(names = "--view", paramLabel = "HTML",
         description = "Writes a page that shows the match to this file, - for the standard output: everything in it, "
             + "opens from disk.")
     private String view;
 
+    @OptionSection("Pages and pictures")
     @Option(names = "--open", description = "Opens the page of --view, or one without a name, in the browser.")
     private boolean open;
 
+    @OptionSection("Pages and pictures")
     @Option(names = "--site", paramLabel = "URL", description = "With --view: the address the page will have; title, "
         + "description and picture of previews of links are written for it.")
     private String site;
 
+    @OptionSection("Pages and pictures")
     @Option(names = "--picture", paramLabel = "FILE", description = "Writes a picture of the match at --turn (its end "
         + "if there is none), by a browser on the PATH. A fraction is a moment within a turn: --at 28.66. A name that "
         + "ends in .svg: a moving picture, without a browser, of the whole match or of --from to --to.")
     private String picture;
 
+    @OptionSection("Pages and pictures")
     @Option(names = "--at", paramLabel = "T", description = "With --picture: the moment, in turns.")
     private Double at;
 
+    @OptionSection("Pages and pictures")
     @Option(names = "--overwrite", description = "Replaces a page that exists.")
     private boolean overwrite;
 
@@ -270,6 +288,7 @@ public final class ReplayCommand implements Callable<Integer> {
         if (picture != null) {
             check.that(turn == null || turn <= page.turns(), "--turn: found " + turn + ", expected 1 to "
                 + page.turns());
+            check.that(at == null || at <= page.turns(), "--at: found " + at + ", expected 0 to " + page.turns());
             say("Picture: " + page.picture(picture, at != null ? at : turn != null ? turn : page.turns(), overwrite));
         }
         return ExitStatus.DONE;

@@ -4,10 +4,12 @@ import java.util.Iterator;
 import java.util.List;
 import picocli.CommandLine.Option;
 import steward.cli.options.CallCheck;
+import steward.cli.options.OptionSection;
 import steward.league.sequential.Gsprt;
 import steward.text.NearestName;
 
 /** Options of a sequential test. */
+@OptionSection("The test")
 public final class SprtOptions {
 
     /** Values of {@code --elo-model}. */

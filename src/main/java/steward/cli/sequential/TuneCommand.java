@@ -17,6 +17,7 @@ import picocli.CommandLine.Option;
 import steward.bot.command.BotCommand;
 import steward.cli.options.BuiltinBotWords;
 import steward.cli.options.CallCheck;
+import steward.cli.options.OptionSection;
 import steward.cli.options.ProtocolWord;
 import steward.cli.options.SandboxOptions;
 import steward.cli.options.SceneOptions;
@@ -90,14 +91,17 @@ public final class TuneCommand implements Callable<Integer> {
         description = "A bot that it plays; can be repeated.")
     private List<String> against = new ArrayList<>();
 
+    @OptionSection("The search")
     @Option(names = "--games", paramLabel = "N", defaultValue = "2000",
         description = "How many games the search takes (default: ${DEFAULT-VALUE}).")
     private Integer games;
 
+    @OptionSection("The search")
     @Option(names = "--seeds", paramLabel = "N", defaultValue = "4",
         description = "How many seeds each set of values plays in a step (default: ${DEFAULT-VALUE}).")
     private Integer seeds;
 
+    @OptionSection("The search")
     @Option(names = "--test-games", paramLabel = "N", defaultValue = "1000",
         description = "Tests the result against the start with at most N games; 0 for none "
             + "(default: ${DEFAULT-VALUE}).")
@@ -118,9 +122,11 @@ public final class TuneCommand implements Callable<Integer> {
         description = "Stores the games in this league, and takes those that it has; its table does not list them.")
     private String into;
 
+    @OptionSection("The search")
     @Option(names = "--keep-going", description = "Goes on when a bot has failed in 10 games in a row.")
     private boolean keepGoing;
 
+    @OptionSection("The search")
     @Option(names = "--random", description = "Says that a bot draws by lot: equal games are independent draws, and "
         + "do not end the search. In a league its mark says so, too.")
     private boolean random;

@@ -31,16 +31,19 @@ import steward.cli.options.ThreadsOption;
 import steward.cli.options.TimeLimitOptions;
 import steward.cli.shared.FailedException;
 import steward.cli.shared.Games;
+import steward.cli.streams.Json;
 import steward.cli.streams.Streams;
 import steward.contest.Contest;
 import steward.contest.Hiccups;
 import steward.contest.KeptReplays;
 import steward.files.InputException;
 import steward.files.OutputFiles;
+import steward.json.JsonObject;
 import steward.league.LeagueBot;
 import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
 import steward.league.StoredGame;
+import steward.league.page.LeagueJson;
 import steward.match.Protocol;
 import steward.scene.SceneFiles;
 import steward.text.TextFormat;
@@ -57,6 +60,8 @@ import steward.text.TextFormat;
         "The folder of --page has index.html, a page for each author in bots/, the table",
         "as table.csv, and in league/ a league, which 'steward league' goes on with. The",
         "same command plays what is new: changed programs, and more --games.",
+        "", "--json: folder, programs (name, ready, standing), and the table as in 'league",
+        "table --json'.",
         "", "Examples:",
         "  steward tournament submissions --scene mad-pod-racing",
         "  steward tournament submissions --games 10 --page results --threads auto",
@@ -102,6 +107,9 @@ public final class TournamentCommand implements Callable<Integer> {
             + "(default: ${DEFAULT-VALUE}).")
     private String sandbox;
 
+    @Option(names = "--json", description = "Prints one JSON object when all is over, and no table; see below.")
+    private boolean json;
+
     @Mixin
     private final TimeLimitOptions pace = new TimeLimitOptions();
 
@@ -146,7 +154,7 @@ public final class TournamentCommand implements Callable<Integer> {
         prepare(into, before);
         LeagueSettings settings = settings(league, before, spoken);
         Contest empty = LeagueOpening.contest(league, settings, streams);
-        Contest.checkProtocols(empty.setup(), List.of(new Contest.Entrant("all", "all", spoken, List.of())));
+        Contest.checkPlayable(empty.setup(), List.of(new Contest.Entrant("all", "all", spoken, List.of())));
         programs.others().forEach(other -> streams.err().println("steward: " + TextFormat.plain(other)
             + " is no program, and is passed over"));
         List<Entry> entries = entries(programs, into, empty, spoken);
@@ -162,7 +170,7 @@ public final class TournamentCommand implements Callable<Integer> {
             + "interrupted, the same command goes on.").write(into.resolve(INDEX));
         long total = total(league, bots, empty.players());
         streams.err().println("Everybody meets everybody: " + TextFormat.count(total, "game") + " in all");
-        int status = run(new RunCommand(streams, new NoServing()), league.path().toString(), "--games", "" + total,
+        int status = run(new RunCommand(json ? streams.withoutOutput() : streams, new NoServing()), league.path().toString(), "--games", "" + total,
             "--pause-after", "0", "--threads", "" + threads.count(streams));
         finish(league, into, entries);
         return status;
@@ -293,6 +301,17 @@ public final class TournamentCommand implements Callable<Integer> {
             opened.games().games(own::add);
             Files.writeString(into.resolve("table.csv"), TableCommand.csv(opened.table(), own));
             new IndexPage(entries, opened.table(), null).write(into.resolve(INDEX));
+            if (json) {
+                Json.print(streams, out -> {
+                    out.writeStringProperty("folder", into.toString());
+                    JsonObject.writeAll(out, "programs", entries, entry -> {
+                        out.writeStringProperty("name", entry.name());
+                        out.writeBooleanProperty("ready", entry.check() != null && entry.check().passes());
+                        out.writeStringProperty("standing", entry.standing());
+                    });
+                    LeagueJson.table(out, opened.season(), opened.table(), opened.workers());
+                });
+            }
             Map<Integer, String> names = new HashMap<>();
             opened.entries().forEach(entry -> names.put(entry.version(), entry.name()));
             for (Entry entry : entries) {
@@ -309,8 +328,9 @@ public final class TournamentCommand implements Callable<Integer> {
                 new AuthorPage(entry, lines).write(page(into, entry));
             }
         }
-        run(new PageCommand(streams), league.path().toString(), "--out", into.resolve("league.html").toString());
-        streams.out().println("Written: " + into.resolve(INDEX) + ", " + into.resolve("table.csv")
+        Streams told = json ? streams.withoutOutput() : streams;
+        run(new PageCommand(told), league.path().toString(), "--out", into.resolve("league.html").toString());
+        told.out().println("Written: " + into.resolve(INDEX) + ", " + into.resolve("table.csv")
             + ", and a page for each author in " + into.resolve(PAGES));
     }
 

@@ -65,7 +65,7 @@ public final class RosterReader {
             }
             entrants.add(entrant);
         }
-        Contest.checkProtocols(contest.setup(), entrants);
+        Contest.checkPlayable(contest.setup(), entrants);
         List<Roster.Member> members = new ArrayList<>();
         for (int k = 0; k < active.size(); k++) {
             LeagueBot bot = active.get(k);

@@ -10,7 +10,6 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import steward.bot.command.BotCommand.Prefix;
@@ -130,7 +129,7 @@ class BotCommandTest {
 
     @Test
     void builtinBotsStartTheJvmThatIsRunning() {
-        BuiltinBots builtins = new BuiltinBots(Map.of("racer", "a.b.Racer --mild 'x y'"));
+        BuiltinBots builtins = new BuiltinBots("racer = pod a.b.Racer --mild 'x y'");
         List<String> command = BotCommand.parse("builtin:racer --fast").resolve(builtins);
         assertEquals(Path.of(System.getProperty("java.home"), "bin", "java").toString(), command.get(0));
         int end = command.size();
@@ -145,11 +144,11 @@ class BotCommandTest {
         String before = System.getProperty(BuiltinBots.JVM_OPTIONS);
         try {
             System.setProperty(BuiltinBots.JVM_OPTIONS, "-Xmx64m '-Dx=a b'");
-            List<String> command = new BuiltinBots(Map.of("racer", "Racer")).command("racer", List.of());
+            List<String> command = new BuiltinBots("racer = pod Racer").command("racer", List.of());
             assertEquals(List.of("-Xmx64m", "-Dx=a b", "-cp"), command.subList(1, 4));
             System.setProperty(BuiltinBots.JVM_OPTIONS, "'");
             Exception e = assertThrows(IllegalArgumentException.class,
-                () -> new BuiltinBots(Map.of("racer", "Racer")).command("racer", List.of()));
+                () -> new BuiltinBots("racer = pod Racer").command("racer", List.of()));
             assertEquals("system property steward.bot.jvm, column 1: the single quote is never closed", e.getMessage());
         } finally {
             if (before == null) {
@@ -162,26 +161,27 @@ class BotCommandTest {
 
     @Test
     void anUnknownBuiltinBotIsAnErrorThatKnowsBetter() {
-        BuiltinBots builtins = new BuiltinBots(Map.of("racer", "R", "blocker", "B", "plain", "P"));
-        assertEquals(List.of("blocker", "plain", "racer"), builtins.names());
+        BuiltinBots builtins = new BuiltinBots("# bots\nracer = pod R\nblocker = ball B\nplain = pod P\n");
+        assertEquals(List.of("racer", "blocker", "plain"), builtins.names());
+        assertEquals(List.of("racer", "plain"), builtins.of("pod"));
         Exception near = assertThrows(IllegalArgumentException.class,
             () -> BotCommand.parse("builtin:Racr").resolve(builtins));
         assertEquals("bot 'builtin:Racr': there is no builtin bot 'Racr'; did you mean 'racer'?"
-            + " There are: blocker, plain, racer", near.getMessage());
+            + " There are: racer, plain (pod); blocker (ball)", near.getMessage());
         Exception far = assertThrows(IllegalArgumentException.class, () -> builtins.command("zzz", List.of()));
-        assertEquals("there is no builtin bot 'zzz'; there are: blocker, plain, racer", far.getMessage());
+        assertEquals("there is no builtin bot 'zzz'; there are: racer, plain (pod); blocker (ball)", far.getMessage());
         Exception none = assertThrows(IllegalArgumentException.class,
-            () -> new BuiltinBots(Map.of()).command("racer", List.of()));
+            () -> new BuiltinBots("").command("racer", List.of()));
         assertEquals("there is no builtin bot 'racer': this installation has none"
             + " (no steward/bots/builtin.properties on the class path)", none.getMessage());
     }
 
     @Test
     void neighboursThatChangedPlacesAreOneSlip() {
-        BuiltinBots builtins = new BuiltinBots(Map.of("racer", "a.Racer"));
-        assertEquals("there is no builtin bot 'arcer'; did you mean 'racer'? There are: racer",
+        BuiltinBots builtins = new BuiltinBots("racer = pod a.Racer");
+        assertEquals("there is no builtin bot 'arcer'; did you mean 'racer'? There are: racer (pod)",
             assertThrows(IllegalArgumentException.class, () -> builtins.command("arcer", List.of())).getMessage());
-        assertEquals("there is no builtin bot 'aecer'; there are: racer",
+        assertEquals("there is no builtin bot 'aecer'; there are: racer (pod)",
             assertThrows(IllegalArgumentException.class, () -> builtins.command("aecer", List.of())).getMessage());
     }
 

@@ -14,6 +14,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import steward.cli.Cli;
+import tools.jackson.databind.JsonNode;
 
 /** Rows of a league's database that cannot be used: refused by name, listed, set aside. */
 class VerifyTest {
@@ -60,6 +61,10 @@ class VerifyTest {
     @Test
     void whatCannotBeUsedIsSetAsideAndACopyKept() throws IOException {
         rows.table("DELETE FROM seat WHERE game = 3 AND seat = 0").assertRefused("table game, row id = 3");
+        Cli json = Cli.run("league", "verify", league.toString(), "--json");
+        assertEquals(1, json.status());
+        assertEquals("game", json.json().get("rows").get(0).get("table").stringValue(), json.out());
+        assertTrue(json.json().get("setAside").isNull());
         Cli dropped = Cli.run("league", "verify", league.toString(), "--drop").done();
         Path copy = league.resolve("league.db.before-drop-1");
         assertTrue(dropped.out().endsWith("Set aside: 2 rows, with 1 game; the database as it was: " + copy + "\n"),
@@ -68,6 +73,9 @@ class VerifyTest {
         assertEquals(5, Cli.run("league", "table", league.toString(), "--json").done().json().get("games").intValue());
         Files.copy(copy, league.resolve("league.db"), StandardCopyOption.REPLACE_EXISTING);
         assertEquals(1, Cli.run("league", "verify", league.toString()).status());
+        JsonNode aside = Cli.run("league", "verify", league.toString(), "--drop", "--json").done().json().get("setAside");
+        assertEquals(1, aside.get("games").intValue());
+        assertEquals(league.resolve("league.db.before-drop-2").toString(), aside.get("copy").stringValue());
     }
 
     /** A version that is lost takes its games with it. */

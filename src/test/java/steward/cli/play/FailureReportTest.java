@@ -99,6 +99,12 @@ class FailureReportTest {
         String input = match("", traceback + "ValueError: invalid literal for int()' >&2; exit 1", "--no-deadline")
             .out();
         assertTrue(input.contains("is it a CodinGame bot?"), input);
+        String reads = match("", "echo '    pod = frame[\"pods\"][9]' >&2; " + traceback
+            + "IndexError: list index out of range' >&2; exit 1", "--no-deadline").out();
+        assertTrue(reads.contains("IndexError") && !reads.contains("codingame:"), "it speaks JSON: " + reads);
+        String number = match("codingame:", "echo '    if frame[\"type\"] == \"end\": break' >&2; " + traceback
+            + "TypeError: 1 object is not subscriptable' >&2; exit 1", "--no-deadline").out();
+        assertTrue(number.contains("does it speak JSON? then write json: "), "it was sent a number: " + number);
     }
 
     @Test

@@ -16,6 +16,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import steward.bot.command.BuiltinBots;
 import steward.bot.process.BotProcess;
 import steward.cli.Cli;
 import steward.cli.ShellBots;
@@ -161,15 +162,27 @@ class ProtocolTest {
         GameSetup mute = new WithoutLines(Games.open("duel"));
         List<Contest.Entrant> mixed = List.of(new Contest.Entrant("a", "./a", Protocol.JSON, List.of("./a")),
             new Contest.Entrant("b", "codingame:./b", Protocol.CODINGAME, List.of("./b")));
-        InputException problem = assertThrows(InputException.class, () -> Contest.checkProtocols(mute, mixed));
+        InputException problem = assertThrows(InputException.class, () -> Contest.checkPlayable(mute, mixed));
         assertEquals("bot 'codingame:./b': the scene \"duel\" has no codingame protocol, "
             + "expected a bot that speaks json", problem.getMessage());
-        Contest.checkProtocols(mute, mixed.subList(0, 1));
+        Contest.checkPlayable(mute, mixed.subList(0, 1));
         List<Seat> seats = mixed.stream().map(entrant ->
             new Seat(new BotProcess(entrant.name(), entrant.words()), entrant.protocol())).toList();
         assertEquals("the scene \"duel\" has no codingame protocol, expected bots that speak json",
             assertThrows(IllegalArgumentException.class, () -> Referee.of(mute, 1, seats, TimeControl.UNLIMITED,
                 new MatchListener() { })).getMessage());
+    }
+
+    /** A bundled bot of another game would fail in its first turn. */
+    @Test
+    void aBuiltinBotOfAnotherGameIsRefusedUpFront() {
+        assumeTrue(!BuiltinBots.installed().names().isEmpty(), "the builtin bots are not on the class path");
+        assertEquals(2, Cli.run("check", "builtin:captain").status());
+        Cli cli = Cli.run("match", "--scene", "mean-max", "--bot", "builtin:gatherer", "--bot", "builtin:marauder",
+            "--bot", "me=builtin:racer x");
+        assertEquals(ExitStatus.UNUSABLE, cli.status());
+        assertTrue(cli.err().startsWith("steward: bot 'me=builtin:racer x': found a bot of pod-race, expected one of "
+            + "mean-max; there are: gatherer, marauder"), cli.err());
     }
 
     /** A game that supports JSON only. */

@@ -157,7 +157,7 @@ class ImportCommandTest {
         replay("--frames", "--player", "1");
         String again = folder.resolve("again.jsonl").toString();
         Cli fed = Cli.run("feed", replay.toString(), "--player", "0", "--from-turn", "9", "--replace", "--out", again,
-            "--", "builtin:regular");
+            "--", "builtin:gatherer");
         assertEquals("", fed.err());
         assertTrue(Cli.run("replay", again, "--verify").out().startsWith("verified"), fed.out());
         Files.write(recording, Arrays.copyOf(packed.toByteArray(), packed.size() / 2));

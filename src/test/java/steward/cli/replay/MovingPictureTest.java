@@ -137,6 +137,9 @@ class MovingPictureTest {
         Cli refused = Cli.run("replay", replay.toString(), "--picture", svg.toString(), "--turn", "3");
         assertTrue(refused.err().startsWith("steward: --picture: found " + svg + ", a moving picture, expected no "
             + "--turn, --at, --view, --open or --quiet with it"), refused.err());
+        String png = folder.resolve("x.png").toString();
+        assertTrue(Cli.run("replay", replay.toString(), "--picture", png, "--at", "9999").err().startsWith(
+            "steward: --at: found 9999.0, expected 0 to "));
         assertTrue(Cli.run("replay", replay.toString(), "--picture", "x.gif").err().startsWith("steward: --picture: "
             + "found x.gif, expected a name that ends in .png or .svg"));
         assertTrue(Cli.run("replay", replay.toString(), "--picture", folder.resolve("y.svg").toString(), "--from",

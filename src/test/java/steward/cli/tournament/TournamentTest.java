@@ -9,6 +9,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -17,6 +18,7 @@ import org.junit.jupiter.api.io.TempDir;
 import steward.cli.Cli;
 import steward.cli.ShellBots;
 import steward.files.InputException;
+import tools.jackson.databind.JsonNode;
 
 /** A folder of programs, some of which fail, becomes a table and a page for each author. */
 class TournamentTest {
@@ -88,5 +90,14 @@ class TournamentTest {
         assertTrue(Files.readString(folder.resolve("out/index.html")).contains("league.html"));
         Cli again = Cli.run(call);
         assertTrue(again.out().contains("0 games in this run"), again.out() + again.err());
+
+        String[] asJson = Arrays.copyOf(call, call.length + 1);
+        asJson[call.length] = "--json";
+        JsonNode json = Cli.run(asJson).done().json();
+        assertEquals(4, json.get("programs").size());
+        assertEquals(3, json.get("bots").size(), json.toString());
+        for (JsonNode program : json.get("programs")) {
+            assertEquals(program.get("standing").stringValue().equals("is ready"), program.get("ready").booleanValue());
+        }
     }
 }

@@ -19,6 +19,7 @@ import steward.cli.league.view.RoundText;
 import steward.cli.league.view.TableText;
 import steward.cli.league.view.WorkerBooks;
 import steward.cli.options.CallCheck;
+import steward.cli.options.OptionSection;
 import steward.cli.options.ThreadsOption;
 import steward.cli.options.WatchOptions;
 import steward.cli.shared.ExitStatus;
@@ -72,10 +73,12 @@ public final class RunCommand implements Callable<Integer> {
     @Mixin
     private final ThreadsOption threads = new ThreadsOption();
 
+    @OptionSection("The end")
     @Option(names = "--games", paramLabel = "N",
         description = "Ends when the league has played N games in all, those of earlier runs included.")
     private Long games;
 
+    @OptionSection("The end")
     @Option(names = "--for", paramLabel = "TIME", description = "Ends after so long, such as 90s, 30m, 8h or 2d.")
     private String time;
 
@@ -104,6 +107,7 @@ public final class RunCommand implements Callable<Integer> {
     @Mixin
     private final WatchOptions watch = new WatchOptions();
 
+    @OptionSection("Watching")
     @Option(names = "--open", description = "Opens the page of --watch in the browser.")
     private boolean open;
 

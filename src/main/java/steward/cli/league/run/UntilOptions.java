@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import picocli.CommandLine.Option;
 import steward.cli.options.CallCheck;
+import steward.cli.options.OptionSection;
 import steward.league.pairing.LeagueEnd;
 import steward.league.pairing.StopRule;
 import steward.league.play.Roster;
@@ -14,6 +15,7 @@ import steward.league.rating.Ratings;
 import steward.text.TextFormat;
 
 /** Options for when a league knows enough to end. */
+@OptionSection("The end")
 final class UntilOptions {
 
     private static final double MOST_ELO = 1000;

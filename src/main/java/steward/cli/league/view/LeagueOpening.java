@@ -109,7 +109,7 @@ public final class LeagueOpening {
                          GameQueries games, List<LeagueTable.Entry> entries) implements AutoCloseable {
 
         /** The workers that have played. */
-        List<WorkerRow> workers() {
+        public List<WorkerRow> workers() {
             return WorkerBooks.rows(WorkerBooks.read(games, store));
         }
 

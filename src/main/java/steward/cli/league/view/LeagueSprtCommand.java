@@ -73,7 +73,7 @@ public final class LeagueSprtCommand implements Callable<Integer> {
             + players + " players, and two are tested");
         List<Contest.Entrant> entrants = Stream.concat(Stream.of(one, other),
             Stream.generate(() -> fill).limit(Math.max(0, players - 2))).map(name -> entrant(settings, name)).toList();
-        Contest.checkProtocols(empty.setup(), entrants);
+        Contest.checkPlayable(empty.setup(), entrants);
         Contest contest = empty.between(entrants);
         try (StoredSeries store = StoredSeries.open(folder.path(), contest, settings.factor(),
                 List.copyOf(LeagueOpening.environment(settings).keySet()), streams)) {
