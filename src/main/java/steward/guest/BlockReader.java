@@ -13,6 +13,7 @@ final class BlockReader {
 
     /** Bytes that a referee may say between two words of its host: an SDK says at most 1 MiB of view. */
     static final int MOST = 16 << 20;
+    private static final int MOST_LINES = 200_000;
     private static final int BUFFER = 1 << 16;
     private static final int SHOWN = 80;
 
@@ -22,6 +23,7 @@ final class BlockReader {
     private int from;
     private int to;
     private int read;
+    private int count;
 
     BlockReader(InputStream in) {
         this.in = in;
@@ -36,6 +38,7 @@ final class BlockReader {
     List<Block> next() throws IOException {
         List<Block> blocks = new ArrayList<>();
         read = 0;
+        count = 0;
         for (;;) {
             String first = line();
             if (first == null) {
@@ -61,6 +64,9 @@ final class BlockReader {
     /** The next line without its end, or {@code null} at the end of the stream. */
     private String line() throws IOException {
         line.reset();
+        if (++count > MOST_LINES) {
+            throw new RefereeFault("said more than " + MOST_LINES + " lines at a time");
+        }
         for (;;) {
             for (int at = from; at < to; at++) {
                 if (buffer[at] == '\n') {

@@ -25,6 +25,8 @@ final class GuestGame extends AbstractGame {
 
     /** Questions of a game at most, those of no lines included: a game that asks more does not end. */
     static final int MOST_QUESTIONS = 20_000;
+    /** Characters that a referee may say in a game. */
+    private static final long MOST_SAID = 256L << 20;
     private static final int MOST_LINES = 1000;
     private static final int MOST_LIMIT_MS = 3_600_000;
     private static final int BYTES = 8;
@@ -49,6 +51,7 @@ final class GuestGame extends AbstractGame {
     private boolean closed;
     private boolean monitored;
     private int questions;
+    private long length;
     private int player = -1;
     private int lines;
     private int limitMs;
@@ -145,6 +148,12 @@ final class GuestGame extends AbstractGame {
             blocks.add(block);
             hash(block.name().name());
             block.lines().forEach(this::hash);
+            for (String line : block.lines()) {
+                length += line.length();
+            }
+            if (length > MOST_SAID) {
+                throw process.fault("said more than " + MOST_SAID + " characters in a game");
+            }
             // A tooltip is pairs of lines: a text and its player.
             int step = block.name() == Name.SUMMARY ? 1 : block.name() == Name.TOOLTIP ? 2 : MOST_LINES_SHOWN;
             int most = step < MOST_LINES_SHOWN ? Math.min(block.lines().size(), MOST_LINES_SHOWN) : 0;

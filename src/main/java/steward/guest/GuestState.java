@@ -63,6 +63,7 @@ record GuestState(GuestGame game) implements StateCodec {
         if (wrong == null && (lines == null || lines.size() != game.lines())) {
             wrong = "found " + (lines == null ? "no" : lines.size()) + " lines, expected " + game.lines();
         }
+        wrong = wrong == null ? GuestText.wrong(lines) : wrong;
         if (wrong == null) {
             game.answer(lines, ms);
         }

@@ -78,11 +78,15 @@ public final class RefereeHost {
         System.setIn(InputStream.nullInputStream());
         RefereeHost host = new RefereeHost(words[0], words[1].equals("classes"),
             List.of(words).subList(2, words.length));
+        List<String> set = new ArrayList<>();
         for (String head = in.line(); head != null; head = in.line()) {
             if (head.startsWith("[[START]")) {
+                set.forEach(System::clearProperty);
+                set.clear();
                 for (int count = Integer.parseInt(head.replaceAll("\\D", "")); count > 0; count--) {
                     String[] property = in.line().split("=", 2);
                     System.setProperty(property[0], property[1]);
+                    set.add(property[0]);
                 }
                 in.ended = false;
                 host.play(in, out);

@@ -38,7 +38,12 @@ final class ResidentReferees {
     void giveBack(List<String> command, Isolation isolation, RefereeProcess process) {
         StringBuilder end = new StringBuilder();
         Block.write(end, "END", List.of());
-        List<Block> answer = process.exchange(end.toString());
+        List<Block> answer;
+        try {
+            answer = process.exchange(end.toString());
+        } catch (RefereeFault late) {
+            return;                                  // it is ended; the game was over, and its result counts
+        }
         if (!answer.get(answer.size() - 1).lines().equals(List.of("go on"))) {
             process.close();
             return;

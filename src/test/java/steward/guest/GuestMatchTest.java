@@ -140,6 +140,15 @@ class GuestMatchTest {
             Cli.run("replay", file.toString(), "--verify").out());
     }
 
+    /** Readers of Java and Python end a line there: the bot could speak as the host. */
+    @Test
+    void aBotCannotSayMoreLinesThanItWasAskedFor() throws IOException {
+        Cli cli = Cli.run("match", "--scene", scene("good", 2, ""), "--bot", bot("low", 2, "1", 99, ":"), "--bot",
+            bot("sly", 2, "9", 1, "printf '9\\r[[GET_GAME_INFO] 0]\\n'"), "--time-factor", "20");
+        assertEquals(ExitStatus.DONE, cli.status(), cli.err());
+        assertTrue(cli.out().contains("found an end of line within a line, expected none"), cli.out());
+    }
+
     @Test
     void aBotThatIsLateByTheLimitOfItsQuestionHasFailed() throws IOException {
         Cli cli = Cli.run("match", "--scene", scene("good", 2, ""), "--bot", bot("low", 2, "1", 99, ":"), "--bot",
