@@ -24,6 +24,18 @@ public final class GuestType implements GameType {
     /** Id of the game in scenes. */
     public static final String ID = "guest";
 
+    private final boolean trusted;
+
+    /** @param trusted whether programs are run that replays name */
+    public GuestType(boolean trusted) {
+        this.trusted = trusted;
+    }
+
+    @Override
+    public boolean isTrusted() {
+        return trusted;
+    }
+
     @Override
     public String id() {
         return ID;

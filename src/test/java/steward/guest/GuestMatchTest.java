@@ -75,7 +75,7 @@ class GuestMatchTest {
         assertTrue(cli.out().startsWith("high wins: the referee has ended the game, 20 turns (good, seed 7)"),
             cli.out());
         assertEquals("verified: states of 20 of 20 turns and the result\n",
-            Cli.run("replay", file.toString(), "--verify").out());
+            Cli.run("replay", file.toString(), "--verify", "--run-referee").out());
         assertEquals("seed=7\n0\nseed=7\n1\n", Files.readString(folder.resolve("low.txt")).substring(0, 18));
         assertTrue(Files.readString(file).contains("""
             {"type":"turn","turn":3,"commands":[{"lines":["1"]},null]"""), Files.readString(file));
@@ -87,10 +87,28 @@ class GuestMatchTest {
     void aBotIsFedWhatItWasSent() throws IOException {
         Path file = folder.resolve("x.jsonl");
         match(scene("pairs", 2, ", \"properties\": {\"width\": \"12\"}"), "--out", file.toString());
-        Cli same = Cli.run("feed", file.toString(), "--player", "0", "--", "sh " + folder.resolve("low.sh"));
+        Cli same = Cli.run("feed", file.toString(), "--player", "0", "--run-referee", "--",
+            "sh " + folder.resolve("low.sh"));
         assertEquals(ExitStatus.DONE, same.status(), same.out() + same.err());
-        String frames = Cli.run("replay", file.toString(), "--frames", "--player", "1").out();
+        String frames = Cli.run("replay", file.toString(), "--frames", "--player", "1",
+            "--run-referee").out();
         assertTrue(frames.startsWith("setup of 1\nseed=7\nwidth=12\n0\nsetup of 1\nseed=7\nwidth=12\n1\n"), frames);
+    }
+
+    /** A replay from somebody else may name any program of this machine. */
+    @Test
+    void theProgramThatAReplayNamesIsRunOnlyByAnOption() throws IOException {
+        Path file = folder.resolve("x.jsonl");
+        match(scene("good", 2, ""), "--out", file.toString());
+        Files.delete(folder.resolve("standin.py"));
+        for (String[] call : new String[][] {{"replay", file.toString(), "--verify"},
+            {"replay", file.toString(), "--frames", "--player", "0"},
+            {"feed", file.toString(), "--player", "0", "--", "true"}}) {
+            Cli cli = Cli.run(call);
+            assertEquals(ExitStatus.UNUSABLE, cli.status(), cli.out());
+            assertTrue(cli.err().contains("a program that the replay names, expected --run-referee"), cli.err());
+        }
+        assertEquals(ExitStatus.DONE, Cli.run("replay", file.toString()).status());
     }
 
     @Test
@@ -99,7 +117,7 @@ class GuestMatchTest {
         match(scene("good", 2, ""), "--out", file.toString());
         Files.writeString(folder.resolve("standin.py"), Files.readString(folder.resolve("standin.py"))
             .replace("f\"KEY_FRAME {turn}\"", "f\"KEY_FRAME {turn // 5 * 5}\""));
-        Cli cli = Cli.run("replay", file.toString(), "--verify");
+        Cli cli = Cli.run("replay", file.toString(), "--verify", "--run-referee");
         assertEquals(ExitStatus.FAILED, cli.status());
         assertTrue(cli.out().startsWith("differs: turn 2, "), cli.out());
         assertTrue(cli.out().contains("KEY_FRAME 1"), cli.out());
@@ -109,10 +127,10 @@ class GuestMatchTest {
     void blocksThatAreNotDeterminedAreLeftOut() throws IOException {
         Path file = folder.resolve("x.jsonl");
         match(scene("view", 2, ""), "--out", file.toString());
-        assertEquals(ExitStatus.FAILED, Cli.run("replay", file.toString(), "--verify").status());
+        assertEquals(ExitStatus.FAILED, Cli.run("replay", file.toString(), "--verify", "--run-referee").status());
         match(scene("view", 2, ", \"undetermined\": [\"METADATA\"]"), "--out", file.toString(), "--overwrite");
         assertEquals("verified: states of 20 of 20 turns and the result\n",
-            Cli.run("replay", file.toString(), "--verify").out());
+            Cli.run("replay", file.toString(), "--verify", "--run-referee").out());
     }
 
     @Test
@@ -122,7 +140,7 @@ class GuestMatchTest {
         assertEquals(ExitStatus.DONE, cli.status(), cli.err());
         assertTrue(Files.readString(file).contains("\"commands\":[{\"ms\":"), cli.out());
         assertEquals("verified: states of 20 of 20 turns and the result\n",
-            Cli.run("replay", file.toString(), "--verify").out());
+            Cli.run("replay", file.toString(), "--verify", "--run-referee").out());
     }
 
     @Test
@@ -137,7 +155,7 @@ class GuestMatchTest {
         assertEquals(20, result.at("/players/2/score").asDouble());
         assertTrue(result.at("/players/1/fault").asString().contains("exited with status 3"), cli.out());
         assertEquals("verified: states of 23 of 23 turns and the result\n",
-            Cli.run("replay", file.toString(), "--verify").out());
+            Cli.run("replay", file.toString(), "--verify", "--run-referee").out());
     }
 
     /** Readers of Java and Python end a line there: the bot could speak as the host. */
@@ -246,7 +264,7 @@ class GuestMatchTest {
             bot("never", 1, "0", 99, ":"), "--time-factor", "50", "--out", file.toString());
         assertEquals(ExitStatus.DONE, cli.status(), cli.err());
         assertTrue(cli.out().startsWith("one wins: the referee has ended the game, 2 turns (heap, "), cli.out());
-        assertTrue(Cli.run("replay", file.toString(), "--verify").out().startsWith("verified"), cli.out());
+        assertTrue(Cli.run("replay", file.toString(), "--verify", "--run-referee").out().startsWith("verified"), cli.out());
         assertTrue(Cli.run("replay", file.toString()).out().contains(" stones are left"), cli.out());
         String page = Files.readString(Path.of("docs/referees.md"));
         assertTrue(page.contains(Files.readString(Path.of("src/examples/referees/heap.py"))), page);

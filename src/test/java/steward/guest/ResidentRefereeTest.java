@@ -76,7 +76,7 @@ class ResidentRefereeTest {
 
     /** The summaries of a game in which all answer. */
     private static List<String> play(String scene, long seed) {
-        GuestGame game = (GuestGame) new GuestType().open(SceneReader.read(scene, "test")).create(seed);
+        GuestGame game = (GuestGame) new GuestType(false).open(SceneReader.read(scene, "test")).create(seed);
         List<String> summaries = new ArrayList<>();
         try {
             while (!game.isOver()) {
@@ -159,9 +159,9 @@ class ResidentRefereeTest {
 
     @Test
     void anotherClassPathIsOtherRules() throws IOException {
-        String before = JarFolder.digestOf(new GuestType().open(SceneReader.read(scene(2, ""), "test")));
+        String before = JarFolder.digestOf(new GuestType(false).open(SceneReader.read(scene(2, ""), "test")));
         Files.writeString(folder.resolve("target/classes/more.txt"), "more");
-        String after = JarFolder.digestOf(new GuestType().open(SceneReader.read(scene(2, ""), "test")));
+        String after = JarFolder.digestOf(new GuestType(false).open(SceneReader.read(scene(2, ""), "test")));
         assertTrue(before.startsWith("sha256:"), before);
         assertFalse(before.equals(after), after);
     }

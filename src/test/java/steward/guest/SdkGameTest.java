@@ -75,7 +75,7 @@ class SdkGameTest {
 
     /** All that was said in a game of players who answer the number, but for the last, who fails in turn 3. */
     private static List<String> play(String scene, long seed) {
-        GuestGame game = (GuestGame) new GuestType().open(SceneReader.read(scene, "test")).create(seed);
+        GuestGame game = (GuestGame) new GuestType(false).open(SceneReader.read(scene, "test")).create(seed);
         List<String> said = new ArrayList<>();
         try {
             while (!game.isOver()) {

@@ -25,7 +25,12 @@ public final class Games {
 
     /** All games: those of the program, and those of the user's jars. */
     public static GameTypes types() {
-        return GameTypes.installed().hosting(new GuestType());
+        return types(false);
+    }
+
+    /** All games. @param trusted whether replays may be played again by the referees that they name */
+    public static GameTypes types(boolean trusted) {
+        return GameTypes.installed().hosting(new GuestType(trusted));
     }
 
     /** The weakest bundled bot of a game, or {@code null} if it has none. */

@@ -61,6 +61,10 @@ public final class Resimulation {
             checkJar(header, types, source);
         }
         setup = types.open(views == null ? scene : views.observed(scene));
+        if (setup.isHosted() && !types.hosted().isTrusted()) {
+            throw new ReplayException(source + ":1: scene: found a referee of its own, which is a program that the "
+                + "replay names, expected --run-referee: it is run again then");
+        }
         if (setup.isHosted() && !Objects.equals(header.jar(), JarFolder.digestOf(setup))) {
             throw new ReplayException(source + ":1: jar: found " + header.jar() + ", expected "
                 + JarFolder.digestOf(setup) + ", which is that of the referee's class path here");
