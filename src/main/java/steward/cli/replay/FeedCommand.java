@@ -142,8 +142,8 @@ public final class FeedCommand implements Callable<Integer> {
         if (spoken == Protocol.CODINGAME && again.setup().textCodec(again.game()).isEmpty()) {
             throw new InputException("--protocol: found codingame, expected json: the scene has no other");
         }
-        FeedSession feeding = new FeedSession(streams, referee.types(), match, player, bot, spoken, words(bot, again), pause, quiet, json,
-            StandardFiles.is(out));
+        FeedSession feeding = new FeedSession(streams, referee.types(), match, player, bot, spoken,
+            words(bot, again), pause, quiet, json, StandardFiles.is(out));
         return replace ? feeding.replace(from, out, overwrite)
             : feeding.compare(until == null ? Integer.MAX_VALUE : until);
     }
