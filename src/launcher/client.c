@@ -97,10 +97,23 @@ static int addLink(const char *path) {
     return 1;
 }
 
-/* The program's files: a sum, because a folder has no order. */
+/* A sum of texts, for what has no order: a folder, or an environment, which a shell writes in its own. */
+static uint64_t sum;
+
+static void addToSum(const char *text, const struct stat *file) {
+    unsigned __int128 before = digest;
+    addText(text);
+    if (file) {
+        add(&file->st_mtim, sizeof file->st_mtim);
+        add(&file->st_size, sizeof file->st_size);
+    }
+    sum += (uint64_t) (digest >> 64) ^ (uint64_t) digest;
+    digest = before;
+}
+
+/* The program's files. */
 static int addInstallation(void) {
     char lib[PATH_MAX + 8];
-    uint64_t sum = 0;
     snprintf(lib, sizeof lib, "%s/lib", home);
     DIR *files = opendir(lib);
     if (!files) {
@@ -108,19 +121,12 @@ static int addInstallation(void) {
     }
     for (struct dirent *each; (each = readdir(files));) {
         struct stat file;
-        if (each->d_name[0] == '.' || fstatat(dirfd(files), each->d_name, &file, 0)) {
-            continue;
+        if (each->d_name[0] != '.' && !fstatat(dirfd(files), each->d_name, &file, 0)) {
+            addToSum(each->d_name, &file);
         }
-        unsigned __int128 before = digest;
-        addText(each->d_name);
-        add(&file.st_mtim, sizeof file.st_mtim);
-        add(&file.st_size, sizeof file.st_size);
-        sum += (uint64_t) (digest >> 64) ^ (uint64_t) digest;
-        digest = before;
     }
     closedir(files);
     addText(home);
-    add(&sum, sizeof sum);
     return 1;
 }
 
@@ -144,9 +150,10 @@ static int addPlace(void) {
             wanted &= strncmp(*variable, ofShells[i], strlen(ofShells[i])) != 0;
         }
         if (wanted) {
-            addText(*variable);
+            addToSum(*variable, NULL);
         }
     }
+    add(&sum, sizeof sum);
     for (int i = 0; namespaces[i]; i++) {
         snprintf(path, sizeof path, "/proc/self/ns/%s", namespaces[i]);
         if (!addLink(path)) {
@@ -344,10 +351,20 @@ static int sendInput(int to) {
     return 1;
 }
 
+/* A tool takes a match without scores for a draw: each bot that the call names gets -1. */
+static void printFailures(const char *command) {
+    for (char **word = words; !strcmp(command, "referee") && *word; word++) {
+        if (!strncmp(*word, "-p", 2) && (*word)[2] >= '1' && (*word)[2] <= '8' && (!(*word)[3] || (*word)[3] == '=')) {
+            puts("-1");
+        }
+    }
+    fflush(stdout);
+}
+
 /* Is the command until it is over. Returns its status, or -1 if the resident was lost and nothing has happened yet. */
-static int beCommand(int to) {
+static int beCommand(int to, const char *command) {
     static char bytes[MOST_BYTES];
-    int touched = 0, ended = 0;                        /* whether a stream was used; by what signal it is being ended */
+    int touched = 0, printed = 0, ended = 0;           /* a stream was used, the output was; the signal that ends it */
     sigset_t signals;
     sigemptyset(&signals);
     sigaddset(&signals, SIGINT);
@@ -393,6 +410,7 @@ static int beCommand(int to) {
             case 'E': {
                 const char *problem = writeAll(head[0] == 'O' ? 1 : 2, bytes, count) ? "" : strerror(errno);
                 touched = 1;
+                printed |= head[0] == 'O';
                 sendFrame(to, 'o', problem, strlen(problem));
                 break;
             }
@@ -410,15 +428,27 @@ static int beCommand(int to) {
                     signal(SIGPIPE, SIG_DFL);
                     return -1;
                 }
+                if (!printed) {
+                    printFailures(command);
+                }
                 fprintf(stderr, "steward: the resident referee has ended before the match\n");
                 return 1;
         }
     }
 }
 
+/* Keeps a standard stream that is closed for what it is: files of ours are not to get its number. */
+static void keepStreams(void) {
+    for (int stream = 0; stream < 3; stream++) {
+        if (fcntl(stream, F_GETFD) < 0) {
+            open("/dev/null", stream ? O_RDONLY : O_WRONLY);
+        }
+    }
+}
+
 int main(int count, char **arguments) {
     char launcher[PATH_MAX + 16];
-    (void) count;
+    keepStreams();
     ssize_t length = readlink("/proc/self/exe", home, sizeof home - 1);
     char *name = length < 0 ? NULL : strrchr(home, '/'), *command = name ? strchr(name, '-') : NULL;
     if (!command) {
@@ -449,7 +479,7 @@ int main(int count, char **arguments) {
         execv(launcher, with);
     } else {
         int to = known ? resident(launcher) : -1;
-        int status = to >= 0 && sendCall(to, command) ? beCommand(to) : -1;
+        int status = to >= 0 && sendCall(to, command) ? beCommand(to, command) : -1;
         if (status >= 0) {
             return status;
         }

@@ -76,6 +76,16 @@ class LauncherTest {
         assertFalse(started("17.0.1", LINUX).contains("--sun-misc-unsafe"));
     }
 
+    @Test
+    void aCurrentFolderThatHasBeenRemovedIsSaid() throws IOException, InterruptedException {
+        String script = Path.of("src/launcher/steward").toRealPath().toString();
+        Process shell = new ProcessBuilder("sh", "-c", "mkdir gone && cd gone && rmdir ../gone && exec sh \"$0\" help",
+            script).directory(folder.toFile()).start();
+        String said = new String(shell.getErrorStream().readAllBytes(), StandardCharsets.UTF_8);
+        assertEquals(2, shell.waitFor(), said);
+        assertTrue(said.endsWith("steward: found no current folder, expected one: it has been removed\n"), said);
+    }
+
     /** A start of an installation with a Java that writes the archives that it is asked for, as empty files. */
     private String installed(Path home, String... words) throws IOException, InterruptedException {
         Path java = folder.resolve("java/bin/java");

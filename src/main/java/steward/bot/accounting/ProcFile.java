@@ -1,19 +1,56 @@
 package steward.bot.accounting;
 
-import java.io.FileInputStream;
 import java.io.IOException;
+import java.io.RandomAccessFile;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
+import java.util.HashMap;
+import java.util.Map;
 import java.util.regex.Pattern;
 
-/** Reads small files of {@code /proc} into one buffer, and numbers out of it. Not thread-safe. */
-final class ProcFile {
+/**
+ * Reads small files of {@code /proc} into one buffer, and numbers out of it. Not thread-safe.
+ *
+ * <p>A reader that {@linkplain #keep keeps} its files open reads each of them again from its beginning, in less than half
+ * the time: nothing is looked up. The open file of a process that has ended is never that of a later one of the same
+ * number.
+ */
+final class ProcFile implements AutoCloseable {
+
+    /** Most files that are kept open; those of bots with more processes and threads are opened each time. */
+    private static final int MOST_KEPT = 64;
 
     /** Most bytes that are read: the files are shorter, but for long lists of children. */
     private static final int SIZE = 1 << 15;
+    /** Most bytes of one call: for more, the JDK allocates memory. */
+    private static final int PIECE = 1 << 13;
 
     private final byte[] bytes = new byte[SIZE];
     private int length;
     private int at;
+    private Map<String, RandomAccessFile> kept;
+
+    /** @param open true if files stay open from now on, until {@link #close} */
+    void keep(boolean open) {
+        kept = open ? new HashMap<>() : null;
+    }
+
+    /** Closes the files that are kept, and keeps none from now on. */
+    @Override
+    public void close() {
+        if (kept != null) {
+            kept.values().forEach(ProcFile::close);
+            kept = null;
+        }
+    }
+
+    private static void close(RandomAccessFile file) {
+        try {
+            file.close();
+        } catch (IOException neverOfFilesThatAreRead) {
+            throw new UncheckedIOException(neverOfFilesThatAreRead);
+        }
+    }
 
     /** Reads a file that the kernel gives in one piece; false if it is not there (any more), or must not be read. */
     boolean read(String path) {
@@ -26,18 +63,42 @@ final class ProcFile {
     }
 
     private boolean read(String path, boolean toTheEnd) {
-        length = 0;
-        at = 0;
-        try (FileInputStream file = new FileInputStream(path)) {
-            int count;
-            do {
-                count = file.read(bytes, length, SIZE - length);
-                length += Math.max(0, count);
-            } while (toTheEnd && count > 0 && length < SIZE);
+        RandomAccessFile again = kept == null ? null : kept.get(path);
+        try {
+            if (again != null) {
+                again.seek(0);
+                fill(again, toTheEnd);
+                return true;
+            }
+        } catch (IOException gone) {
+            kept.remove(path);
+            close(again);                              // its number may be that of another process by now
+        }
+        try {
+            RandomAccessFile file = new RandomAccessFile(path, "r");
+            if (kept != null && kept.size() < MOST_KEPT) {
+                kept.put(path, file);
+                fill(file, toTheEnd);
+            } else {
+                try (file) {
+                    fill(file, toTheEnd);
+                }
+            }
             return true;
         } catch (IOException gone) {
+            length = 0;
             return false;
         }
+    }
+
+    private void fill(RandomAccessFile file, boolean toTheEnd) throws IOException {
+        length = 0;
+        at = 0;
+        int count;
+        do {
+            count = file.read(bytes, length, Math.min(PIECE, SIZE - length));
+            length += Math.max(0, count);
+        } while (toTheEnd && count > 0 && length < SIZE);
     }
 
     /** True if the whole file, without the end of its line, is as the pattern says. */

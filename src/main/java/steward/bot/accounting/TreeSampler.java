@@ -11,12 +11,12 @@ import steward.bot.accounting.TreeSample.ThreadTimes;
 /**
  * A process and its descendants, in whatever namespaces they are, found anew for each sample. Children are read from
  * {@code /proc/PID/task/TID/children}, or, where the kernel has no such file, found by their parents among all
- * processes. Not thread-safe.
+ * processes.
  *
  * <p>Caveat: a descendant whose parent has exited belongs to another process, outside a tree that is not in a PID
  * namespace of its own. The CPU time of processes that nobody has waited for is lost when they exit.
  */
-public final class TreeSampler {
+public final class TreeSampler implements AutoCloseable {
 
     /** So many processes are looked at: a tree that grows faster than it can be read comes to an end. */
     private static final int MOST = 2048;
@@ -116,7 +116,19 @@ public final class TreeSampler {
         return sample(at, false, true);
     }
 
-    private TreeSample sample(long at, boolean whole, boolean excusing) {
+    /** @param often true if files are to stay open for the next sample, until {@link #close} */
+    public synchronized TreeSampler keepingFiles(boolean often) {
+        file.keep(often);
+        return this;
+    }
+
+    /** Closes files that are kept. It can go on sampling. */
+    @Override
+    public synchronized void close() {
+        file.close();
+    }
+
+    private synchronized TreeSample sample(long at, boolean whole, boolean excusing) {
         Map<Long, ThreadTimes> threads = Support.THREADS ? new HashMap<>() : null;
         Map<Long, List<Long>> children = byChildren ? null : childrenByParent();
         List<Long> found = new ArrayList<>(List.of(root));

@@ -172,11 +172,10 @@ public final class BotProcess implements Player {
         if (over) {
             return fault(answer, BROKEN_OFF);
         }
-        boolean first = group == null;
         wanted = answerLines;
         asking.enter();
         long limit = Math.max(1, limitNanos);
-        if (first) {
+        if (group == null) {
             String problem = start(limit, answer);
             if (problem != null) {
                 return fault(answer, problem);
@@ -250,7 +249,7 @@ public final class BotProcess implements Player {
         }
         input = started.process().getOutputStream();
         output = new AnswerReader(started.process().getInputStream());
-        tree = new TreeSampler(started.process().pid());
+        tree = new TreeSampler(started.process().pid()).keepingFiles(clock.needsBaseline());
         Watchdog.shared().add(deadline);
         HoldPolicy policy = launch.isolation().holds();
         if (policy != HoldPolicy.NEVER && limit < Long.MAX_VALUE) {
@@ -362,6 +361,7 @@ public final class BotProcess implements Player {
 
     private void endWatch() {
         Watchdog.shared().remove(deadline);
+        tree.close();
         if (hold != null) {
             hold.end();
         }

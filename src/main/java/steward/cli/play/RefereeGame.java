@@ -41,10 +41,7 @@ record RefereeGame(Streams streams, Contest contest, Path log, Path replay, bool
         long seed = wanted == null ? SeedOption.draw() : wanted;
         Path recording = replay == null && page ? temporary() : replay;
         try (OutputStream logStream = log == null ? null : OutputFiles.open(log, true)) {
-            CountedGame<?> game = CountedGame.play(contest, seed,
-                () -> logStream == null ? NO_LISTENER : new GameResultLog(),
-                () -> recording == null ? null : OutputFiles.open(recording, true));
-            tell(streams, game);
+            CountedGame<?> game = counted(seed, logStream != null, recording);
             game.failures().stream().filter(failure -> contest.entrants().get(failure.player()).problem() == null)
                 .forEach(failure -> streams.warn("-p" + (failure.player() + 1) + " has failed in turn "
                     + failure.turn() + ": " + failure.reason()));
@@ -62,6 +59,22 @@ record RefereeGame(Streams streams, Contest contest, Path log, Path replay, bool
             streams.out().println("page: " + makePage(recording));
         }
         return ExitStatus.DONE;
+    }
+
+    /** Plays the game. A tool that finds no scores takes it for a draw: if it has no result, each bot gets -1. */
+    private CountedGame<?> counted(long seed, boolean logged, Path recording)
+            throws IOException, InterruptedException {
+        try {
+            CountedGame<?> game = CountedGame.play(contest, seed, () -> logged ? new GameResultLog() : NO_LISTENER,
+                () -> recording == null ? null : OutputFiles.open(recording, true));
+            tell(streams, game);
+            return game;
+        } catch (InputException refused) {
+            throw refused;                                  // who refuses the call says so
+        } catch (RuntimeException | OutOfMemoryError problem) {
+            contest.entrants().forEach(bot -> streams.out().println(-1));
+            throw problem;
+        }
     }
 
     /**

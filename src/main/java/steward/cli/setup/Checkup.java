@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.Collectors;
 import steward.bot.command.BuiltinBots;
 import steward.bot.command.ProgramFinder;
 import steward.bot.command.ProgramTrial;
@@ -16,6 +17,7 @@ import steward.bot.isolation.HoldMeans;
 import steward.bot.isolation.Isolation;
 import steward.bot.isolation.SandboxLevel;
 import steward.bot.isolation.SandboxSupport;
+import steward.cli.resident.RunningResident;
 import steward.live.Browser;
 import steward.text.TextFormat;
 
@@ -76,9 +78,24 @@ final class Checkup {
         add("java", "archive of classes", archive != null, archive == null
             ? "none: each start loads its classes one by one; the launcher makes one in ~/.cache/steward where it can"
             : archive);
+        resident();
         List<String> builtin = BuiltinBots.installed().names();
         add("java", "builtin bots", !builtin.isEmpty(), builtin.isEmpty()
             ? "not on the class path: run the installed program" : String.join(", ", builtin));
+    }
+
+    /** Whether the clients of a resident referee are compiled, and the residents that run. */
+    private void resident() {
+        String launcher = System.getProperty("steward.launcher");
+        boolean compiled = launcher != null
+            && Files.isExecutable(Path.of(launcher).resolveSibling("../lib/steward-resident"));
+        String running = RunningResident.all().stream().map(each -> "process " + each.pid() + " for matches from "
+            + TextFormat.plain(each.folder()) + " (" + each.megabytes() + " MB; 'kill " + each.pid() + "' ends it)")
+            .collect(Collectors.joining(", "));
+        add("java", "resident referee", compiled, (compiled ? "steward-referee and steward-play are compiled"
+            : "steward-referee and steward-play start 'steward' for each match: their client is not in this "
+            + "installation, which needs a C compiler on Linux when it is made")
+            + "; " + (running.isEmpty() ? "none runs" : running));
     }
 
     /** The file in which this start found its classes, or {@code null}. */

@@ -8,7 +8,10 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
@@ -43,6 +46,47 @@ class TreeSamplerTest {
         BufferedReader lines = process.inputReader(StandardCharsets.US_ASCII);
         assertEquals("ready", lines.readLine());
         return process.pid();
+    }
+
+    /** Files of a process that this JVM has open. */
+    private static long open(long process) throws IOException {
+        try (Stream<Path> files = Files.list(Path.of("/proc/self/fd"))) {
+            return files.filter(file -> {
+                try {
+                    return Files.readSymbolicLink(file).startsWith("/proc/" + process);
+                } catch (IOException closed) {
+                    return false;
+                }
+            }).count();
+        }
+    }
+
+    /** Waits until there are so many processes; returns the sample with them. */
+    private static TreeSample await(TreeSampler tree, int processes) {
+        long end = System.nanoTime() + PATIENCE_NANOS;
+        TreeSample sample = tree.baseline(0);
+        while (sample.processes() != processes && System.nanoTime() < end) {
+            sample = tree.baseline(0);
+        }
+        return sample;
+    }
+
+    @Test
+    void filesThatAreKeptShowWhatIsNewAndAreClosed() throws IOException, InterruptedException {
+        long root = start("echo ready; read -r line; sh -c ': child'; sleep 1000 & read -r line; kill $!; wait");
+        try (TreeSampler tree = new TreeSampler(root).keepingFiles(true)) {
+            long before = await(tree, 1).threads().get(root).run();
+            assertTrue(open(root) > 0, "none is kept");
+            process.getOutputStream().write('\n');
+            process.getOutputStream().flush();
+            TreeSample after = await(tree, 2);
+            assertEquals(2, after.processes());
+            assertTrue(after.threads().get(root).run() > before, after.toString());
+            process.getOutputStream().close();
+            process.waitFor();
+            assertEquals(0, await(tree, 0).processes());
+        }
+        assertEquals(0, open(root));
     }
 
     /** The shell, its two children, and the child of one of them. */

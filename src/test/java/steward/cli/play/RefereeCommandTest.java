@@ -55,6 +55,18 @@ class RefereeCommandTest {
         assertEquals("steward: warning: -p2 has failed in turn 1: exited with status 3 before answering\n", cli.err());
     }
 
+    /** The tool takes a match without scores for a draw. */
+    @Test
+    @Tag("process")
+    void aMatchWithoutAResultHasNegativeScores() {
+        assumeTrue(Files.exists(Path.of("/dev/full")), "there is no /dev/full");
+        Cli cli = Cli.run("referee", "-p1", bots.idler(0), "-p2", bots.idler(0), "-scene", "duel", "--no-deadline",
+            "-r", "/dev/full");
+        assertEquals(1, cli.status());
+        assertEquals("-1\n-1\n", cli.out());
+        assertTrue(cli.err().contains("could not be brought to a result: "), cli.err());
+    }
+
     @Test
     @Tag("process")
     void theNumberOfBotsPicksTheNumberOfPlayersWhereTheGameAllowsSeveral() {

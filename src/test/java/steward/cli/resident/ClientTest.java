@@ -90,8 +90,8 @@ class ClientTest {
 
     @Test
     @Tag("campaign")
-    void hundredsOfMatchesAreThoseOfProcesses() throws IOException, InterruptedException {
-        sameAsProcesses(200);
+    void manyMatchesAreThoseOfProcesses() throws IOException, InterruptedException {
+        sameAsProcesses(Integer.getInteger("steward.games", 200));
     }
 
     private void killed(int clients) throws IOException, InterruptedException {
@@ -200,6 +200,44 @@ class ClientTest {
         assertEquals(1, home.residents().size());
     }
 
+    /** A tool takes a match without scores for a draw. */
+    @Test
+    void aResidentThatIsKilledInTheMatchIsALossForEveryBot() throws IOException, InterruptedException {
+        Path slow = Files.writeString(folder.resolve("slow.sh"), "while read -r line; do sleep 9; done\n");
+        Process client = home.builder(match(REFEREE, "sh " + slow, 1, "-p3", "no-such-bot")).start();
+        client.getErrorStream().read();                  // the warning of the third bot
+        home.close();
+        ClientHome.Said said = ClientHome.end(client);
+
+        assertEquals("-1\n-1\n-1\n", said.out());
+        assertTrue(said.err().endsWith("steward: the resident referee has ended before the match\n"), said.err());
+        assertEquals(1, said.status());
+    }
+
+    /** As the launcher does: a shell writes the environment of its programs in an order of its own. */
+    @Test
+    void aResidentThatAShellHasStartedIsFound() throws IOException, InterruptedException {
+        List<String> words = new ArrayList<>(List.of("sh", "-c", "exec \"$@\"", "sh"));
+        words.addAll(home.builder("lib/steward-resident", "resident", "--idle", "60s").command());
+        Process resident = home.builder("lib").command(words).start();
+        resident.inputReader(StandardCharsets.UTF_8).readLine();
+        assertEquals(0, home.call(match(REFEREE, bots.driver(), 1)).status());
+        assertEquals(List.of(resident.pid()), home.residents().stream().map(ProcessHandle::pid).toList());
+    }
+
+    @Test
+    void aClosedStreamIsNotTakenForAFile() throws IOException, InterruptedException {
+        for (String closed : List.of("<&-", ">&-", "2>&-")) {
+            List<String> words = new ArrayList<>(List.of("sh", "-c", "exec \"$@\" " + closed, "sh"));
+            words.addAll(home.builder(match(REFEREE, bots.driver(), 1)).command());
+            ProcessBuilder shell = home.builder("bin").command(words);
+            ClientHome.Said said = ClientHome.end(shell.start());
+            assertEquals(closed.equals(">&-") ? new ClientHome.Said("", "steward: cannot write the output: Bad file "
+                + "descriptor\n", 1) : new ClientHome.Said("1\n0\n", "", 0), said, closed);
+        }
+        assertEquals(1, home.residents().size());
+    }
+
     @Test
     void inputGoesThrough() throws IOException, InterruptedException {
         Process client = home.builder(REFEREE, "--old", "--no-deadline", "-scene", "duel").start();
@@ -221,6 +259,19 @@ class ClientTest {
 
         assertEquals("steward: cannot write the output: No space left on device\n", err);
         assertEquals(1, client.exitValue());
+    }
+
+    @Test
+    void aRunningResidentIsFoundWithItsFolderAndMemory() throws IOException, InterruptedException {
+        home.call(match(REFEREE, bots.driver(), 1));
+        long pid = home.residents().get(0).pid();
+        RunningResident found = RunningResident.all().stream().filter(each -> each.pid() == pid).findFirst()
+            .orElseThrow();
+
+        assertEquals(Path.of("").toRealPath().toString(), found.folder());
+        assertTrue(found.megabytes() > 20, found.toString());
+        home.close();
+        assertTrue(RunningResident.all().stream().noneMatch(each -> each.pid() == pid));
     }
 
     @Test

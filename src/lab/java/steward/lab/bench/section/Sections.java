@@ -1,5 +1,6 @@
 package steward.lab.bench.section;
 
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
@@ -69,5 +70,10 @@ public final class Sections {
     /** The start of the program. */
     public static Section start(MatchFixture fixture) {
         return new StartupSection(fixture);
+    }
+
+    /** @param tools the folder of the tools of others */
+    public static Section tools(MatchFixture fixture, Path tools) {
+        return new ToolSection(fixture, tools);
     }
 }

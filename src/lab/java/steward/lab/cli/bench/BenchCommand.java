@@ -1,5 +1,6 @@
 package steward.lab.cli.bench;
 
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.LocalDate;
 import java.time.ZoneOffset;
@@ -77,6 +78,10 @@ public final class BenchCommand implements Callable<Integer> {
         description = "A crowd of so many; can be repeated (default: 100, 1000, 10000, 100000).")
     private List<Integer> bodies = new ArrayList<>();
 
+    @Option(names = "--tools", paramLabel = "DIR", description = "Measures games under tools of others too, which are in "
+        + "this folder: cg-brutaltester.jar, bin/psyleague and csbref, a referee in Go.")
+    private String tools;
+
     @Option(names = "--out", paramLabel = "DIR", description = "Writes " + BenchFiles.CSV + " and " + BenchFiles.JSON
         + " into a folder, row by row, and in the end " + BenchFiles.PAGE + ".")
     private String out;
@@ -87,11 +92,14 @@ public final class BenchCommand implements Callable<Integer> {
     @Mixin
     private final TableFolder tables = new TableFolder();
 
+    /** The part that is measured only where its tools are. */
+    private static final String TOOLS = "tools";
+
     /** The names of the parts. */
     static final class Parts implements Iterable<String> {
 
         static final List<String> ALL = List.of("pods", "games", "matches", "growth", "frames", "verify", "processes",
-            "league", "start", "crowds");
+            "league", "start", TOOLS, "crowds");
 
         @Override
         public Iterator<String> iterator() {
@@ -110,6 +118,12 @@ public final class BenchCommand implements Callable<Integer> {
         check.games(games);
         check.threads(threads);
         List<Section> sections = check.chosen("--only", only, sections(), Section::name, ", ");
+        if (tools == null) {
+            check.that(!only.contains(TOOLS), "--only tools: expected --tools with it");
+            sections = sections.stream().filter(section -> !section.name().equals(TOOLS)).toList();
+        } else {
+            check.that(Files.isDirectory(OutputFiles.path(tools)), "--tools: found no folder '" + tools + "'");
+        }
         if (out == null) {
             try (Interruption interruption = new Interruption(streams, () -> stopped("what was measured is above"))) {
                 int status = measure(sections, null);
@@ -139,7 +153,7 @@ public final class BenchCommand implements Callable<Integer> {
         }
         try {
             return BenchSuite.all(threads == null ? Runtime.getRuntime().availableProcessors() : threads,
-                games == null ? quick ? 200 : 2000 : games, crowds);
+                games == null ? quick ? 200 : 2000 : games, crowds, Path.of(tools == null ? "" : tools));
         } catch (IllegalArgumentException problem) {
             throw new InputException("--bodies: " + problem.getMessage());
         }

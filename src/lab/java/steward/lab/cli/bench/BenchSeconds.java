@@ -10,12 +10,24 @@ final class BenchSeconds {
      * Measured once on two processors that did other work too; games, a league of a million games and the
      * crowds of {@code --long} are estimates.
      */
-    private static final Map<String, int[]> SECONDS = Map.of("pods", new int[] {4, 48, 104},
-        "games", new int[] {4, 10, 25}, "matches", new int[] {3, 23, 62}, "growth", new int[] {3, 36, 73},
-        "frames", new int[] {3, 19, 43}, "verify", new int[] {4, 26, 32}, "processes", new int[] {7, 20, 34},
-        "league", new int[] {26, 110, 110}, "start", new int[] {4, 22, 42}, "crowds", new int[] {2, 46, 300});
+    private static final Map<String, int[]> SECONDS = Map.ofEntries(
+        entry("pods", 4, 48, 104),
+        entry("games", 4, 10, 25),
+        entry("matches", 3, 23, 62),
+        entry("growth", 3, 36, 73),
+        entry("frames", 3, 19, 43),
+        entry("verify", 4, 26, 32),
+        entry("processes", 7, 20, 34),
+        entry("league", 26, 110, 110),
+        entry("start", 4, 22, 42),
+        entry("tools", 12, 150, 300),
+        entry("crowds", 2, 46, 300));
 
     private BenchSeconds() {
+    }
+
+    private static Map.Entry<String, int[]> entry(String part, int quick, int normal, int full) {
+        return Map.entry(part, new int[] {quick, normal, full});
     }
 
     static double of(String part, Effort effort) {

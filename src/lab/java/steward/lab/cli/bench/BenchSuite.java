@@ -38,8 +38,12 @@ final class BenchSuite {
     private BenchSuite() {
     }
 
-    /** All sections, in the order of the table. */
-    static List<Section> all(int threads, int games, List<Integer> bodies) {
+    /**
+     * All sections, in the order of the table.
+     *
+     * @param tools a folder of tools of others
+     */
+    static List<Section> all(int threads, int games, List<Integer> bodies, Path tools) {
         MatchFixture fixture = fixture();
         List<Section> sections = new ArrayList<>();
         sections.add(new PodTurnSection((PodRaceType.PodRaceSetup) fixture.setup(), threads));
@@ -54,6 +58,7 @@ final class BenchSuite {
             List.of("sh", "-c", "while read -r line; do echo '" + ANSWER + "'; done")));
         sections.add(Sections.leagues(fixture, threads));
         sections.add(Sections.start(fixture));
+        sections.add(Sections.tools(fixture, tools));
         sections.add(Sections.crowds(bodies));
         return sections;
     }

@@ -100,9 +100,19 @@ class BenchCommandTest {
     }
 
     @Test
+    void toolsThatAreNotThereAreSkippedWithAWord() {
+        Cli cli = Cli.run("bench", "--quick", "--only", "tools", "--tools", folder.toString());
+
+        assertEquals(1, cli.status());
+        assertEquals("steward: tools: could not be measured: cg-brutaltester is skipped: there is no "
+            + folder.resolve("cg-brutaltester.jar") + "; psyleague is skipped: there is no "
+            + folder.resolve("bin/psyleague"), cli.err().strip());
+    }
+
+    @Test
     void everyPartIsThere() {
         Map<String, Integer> names = new java.util.TreeMap<>();
-        BenchSuite.all(1, 1, List.of(10)).forEach(section -> names.merge(section.name(), 1, Integer::sum));
+        BenchSuite.all(1, 1, List.of(10), folder).forEach(section -> names.merge(section.name(), 1, Integer::sum));
 
         assertTrue(names.keySet().containsAll(List.of("pods", "games", "matches", "growth", "frames", "verify",
             "processes", "start", "crowds")), names::toString);
@@ -111,6 +121,6 @@ class BenchCommandTest {
 
     @Test
     void theNamesThatAreCompletedAreThoseOfTheParts() {
-        assertEquals(BenchCommand.Parts.ALL, BenchSuite.all(1, 1, List.of(1)).stream().map(Section::name).toList());
+        assertEquals(BenchCommand.Parts.ALL, BenchSuite.all(1, 1, List.of(1), folder).stream().map(Section::name).toList());
     }
 }

@@ -1,0 +1,196 @@
+package steward.lab.bench.section;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.lang.ProcessBuilder.Redirect;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.DirectoryStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+
+/**
+ * Games under one of the tools of others, in a folder of its own, in which two compiled bots are. CPU time is counted by
+ * Linux, in ticks of 10 ms: that of programs that this JVM has started and that have ended, with what they started in
+ * turn; and that of the resident referee, which is nobody's child.
+ */
+final class ToolGames implements AutoCloseable {
+
+    private static final Path PROCESSES = Path.of("/proc");
+    private static final double NANOS_PER_TICK = 1e7;
+    /** Fields of {@code /proc/PID/stat} behind the name in parentheses: utime, stime, cutime, cstime. */
+    private static final int OWN_TICKS = 11;
+    private static final int CHILDREN_TICKS = 13;
+    private static final int END_OF_TICKS = 15;
+    private static final String GO = "csbref";
+    private static final String SCRIPT = "play_game.py";
+
+    private final Path folder = Files.createTempDirectory("steward-");     // short: a socket is in it
+    private final Tool tool;
+
+    /** Programs that play many games with a referee. */
+    enum Tool {
+        BRUTALTESTER("cg-brutaltester", "cg-brutaltester.jar"), PSYLEAGUE("psyleague", "bin/psyleague");
+
+        private final String word;
+        private final String file;
+
+        Tool(String word, String file) {
+            this.word = word;
+            this.file = file;
+        }
+
+        String word() {
+            return word;
+        }
+
+        /** Its file and that of the referee which it is compared with. */
+        List<Path> files(Path tools) {
+            return List.of(tools.resolve(file), tools.resolve(GO));
+        }
+    }
+
+    /** Referees, in the order in which they play. */
+    enum Referee {
+        IN_GO("Go referee", "./" + GO, "python3 " + SCRIPT + " ./" + GO),
+        PLAIN("steward", "./steward referee", "./steward play --json-league"),
+        COLD("resident, its start included", "./steward-referee", "./steward-play --json-league"),
+        WARM("resident", COLD.referee, COLD.play);
+
+        private final String word;
+        private final String referee;
+        private final String play;
+
+        Referee(String word, String referee, String play) {
+            this.word = word;
+            this.referee = referee;
+            this.play = play;
+        }
+
+        String word() {
+            return word;
+        }
+    }
+
+    /** @param launcher the installed program, or {@code null} */
+    ToolGames(List<String> launcher, Path tools, Tool tool) throws IOException, InterruptedException {
+        this.tool = tool;
+        if (launcher == null) {
+            throw new IOException("found no launcher, expected the installed program");
+        }
+        Path steward = Path.of(launcher.get(0)).toRealPath();
+        for (Path file : List.of(steward, steward.resolveSibling("steward-referee"),
+                steward.resolveSibling("steward-play"), tools.resolve(GO), tools.resolve(tool.file))) {
+            Files.createSymbolicLink(folder.resolve(file.getFileName()), file.toRealPath());
+        }
+        try (InputStream script = ToolGames.class.getResourceAsStream(SCRIPT)) {
+            Files.copy(script, folder.resolve(SCRIPT));
+        }
+        run("./steward new cpp bot && g++ -O2 -o mine bot/bot.cpp && cp mine other");
+        if (tool == Tool.PSYLEAGUE) {
+            run("./psyleague config && mkdir bots && sed -i 's,^cmd_bot_setup = .*,cmd_bot_setup = \"true\",'"
+                + " psyleague.cfg && ./psyleague bot add mine && ./psyleague bot add other");
+        }
+    }
+
+    /** Returns the CPU time of a game, in nanoseconds. */
+    double nanos(Referee referee, int games, int seed) throws IOException, InterruptedException {
+        String call = tool == Tool.BRUTALTESTER ? "java -jar cg-brutaltester.jar" + (referee == Referee.IN_GO ? " -o" : "")
+            + " -r '" + referee.referee + "' -p1 ./mine -p2 ./other -n " + games + " -i " + seed
+            : "rm -f psyleague.games && sed -i 's,^cmd_play_game = .*,cmd_play_game = \"" + referee.play
+            + " ./mine ./other\",' psyleague.cfg && ./psyleague run --silent --games " + games
+            + " >/dev/null && cat psyleague.games";
+        double before = ticks();
+        List<String> said = run(call);
+        double spent = ticks() - before;
+        long played = said.stream().filter(line -> line.contains("End of game ") || line.contains("[0, 0]")).count();
+        if (played < games) {
+            throw new IOException(tool.word + " has played " + played + " games of " + games + ", and said: "
+                + String.join(" ", said));
+        }
+        return spent * NANOS_PER_TICK / played;
+    }
+
+    private List<String> run(String call) throws IOException, InterruptedException {
+        ProcessBuilder shell = new ProcessBuilder("sh", "-c", call).directory(folder.toFile());
+        Map<String, String> environment = shell.environment();
+        environment.put("XDG_RUNTIME_DIR", folder.toString());
+        environment.put("LC_ALL", "C.UTF-8");
+        Path said = folder.resolve("said");
+        Process process = shell.redirectErrorStream(true).redirectOutput(Redirect.to(said.toFile())).start();
+        try {
+            int status = process.waitFor();
+            List<String> lines = Files.readAllLines(said, StandardCharsets.ISO_8859_1);
+            if (status != 0) {
+                throw new IOException("'" + call + "' ended with status " + status + ": " + String.join(" ", lines));
+            }
+            return lines;
+        } finally {
+            process.descendants().forEach(ProcessHandle::destroyForcibly);
+            process.destroyForcibly();
+        }
+    }
+
+    private double ticks() throws IOException {
+        double sum = ticks(PROCESSES.resolve("self"), CHILDREN_TICKS);
+        for (Path process : residents()) {
+            sum += ticks(process, OWN_TICKS);
+        }
+        return sum;
+    }
+
+    private static double ticks(Path process, int from) throws IOException {
+        String stat = Files.readString(process.resolve("stat"), StandardCharsets.ISO_8859_1);
+        String[] fields = stat.substring(stat.lastIndexOf(')') + 2).split(" ");
+        return IntStream.range(from, END_OF_TICKS).mapToLong(k -> Long.parseLong(fields[k])).sum();
+    }
+
+    /** Residents, by the path of their socket, which is in this folder. */
+    private List<Path> residents() throws IOException {
+        List<Path> found = new ArrayList<>();
+        try (DirectoryStream<Path> processes = Files.newDirectoryStream(PROCESSES, "[0-9]*")) {
+            for (Path process : processes) {
+                List<String> words = words(process);
+                int socket = words.indexOf("--socket") + 1;
+                if (socket > 0 && socket < words.size() && words.get(socket).startsWith(folder + "/")) {
+                    found.add(process);
+                }
+            }
+        }
+        return found;
+    }
+
+    private static List<String> words(Path process) {
+        try {
+            return Arrays.asList(Files.readString(process.resolve("cmdline"), StandardCharsets.ISO_8859_1).split("\0"));
+        } catch (IOException ended) {
+            return List.of();
+        }
+    }
+
+    /** Ends the resident, if there is one, and waits for its end. */
+    void endResident() throws IOException {
+        for (Path process : residents()) {
+            ProcessHandle.of(Long.parseLong(process.getFileName().toString())).ifPresent(each -> {
+                each.destroy();
+                each.onExit().join();
+            });
+        }
+    }
+
+    @Override
+    public void close() throws IOException {
+        endResident();
+        try (Stream<Path> files = Files.walk(folder)) {
+            for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
+                Files.deleteIfExists(file);
+            }
+        }
+    }
+}
