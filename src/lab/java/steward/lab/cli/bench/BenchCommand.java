@@ -78,8 +78,8 @@ public final class BenchCommand implements Callable<Integer> {
         description = "A crowd of so many; can be repeated (default: 100, 1000, 10000, 100000).")
     private List<Integer> bodies = new ArrayList<>();
 
-    @Option(names = "--tools", paramLabel = "DIR", description = "Measures games under tools of others too, which are in "
-        + "this folder: cg-brutaltester.jar, bin/psyleague and csbref, a referee in Go.")
+    @Option(names = "--tools", paramLabel = "DIR", description = "Measures games under tools of others too, which are "
+        + "in this folder: cg-brutaltester.jar, bin/psyleague and csbref, a referee in Go.")
     private String tools;
 
     @Option(names = "--out", paramLabel = "DIR", description = "Writes " + BenchFiles.CSV + " and " + BenchFiles.JSON

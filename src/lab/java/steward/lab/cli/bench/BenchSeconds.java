@@ -20,7 +20,7 @@ final class BenchSeconds {
         entry("processes", 7, 20, 34),
         entry("league", 26, 110, 110),
         entry("start", 4, 22, 42),
-        entry("tools", 12, 150, 300),
+        entry("tools", 40, 250, 410),
         entry("crowds", 2, 46, 300));
 
     private BenchSeconds() {
