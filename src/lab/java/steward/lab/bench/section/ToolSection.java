@@ -43,7 +43,8 @@ final class ToolSection implements Section {
             + " together: the tool, the referee, the bots, and the resident referee. Compared with the tool and the"
             + " referee in Go of robostac/coders-strike-back-referee, which has the old mode of cg-brutaltester (for"
             + " psyleague, by a script in Python of 30 lines). A run is of " + 2 * GAMES + " games under"
-            + " cg-brutaltester and of " + GAMES + " under psyleague; the start of a resident is part of the first run that it serves.";
+            + " cg-brutaltester and of " + GAMES + " under psyleague; the start of a resident is part of the first"
+            + " run that it serves.";
     }
 
     @Override
