@@ -126,7 +126,7 @@ public abstract class AbstractGame implements Game {
     }
 
     @Override
-    public final TurnLog log() {
+    public TurnLog log() {
         return log;
     }
 

@@ -25,6 +25,26 @@ public interface Game {
         return eliminationReason(player) == null;
     }
 
+    /** True if the player is asked for the next turn: here all who are in; a guest's referee names one of them. */
+    default boolean isAsked(int player) {
+        return isIn(player);
+    }
+
+    /** Limit of the player's next answer in milliseconds, where the game sets it; 0 for that of the scene. */
+    default int limitMs(int player) {
+        return 0;
+    }
+
+    /** Tells the time that the player took for the answer that is read next, where it counts in the game. */
+    default void timed(int player, long nanos) {
+        // Times decide nothing in a game that Steward computes.
+    }
+
+    /** Ends what the game holds beside memory, from any thread; the second call does nothing. */
+    default void close() {
+        // A game that Steward computes holds nothing.
+    }
+
     /** Returns why the player was eliminated, or {@code null}. */
     String eliminationReason(int player);
 

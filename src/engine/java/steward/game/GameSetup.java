@@ -30,6 +30,14 @@ public interface GameSetup {
         return List.of();
     }
 
+    /**
+     * True if the referee is a program of its own: it says who is asked and how many lines, bots speak its lines only,
+     * and nothing of the game is known but what it says.
+     */
+    default boolean isHosted() {
+        return false;
+    }
+
     /** A game before its first turn. All random draws follow from the seed. */
     Game create(long seed);
 

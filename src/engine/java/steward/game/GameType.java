@@ -33,6 +33,12 @@ public interface GameType {
         return null;
     }
 
+    /** True if a replay may be played again: not where that runs a program that it names, and nobody has agreed. */
+    @Internal
+    default boolean isTrusted() {
+        return true;
+    }
+
     /**
      * A scene by the rules of a league of the site.
      *

@@ -18,12 +18,24 @@ import steward.text.NearestName;
 /**
  * The known games: those of the program, which are listed as services of {@link GameType}, and those of jars.
  *
- * @param types each with its own id
+ * @param types  each with its own id
+ * @param hosted the type of scenes whose referee is a program of its own, or {@code null}; it is not listed
  */
-public record GameTypes(List<GameType> types) {
+public record GameTypes(List<GameType> types, GameType hosted) {
 
     /** Name of the list of services. */
     private static final String SERVICES = "/META-INF/services/" + GameType.class.getName();
+
+    /** Games that Steward computes. */
+    public GameTypes(List<GameType> types) {
+        this(types, null);
+    }
+
+    /** Returns these games and those of a type of guests. */
+    @Internal
+    public GameTypes hosting(GameType guests) {
+        return new GameTypes(types, guests);
+    }
 
     /** Copies the list. @throws IllegalArgumentException if two games have the same id */
     public GameTypes {
@@ -73,7 +85,8 @@ public record GameTypes(List<GameType> types) {
 
     /** The game of an id, if it is known. */
     public Optional<GameType> of(String gameId) {
-        return types.stream().filter(type -> type.id().equals(gameId)).findFirst();
+        return hosted != null && hosted.id().equals(gameId) ? Optional.of(hosted)
+            : types.stream().filter(type -> type.id().equals(gameId)).findFirst();
     }
 
     /**
@@ -94,6 +107,9 @@ public record GameTypes(List<GameType> types) {
      */
     public GameSetup open(Scene scene) {
         List<String> known = new ArrayList<>();
+        if (hosted != null && hosted.id().equals(scene.gameId())) {
+            return hosted.open(scene);
+        }
         for (GameType type : types) {
             if (type.id().equals(scene.gameId())) {
                 checkPlayers(type, scene);

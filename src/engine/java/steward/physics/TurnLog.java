@@ -2,6 +2,7 @@ package steward.physics;
 
 import java.util.Arrays;
 import java.util.Objects;
+import steward.Internal;
 
 /**
  * Records the impacts, path knots and facts of a turn, and whether the bound on impacts was reached, in flat arrays
@@ -157,6 +158,30 @@ public final class TurnLog implements TurnSink {
         return new Impact(impactTime[k], impactPair[2 * k], impactPair[2 * k + 1], n[i], n[i + 1], n[i + 2], n[i + 3],
             n[i + 4], n[i + 5], n[i + 6], n[i + 7], n[i + 8], n[i + 9], n[i + 10], n[i + 11], n[i + 12], n[i + 13],
             n[i + 14], n[i + 15], n[i + 16], n[i + 17]);
+    }
+
+    /** The time of the k-th impact within the turn, 0..1; unlike {@link #impact} this and the next three make no record. */
+    @Internal
+    public double impactTime(int k) {
+        return impactTime[k];
+    }
+
+    /** The first id of the k-th impact. */
+    @Internal
+    public int impactA(int k) {
+        return impactPair[2 * k];
+    }
+
+    /** The second id of the k-th impact, or as {@link Impact#b} of one with a wall. */
+    @Internal
+    public int impactB(int k) {
+        return impactPair[2 * k + 1];
+    }
+
+    /** A number of the k-th impact. @param component of {@link Impact}, from 0 for {@link Impact#ax} on */
+    @Internal
+    public double impactNumber(int k, int component) {
+        return impactNumbers[Impact.NUMBERS * k + component];
     }
 
     /** Returns how many knots all paths of the turn have together. */

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import steward.physics.Arithmetic;
 import steward.physics.ImpactLaw;
 import steward.physics.ImpactLaw.Restitution;
 import steward.physics.ImpactLaw.ScanOrder;
@@ -24,6 +25,10 @@ public final class SceneReader {
 
     /** A turn with as many takes seconds; the default bound of a thousand bodies is near it. */
     private static final int MOST_IMPACTS = 1_000_000;
+
+    /** The block of a scene whose referee is a program of its own: it sets limits, and there is no rung. */
+    public static final String REFEREE = "referee";
+    private static final Time UNSET = new Time(1, 1);
 
     /** Names the JSON Schema for editors; stands at the top of a file and means nothing here. */
     static final String SCHEMA = "$schema";
@@ -66,8 +71,13 @@ public final class SceneReader {
         Optional<Field> field = root.optionalBlock("field").map(FieldReader::read);
         ImpactLaw law = root.optionalBlock("impacts").map(SceneReader::law).orElse(ImpactLaw.PHYSICS);
         Optional<Block> motion = root.optionalBlock("motion");
-        Time time = players == 0 && !root.contains("time") ? new Time(1, 1) : time(root.block("time"));
-        AccuracyChoice choice = AccuracyReader.read(root, law, text.figures(), instead);
+        boolean hosted = root.contains(REFEREE);
+        Time time = (players == 0 || hosted) && !root.contains("time") ? UNSET : time(root.block("time"));
+        if (hosted && instead != null) {
+            throw root.error(REFEREE, "a referee of its own", "a game that Steward computes, with --accuracy");
+        }
+        AccuracyChoice choice = hosted ? AccuracyChoice.stated(Accuracy.event(Arithmetic.DOUBLE))
+            : AccuracyReader.read(root, law, text.figures(), instead);
         double drag = motion.map(block -> block.number("drag", 0, 1, 0)).orElse(0.0);
         return new Scene(name, game, players, field, law, drag,
             motion.map(block -> motion(block, drag > 0)).orElse(new Motion(List.of())),

@@ -25,6 +25,7 @@ import steward.cli.replay.ReplayCommand;
 import steward.cli.resident.ResidentCommand;
 import steward.cli.sequential.SprtCommand;
 import steward.cli.sequential.TuneCommand;
+import steward.cli.setup.AdoptCommand;
 import steward.cli.setup.DoctorCommand;
 import steward.cli.setup.NewCommand;
 import steward.cli.shared.EmptyValues;
@@ -57,7 +58,8 @@ public final class Main {
 
     private static final List<String> COMMANDS = List.of("match", "run", "replay", "feed", "scene", "explain", "demo",
         "league", "worker", "sprt", "tune", "check", "tournament",
-        "simulate", "import", "key", "referee", "play", "resident", "stability", "tradeoff", "bench", "new", "doctor",
+        "simulate", "import", "key", "referee", "play", "resident", "stability", "tradeoff", "bench", "new", "adopt",
+        "doctor",
         CompletionCommand.NAME, HelpCommand.NAME);
 
     /** The commands that are about all commands. */
@@ -181,6 +183,7 @@ public final class Main {
             case "resident" -> new ResidentCommand(streams, Main::run);
             case "stability", "tradeoff", "bench" -> Lab.commandOrMissing(name, streams);
             case "new" -> new NewCommand(streams);
+            case "adopt" -> new AdoptCommand(streams);
             case "doctor" -> new DoctorCommand(streams);
             case HelpCommand.NAME -> new HelpCommand(streams);
             default -> new CompletionCommand(streams);

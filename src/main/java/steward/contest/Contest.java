@@ -20,6 +20,7 @@ import steward.bot.process.BotProcess;
 import steward.files.InputException;
 import steward.files.JarFolder;
 import steward.game.GameSetup;
+import steward.match.HostedSetup;
 import steward.match.MatchListener;
 import steward.match.MatchResult;
 import steward.match.Protocol;
@@ -71,7 +72,8 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
     /** Returns this contest with bots kept apart in another way. */
     @Internal
     public Contest isolatedBy(Supplier<Isolation> other) {
-        return new Contest(setup, entrants, time, timeFactor, key, other, starter);
+        GameSetup kept = setup instanceof HostedSetup hosted ? hosted.isolatedBy(other) : setup;
+        return new Contest(kept, entrants, time, timeFactor, key, other, starter);
     }
 
     /** Returns this contest with bots that are started in another way: in this JVM, to measure without processes. */
@@ -189,7 +191,7 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
     }
 
     private static Contest create(GameSetup setup, List<String> bots, Protocol usual, double timeFactor) {
-        List<Entrant> entrants = entrants(bots, usual);
+        List<Entrant> entrants = entrants(bots, setup.isHosted() ? Protocol.CODINGAME : usual);
         checkPlayable(setup, entrants);
         return new Contest(setup, entrants, timeControl(setup, timeFactor), timeFactor);
     }
@@ -262,6 +264,10 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
     /** Refuses bots whose protocol the scene's game does not support, and builtin bots of other games. */
     public static void checkPlayable(GameSetup setup, List<Entrant> entrants) {
         for (Entrant entrant : entrants) {
+            if (entrant.protocol() == Protocol.JSON && setup.isHosted()) {
+                throw new InputException("bot '" + entrant.bot() + "': the scene \"" + setup.scene().name()
+                    + "\" has a referee of its own, expected a bot that speaks its lines, codingame");
+            }
             if (entrant.protocol() == Protocol.CODINGAME && !hasText(setup)) {
                 throw new InputException("bot '" + entrant.bot() + "': the scene \"" + setup.scene().name()
                     + "\" has no codingame protocol, expected a bot that speaks json");
@@ -282,7 +288,7 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
 
     /** True if the scene's game speaks CodinGame's lines too; all games speak JSON. */
     boolean hasBothProtocols() {
-        return hasText(setup);
+        return !setup.isHosted() && hasText(setup);
     }
 
     /** The number of players of a game: that of the bots, or 1 where each of them plays alone. */

@@ -65,8 +65,11 @@ public final class JarFolder extends URLClassLoader {
         }
     }
 
-    /** Digest of the jar that an object's class is from; {@code null} for what comes with the program. */
+    /** Digest of the jar that an object's class is from, or its own; {@code null} for what comes with the program. */
     public static String digestOf(Object of) {
+        if (of instanceof Digested own) {
+            return own.digest();
+        }
         CodeSource source = of.getClass().getProtectionDomain().getCodeSource();
         return of.getClass().getClassLoader() instanceof JarFolder jars && source != null
             ? jars.digests.get(source.getLocation().toString()) : null;

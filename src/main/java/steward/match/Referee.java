@@ -134,6 +134,7 @@ public final class Referee {
         } catch (InterruptedException interrupted) {
             result.completeExceptionally(interrupted);
             players.forEach(Player::close);
+            game.close();
             throw interrupted;
         }
     }
@@ -173,6 +174,7 @@ public final class Referee {
             try {
                 players.forEach(Player::close);
             } finally {
+                game.close();
                 result.completeExceptionally(problem);
             }
         }
@@ -182,7 +184,7 @@ public final class Referee {
     private void askRest() {
         while (!result.isDone() && !(allDirect && Thread.currentThread().isInterrupted())) {
             for (; next < players.size() && !game.isDecided(); next++) {
-                if (game.isIn(next) && !ask(next)) {
+                if (game.isAsked(next) && !ask(next)) {
                     return;
                 }
             }
@@ -198,7 +200,8 @@ public final class Referee {
 
     /** @return false if this thread must leave */
     private boolean ask(int player) {
-        long limit = time.limit(watches[player].answers());
+        int ownMs = game.limitMs(player);
+        long limit = ownMs > 0 ? time.scaled(ownMs) : time.limit(watches[player].answers());
         if (directs[player] != null) {
             take(player, directs[player].ask(limit, answers[player]), answers[player]);
             return true;
@@ -225,6 +228,7 @@ public final class Referee {
         }
         turn.stderr[player] = SafeText.wellFormed(answer.stderr());
         data.read(player, turn.stderr[player]);
+        game.timed(player, answer.nanos());
         String fault = answer.fault();
         if (ending == Player.Ending.ANSWERED && directs[player] == null) {
             String wrong = dialogues[player].readAnswer(player, answer.bytes(), answer.length());
@@ -264,6 +268,7 @@ public final class Referee {
     private void finish() {
         int[] ranks = game.ranks();
         double[] scores = game.scores();
+        game.close();
         for (int player = 0; player < players.size(); player++) {
             if (directs[player] == null) {
                 LineBuffer frame = dialogues[player].end(player);

@@ -9,22 +9,24 @@ import steward.scene.Time;
  * @param firstNanos the limit of the first answer, in nanoseconds; it includes the start of a process
  * @param turnNanos  the limit of every later answer; {@code Long.MAX_VALUE} is no deadline
  * @param basis      what they are limits of
+ * @param factor     by which limits are multiplied that a game sets itself; {@code POSITIVE_INFINITY} for none
  */
-public record TimeControl(long firstNanos, long turnNanos, TimeBasis basis) {
+public record TimeControl(long firstNanos, long turnNanos, TimeBasis basis, double factor) {
 
     /** No deadlines. */
-    public static final TimeControl UNLIMITED = new TimeControl(Long.MAX_VALUE, Long.MAX_VALUE);
+    public static final TimeControl UNLIMITED = new TimeControl(Long.MAX_VALUE, Long.MAX_VALUE,
+        TimeBasis.WALL, Double.POSITIVE_INFINITY);
 
     private static final double NANOS_PER_MS = 1e6;
 
     /** Limits of the wall clock. */
     public TimeControl(long firstNanos, long turnNanos) {
-        this(firstNanos, turnNanos, TimeBasis.WALL);
+        this(firstNanos, turnNanos, TimeBasis.WALL, 1);
     }
 
     /** Returns these limits on another clock. */
     public TimeControl by(TimeBasis other) {
-        return new TimeControl(firstNanos, turnNanos, other);
+        return new TimeControl(firstNanos, turnNanos, other, factor);
     }
 
     /** A scene's limits times a factor, finite and above 0. */
@@ -33,7 +35,12 @@ public record TimeControl(long firstNanos, long turnNanos, TimeBasis basis) {
             throw new IllegalArgumentException("time factor " + factor + ", expected above 0");
         }
         return new TimeControl((long) (time.firstAnswerMs() * NANOS_PER_MS * factor),
-            (long) (time.answerMs() * NANOS_PER_MS * factor));
+            (long) (time.answerMs() * NANOS_PER_MS * factor), TimeBasis.WALL, factor);
+    }
+
+    /** Returns a limit that a game sets itself, in nanoseconds. */
+    public long scaled(int limitMs) {
+        return factor == Double.POSITIVE_INFINITY ? Long.MAX_VALUE : (long) (limitMs * NANOS_PER_MS * factor);
     }
 
     /** The limit of a player's n-th answer, counted from 0. */

@@ -110,7 +110,7 @@ public final class OutcomeJson {
         out.writeName(Name.IMPACTS);
         out.writeStartArray();
         for (int k = 0; k < Math.min(MOST, log.kept()); k++) {
-            out.writeRawValue(impact(log.impact(k)));
+            out.writeRawValue(impact(log, k));
         }
         out.writeEndArray();
         if (log.impacts() > MOST) {
@@ -118,15 +118,13 @@ public final class OutcomeJson {
         }
     }
 
-    private RawJson impact(Impact impact) {
-        text.begin(TIME).add(impact.time()).add(A).add(impact.a());
-        if (impact.isWall()) {
-            text.add(WALL).add(impact.wall());
-        } else {
-            text.add(B).add(impact.b());
-        }
-        return text.add(AX).add(impact.ax()).add(AY).add(impact.ay()).add(BX).add(impact.bx()).add(BY).add(impact.by())
-            .add(IMPULSE).add(impact.impulse()).add(ENERGY).add(impact.energy()).add('}');
+    /** Of the numbers of an {@link Impact}: ax, ay, bx, by, impulse, energy. */
+    private RawJson impact(TurnLog log, int k) {
+        int b = log.impactB(k);
+        return text.begin(TIME).add(log.impactTime(k)).add(A).add(log.impactA(k)).add(b < 0 ? WALL : B)
+            .add(b < 0 ? ~b : b).add(AX).add(log.impactNumber(k, 0)).add(AY).add(log.impactNumber(k, 1))
+            .add(BX).add(log.impactNumber(k, 2)).add(BY).add(log.impactNumber(k, 3))
+            .add(IMPULSE).add(log.impactNumber(k, 6)).add(ENERGY).add(log.impactNumber(k, 7)).add('}');
     }
 
     /** Per body that was touched, in the order of first touch: its id and its corners (time, x, y). */

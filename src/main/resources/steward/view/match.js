@@ -142,6 +142,8 @@ export class Match {
   isIn(player, number) {
     if (number === 0 || !this.turns.length) return true;
     const turn = this.turn(Math.min(number, this.lastTurn));
+    // A guest's referee asks one player at a time: who has not failed may be asked again.
+    if (this.header.game === 'guest') return !this.faults.some(each => each.player === player && each.time <= number);
     return turn.commands[player] !== null;
   }
 

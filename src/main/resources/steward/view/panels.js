@@ -63,7 +63,10 @@ export class Cards {
 
   #commandText(turn, player, command) {
     if (turn.number === 0) return 'before the first turn';
-    if (command === null || command === undefined) return turn.faults[player] ? '' : 'out: not asked any more';
+    if (command === null || command === undefined) {
+      return turn.faults[player] ? '' : this.match.isIn(player, turn.number) ? 'not asked in this turn'
+        : 'out: not asked any more';
+    }
     return shorten(this.look.commandLines(command, player, this.match).join('\n'), MOST_COMMAND);
   }
 

@@ -32,7 +32,7 @@ final class House {
         "game.meanmax", "game.meanmax.protocol", "game.podrace", "game.podrace.simulator", "game.podrace.protocol",
         "game.pokerchiprace", "game.pokerchiprace.protocol", "game.searchrace", "game.searchrace.protocol",
         "files", "bot", "bot.command", "bot.accounting", "bot.hold", "bot.isolation", "bot.process", "match",
-        "replay.sign", "replay", "replay.verify", "replay.feed", "replay.page", "contest", "live",
+        "guest", "replay.sign", "replay", "replay.verify", "replay.feed", "replay.page", "contest", "live",
         "codingame.recording", "codingame",
         "league", "league.rating", "league.sequential", "league.pairing",
         "league.tune", "league.store", "league.play", "league.page",
@@ -156,6 +156,7 @@ final class House {
     ArchRule onlyTheStreamsKnowTheProcess() {
         return noClasses().that().resideOutsideOfPackages(in("lab"), in("cli.streams"))
             .and().haveNameNotMatching("steward\\.cli\\.(Main|ArchiveTraining)"
+                + "|steward\\.guest\\.RefereeHost.*"                  // the main class of a referee's JVM
                 + "|steward\\.cli\\.shared\\.OutOfMemory.*"            // ends the JVM that has none left
                 + "|steward\\.replay\\.WriteBehind.*")                  // writes what all commands have left
             .should().accessTargetWhere(describe("reaches the streams or the end of the process", access ->

@@ -1,6 +1,7 @@
 package steward.examples;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.File;
@@ -12,11 +13,12 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.LinkedHashSet;
 import java.util.List;
-import java.util.Map;
 import java.util.Set;
+import java.util.jar.JarFile;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import javax.tools.ToolProvider;
 import javax.xml.parsers.DocumentBuilderFactory;
 import org.junit.jupiter.api.Tag;
@@ -26,13 +28,13 @@ import org.w3c.dom.Element;
 import org.w3c.dom.NodeList;
 
 /**
- * A build that depends on what is published: the programs of docs/library.md are compiled and run with what the POMs
- * name, and nothing else.
+ * A build that depends on what is published, the folder of {@code gradlew repository}: the programs of docs/library.md
+ * are compiled and run with what its POMs name, and nothing else.
  */
+@Tag("slow")
 class PublishedTest {
 
-    private static final Map<String, String> JARS = Map.of("steward-engine", "steward-engine.jar", "steward-bots",
-        "steward-bots.jar", "steward", "steward-[0-9.]+\\.jar");
+    private static final Path REPOSITORY = Path.of("build/repository/steward");
     private static final Pattern PROGRAM = Pattern.compile("```java\\n(import .*?public class (\\w+) .*?)```",
         Pattern.DOTALL);
 
@@ -42,9 +44,18 @@ class PublishedTest {
     private record Dependency(String group, String module, String version, boolean optional) {
     }
 
-    private static List<Dependency> dependencies(String publication) throws Exception {
+    /** Published file of a module, such as {@code .pom}; the folder has one version. */
+    private static Path published(String module, String ending) throws IOException {
+        try (Stream<Path> versions = Files.list(REPOSITORY.resolve(module))) {
+            Path version = versions.findAny().orElseThrow();
+            return version.resolve(module + "-" + version.getFileName() + ending);
+        }
+    }
+
+    private static List<Dependency> dependencies(String module) throws Exception {
         Element pom = DocumentBuilderFactory.newInstance().newDocumentBuilder()
-            .parse(new File("build/publications/" + publication + "/pom-default.xml")).getDocumentElement();
+            .parse(published(module, ".pom").toFile()).getDocumentElement();
+        assertEquals(module, text(pom, "artifactId"));
         NodeList all = pom.getElementsByTagName("dependency");
         return IntStream.range(0, all.getLength()).mapToObj(k -> (Element) all.item(k)).map(each -> new Dependency(
             text(each, "groupId"), text(each, "artifactId"), text(each, "version"),
@@ -58,11 +69,8 @@ class PublishedTest {
     /** The class path of a module; jars of others with what they need are those of the class path of the tests. */
     private static Set<String> classPath(String module) throws Exception {
         Set<String> path = new LinkedHashSet<>();
-        try (var jars = Files.list(Path.of("build/libs"))) {
-            path.add(jars.filter(jar -> jar.getFileName().toString().matches(JARS.get(module))).findAny().orElseThrow()
-                .toAbsolutePath().toString());
-        }
-        for (Dependency each : dependencies(module.replace("steward-", ""))) {
+        path.add(published(module, ".jar").toAbsolutePath().toString());
+        for (Dependency each : dependencies(module)) {
             if (each.group().equals("steward")) {
                 path.addAll(classPath(each.module()));
             } else if (!each.optional()) {
@@ -104,7 +112,7 @@ class PublishedTest {
 
     @Test
     void thePomsNameWhatIsNeeded() throws Exception {
-        assertEquals("tools.jackson.core:jackson-databind", dependencies("engine").stream()
+        assertEquals("tools.jackson.core:jackson-databind", dependencies("steward-engine").stream()
             .map(each -> each.group() + ":" + each.module()).reduce("", String::concat));
         List<Dependency> steward = dependencies("steward");
         assertEquals("steward-engine", steward.get(0).module());
@@ -113,6 +121,18 @@ class PublishedTest {
         assertTrue(page.contains("'steward:steward-engine:" + steward.get(0).version() + "'"), "the page's version");
         for (Dependency each : steward) {
             assertTrue(each.version().matches("[0-9].*"), each::toString);
+        }
+    }
+
+    @Test
+    void sourcesAndJavadocArePublished() throws IOException {
+        for (String module : List.of("steward-engine", "steward")) {
+            String type = module.equals("steward") ? "steward/contest/Contest" : "steward/physics/Bodies";
+            try (JarFile sources = new JarFile(published(module, "-sources.jar").toFile());
+                 JarFile javadoc = new JarFile(published(module, "-javadoc.jar").toFile())) {
+                assertNotNull(sources.getEntry(type + ".java"), module);
+                assertNotNull(javadoc.getEntry(type + ".html"), module);
+            }
         }
     }
 

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import steward.bot.TimeBasis;
 import steward.scene.Time;
 
 /** Limits: the scene's milliseconds times a factor. */
@@ -22,12 +23,17 @@ class TimeControlTest {
 
     @Test
     void aFactorScalesBoth() {
-        assertEquals(new TimeControl(500_000_000L, 37_500_000L), TimeControl.of(new Time(1000, 75), 0.5));
+        assertEquals(new TimeControl(500_000_000L, 37_500_000L, TimeBasis.WALL, 0.5),
+            TimeControl.of(new Time(1000, 75), 0.5));
+        assertEquals(25_000_000L, TimeControl.of(new Time(1000, 75), 0.5).scaled(50));
     }
 
     @Test
     void aHugeFactorIsNoDeadlineInsteadOfAnOverflow() {
-        assertEquals(TimeControl.UNLIMITED, TimeControl.of(new Time(1000, 75), 1e300));
+        TimeControl huge = TimeControl.of(new Time(1000, 75), 1e300);
+        assertEquals(Long.MAX_VALUE, huge.limit(0));
+        assertEquals(Long.MAX_VALUE, huge.limit(1));
+        assertEquals(Long.MAX_VALUE, huge.scaled(75));
     }
 
     @ParameterizedTest

@@ -15,6 +15,7 @@ import steward.numerics.StrictAngles;
 import steward.physics.Advance;
 import steward.physics.Bodies;
 import steward.physics.Motion;
+import steward.physics.TurnLog;
 import steward.scene.Bumper;
 import steward.scene.Plan;
 import steward.scene.Scene;
@@ -46,6 +47,12 @@ public final class PodRace extends AbstractGame {
     private final List<IntFunction<String>> passTexts;
     private final Bodies bodies;
     private final Advance advance;
+    /** Way to play a turn, {@code null} for the general one; then it has the headings. */
+    private final TurnKernel kernel;
+    /** Pods, as bits, whose {@link #heading} is to be taken from the kernel. */
+    private int unread;
+    /** True if the impacts of the last turn are to be taken from the kernel. */
+    private boolean unlogged;
     private final Motion motion;
     private final SineCosine direction = new SineCosine();
     private final double reachOfPath;
@@ -69,20 +76,22 @@ public final class PodRace extends AbstractGame {
      * checkpoint, 0..n-1; if it jitters, for each checkpoint in the shifted order x, then y, -jitter..jitter.
      */
     @Internal
-    public PodRace(PodRaceSettings settings, Scene scene, Plan plan, long seed) {
-        this(settings, scene, plan, settings.drawMap(new SplitMix64(seed)));
+    public PodRace(PodRaceSettings settings, Scene scene, Plan plan, long seed, TurnKernel.Choice kernels) {
+        this(settings, scene, plan, settings.drawMap(new SplitMix64(seed)), plan.advance(null), kernels);
     }
 
-    /** A race on a given map, {@code [n][x, y]}. */
-    @Internal
-    public PodRace(PodRaceSettings settings, Scene scene, Plan plan, double[][] checkpoints) {
-        this(settings, scene, plan, checkpoints, plan.advance(null));
-    }
-
-    /** A race with a given advance; copies have that of the plan. */
+    /** A race in the general way on a given map, {@code [n][x, y]}, with a given advance; copies have the plan's. */
     @Internal
     public PodRace(PodRaceSettings settings, Scene scene, Plan plan, double[][] checkpoints, Advance advance) {
+        this(settings, scene, plan, checkpoints, advance, TurnKernel.Choice.NONE);
+    }
+
+    /** A race on a given map, {@code [n][x, y]}, with a given advance; copies have the plan's. */
+    @Internal
+    public PodRace(PodRaceSettings settings, Scene scene, Plan plan, double[][] checkpoints, Advance advance,
+                   TurnKernel.Choice kernels) {
         super(settings.players());
+        kernel = kernels.of(settings, scene, plan, checkpoints, advance, log);
         this.settings = settings;
         this.plan = plan;
         this.checkpoints = checkpoints;
@@ -116,8 +125,9 @@ public final class PodRace extends AbstractGame {
     }
 
     /** A copy of a race between two turns, with a way to advance of its own. */
-    private PodRace(PodRace other, Advance advance) {
+    private PodRace(PodRace other, Advance advance, boolean general) {
         super(other);
+        kernel = general || other.kernel == null ? null : other.kernel.copy(advance, log);
         settings = other.settings;
         plan = other.plan;
         reachOfPath = other.reachOfPath;
@@ -128,7 +138,10 @@ public final class PodRace extends AbstractGame {
         motion = other.motion;
         bodies = new Bodies(other.bodies.capacity());
         bodies.copyFrom(other.bodies);
-        heading = other.heading.clone();
+        heading = new double[other.heading.length];
+        for (int pod = 0; pod < heading.length; pod++) {
+            heading[pod] = other.heading(pod);
+        }
         shieldTimer = other.shieldTimer.clone();
         boostLeft = other.boostLeft.clone();
         passed = other.passed.clone();
@@ -142,7 +155,7 @@ public final class PodRace extends AbstractGame {
 
     @Override
     public PodRace copy() {
-        return new PodRace(this, plan.advance(null));
+        return new PodRace(this, plan.advance(null), false);
     }
 
     private void placePods(double drag) {
@@ -166,20 +179,33 @@ public final class PodRace extends AbstractGame {
 
     @Override
     protected void playTurn() {
+        int mayPass = kernel == null ? move() : moveQuickly();
+        Arrays.fill(thrust, NO_COMMAND);
+        for (int player = 0; player < settings.players(); player++) {
+            if (isIn(player)) {
+                countCheckpoints(player, mayPass);
+            }
+        }
+        decideOutcome();
+    }
+
+    /** Steers and moves the pods in the general way. @return the pods that may have passed a checkpoint, as bits */
+    private int move() {
         for (int pod = 0; pod < settings.pods(); pod++) {
             startX[pod] = bodies.x[pod];
             startY[pod] = bodies.y[pod];
             steer(pod, thrust[pod]);                        // lines before a bad one take effect
-            thrust[pod] = NO_COMMAND;
         }
         advance.turn(bodies, log);
         motion.endTurn(bodies);
-        for (int player = 0; player < settings.players(); player++) {
-            if (isIn(player)) {
-                countCheckpoints(player);
-            }
-        }
-        decideOutcome();
+        return -1;
+    }
+
+    /** Does so by the kernel. */
+    private int moveQuickly() {
+        unread = -1;
+        unlogged = true;
+        return kernel.play(bodies, targetX, targetY, thrust, shieldTimer, boostLeft, passed);
     }
 
     /**
@@ -217,24 +243,24 @@ public final class PodRace extends AbstractGame {
         return power;
     }
 
-    private void countCheckpoints(int player) {
-        int before = 0;
-        int after = 0;
+    private void countCheckpoints(int player, int mayPass) {
+        boolean any = false;
         for (int pod = player * settings.podsPerPlayer(); pod < (player + 1) * settings.podsPerPlayer(); pod++) {
-            before += passed[pod];
-            for (int most = checkpoints.length; most > 0 && passesNext(pod); most--) {     // on behind the finish
+            int most = (mayPass >> pod & 1) != 0 ? checkpoints.length : 0;
+            for (; most > 0 && passesNext(pod); most--) {                                   // on behind the finish
+                any = true;
                 passed[pod]++;
                 markCheckpoint(pod);
             }
-            after += passed[pod];
         }
-        turnsLeft[player] = after > before ? settings.turnsWithoutCheckpoint() : turnsLeft[player] - 1;
+        turnsLeft[player] = any ? settings.turnsWithoutCheckpoint() : turnsLeft[player] - 1;
     }
 
     private boolean passesNext(int pod) {
         double[] next = toPass(pod);
-        return CheckpointSweep.passes(log, bodies.id(pod), startX[pod], startY[pod], bodies.x[pod], bodies.y[pod],
-            next[0], next[1], reachOfPath, reachOfEnd);
+        return kernel != null ? kernel.passes(pod, next[0], next[1])
+            : CheckpointSweep.passes(log, bodies.id(pod), startX[pod], startY[pod], bodies.x[pod], bodies.y[pod],
+                next[0], next[1], reachOfPath, reachOfEnd);
     }
 
     private void markCheckpoint(int pod) {
@@ -298,6 +324,15 @@ public final class PodRace extends AbstractGame {
     }
 
     @Override
+    public TurnLog log() {
+        if (unlogged) {
+            unlogged = false;
+            kernel.log();
+        }
+        return log;
+    }
+
+    @Override
     public Bodies bodies() {
         return bodies;
     }
@@ -305,7 +340,7 @@ public final class PodRace extends AbstractGame {
     @Override
     @Internal
     public AngleVariants angleVariants() {
-        return new PodAngleVariants(new PodRace(this, advance));
+        return new PodAngleVariants(new PodRace(this, advance, true));
     }
 
     /**
@@ -316,7 +351,7 @@ public final class PodRace extends AbstractGame {
     public long hash() {
         hash.reset().add(turn());
         for (int pod = 0; pod < settings.pods(); pod++) {
-            hash.add(bodies.x[pod]).add(bodies.y[pod]).add(bodies.vx[pod]).add(bodies.vy[pod]).add(heading[pod])
+            hash.add(bodies.x[pod]).add(bodies.y[pod]).add(bodies.vx[pod]).add(bodies.vy[pod]).add(heading(pod))
                 .add(shieldTimer[pod]).add(boostLeft[pod]).add(passed[pod]).add(bodies.mass[pod]);
         }
         for (int player = 0; player < settings.players(); player++) {
@@ -343,7 +378,7 @@ public final class PodRace extends AbstractGame {
 
     /** The state of one pod. */
     public PodState pod(int pod) {
-        return new PodState(bodies.x[pod], bodies.y[pod], bodies.vx[pod], bodies.vy[pod], heading[pod],
+        return new PodState(bodies.x[pod], bodies.y[pod], bodies.vx[pod], bodies.vy[pod], heading(pod),
             shieldTimer[pod], boostLeft[pod], passed[pod]);
     }
 
@@ -352,9 +387,14 @@ public final class PodRace extends AbstractGame {
      * is heavy until its next command.
      */
     public void setPod(int pod, PodState state) {
+        log();
         bodies.setPosition(pod, state.x(), state.y());
         bodies.setVelocity(pod, state.vx(), state.vy());
         heading[pod] = state.heading();
+        unread &= ~(1 << pod);
+        if (kernel != null) {
+            kernel.setHeading(pod, heading[pod]);
+        }
         shieldTimer[pod] = state.shieldTimer();
         bodies.setMass(pod, state.shieldTimer() == PodRaceSettings.SHIELD_TURNS
             ? PodRaceSettings.SHIELD_MASS_FACTOR * settings.mass() : settings.mass());
@@ -400,6 +440,10 @@ public final class PodRace extends AbstractGame {
 
     /** In radians, NaN while unset. */
     public double heading(int pod) {
+        if ((unread >> pod & 1) != 0) {
+            unread &= ~(1 << pod);
+            heading[pod] = kernel.heading(pod);
+        }
         return heading[pod];
     }
 

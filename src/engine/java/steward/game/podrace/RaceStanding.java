@@ -23,7 +23,15 @@ final class RaceStanding {
     }
 
     boolean hasFinished(int player) {
-        return race.isIn(player) && race.passed(bestPod(player)) >= race.toFinish();
+        if (!race.isIn(player)) {
+            return false;
+        }
+        int perPlayer = race.settings().podsPerPlayer();
+        int most = 0;
+        for (int pod = player * perPlayer; pod < (player + 1) * perPlayer; pod++) {
+            most = Math.max(most, race.passed(pod));
+        }
+        return most >= race.toFinish();
     }
 
     /** The pod that has passed more checkpoints, then the one nearer to the next. */

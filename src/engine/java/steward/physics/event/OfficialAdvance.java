@@ -43,8 +43,9 @@ public final class OfficialAdvance implements Advance {
     private final double window = law.batchWindow();
     private final Collision collision = Collision.of(law, Arithmetic.OFFICIAL, new Wall[0]);
     private final PhysicsParts parts;
-    private final Standstill standstill;
-    private final EventAdvance general;
+    /** Made when they are first needed. */
+    private Standstill standstill;
+    private EventAdvance general;
 
     private double radius;
     private double touchSquare;
@@ -65,8 +66,6 @@ public final class OfficialAdvance implements Advance {
                 + "every contact a bounce, no walls and finite masses");
         }
         this.parts = parts;
-        standstill = new Standstill(parts);
-        general = new EventAdvance(parts);
     }
 
     /**
@@ -79,7 +78,8 @@ public final class OfficialAdvance implements Advance {
         setRadius(radius);
     }
 
-    private void setRadius(double ofAll) {
+    /** Sets the radius of every body, in u; {@link #turn} finds it itself. */
+    public void setRadius(double ofAll) {
         radius = ofAll;
         double touch = radius + radius;
         touchSquare = touch * touch;
@@ -102,7 +102,7 @@ public final class OfficialAdvance implements Advance {
     @Override
     public void turn(Bodies bodies, TurnSink sink) {
         if (!haveOneRadius(bodies) || bodies.size() > MOST_BODIES || !Magnitudes.fitPlainArithmetic(bodies)) {
-            general.turn(bodies, sink);
+            turnInGeneral(bodies, sink);
             return;
         }
         long near = nearPairs(bodies);
@@ -111,6 +111,11 @@ public final class OfficialAdvance implements Advance {
         } else {
             turnInPlainArithmetic(bodies, sink, near, ALL);
         }
+    }
+
+    private void turnInGeneral(Bodies bodies, TurnSink sink) {
+        general = general == null ? new EventAdvance(parts) : general;
+        general.turn(bodies, sink);
     }
 
     private boolean haveOneRadius(Bodies bodies) {
@@ -242,7 +247,7 @@ public final class OfficialAdvance implements Advance {
             return turnInPlainArithmetic(bodies, sink, near, exact);
         }
         if (exact == ALL) {
-            general.turn(bodies, sink);
+            turnInGeneral(bodies, sink);
         }
         return exact == ALL;
     }
@@ -263,6 +268,7 @@ public final class OfficialAdvance implements Advance {
                 return true;
             }
             if (left <= 0) {
+                standstill = standstill == null ? new Standstill(parts) : standstill;
                 standstill.finish(bodies, now, sink);
                 return doubtful == 0;
             }

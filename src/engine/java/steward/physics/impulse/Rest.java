@@ -49,7 +49,7 @@ public final class Rest {
      * Impacts of a body in a turn before its heap rests. So n bodies bounce at most 2 n times before; the rest takes an
      * impulse for each contact, at most 3 n in the plane. More patience would keep more bounces, and cost as many more.
      */
-    static final int PATIENCE = 4;
+    public static final int PATIENCE = 4;
     /** The share of a gap that is used up until the end of the turn: the rest is room for rounding. */
     private static final double USED = 0.99;
     /** Gaps below this share of the radii are closed: rounding may be as large as what is left of them. */

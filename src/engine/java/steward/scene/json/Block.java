@@ -51,6 +51,11 @@ public final class Block {
         return path;
     }
 
+    /** Where this object begins, as {@code FILE:LINE:COLUMN}. */
+    public String place() {
+        return source + ":" + object.place().line() + ":" + object.place().column();
+    }
+
     /** True if the field is present, with any value. Counts as reading it. */
     public boolean has(String name) {
         return ask(name) != null;

@@ -50,7 +50,8 @@ class BodiesScenesTest {
     /** The bodies stand in the fourth line. */
     @ParameterizedTest
     @CsvSource(delimiter = '|', quoteCharacter = '`', textBlock = """
-        "listed": [ DISC, {"x": 60, "y": 50, "radius": 10} ] | 4:47: bodies.listed[1]: PLACE overlaps with body 0, OWN
+        "listed": [ DISC, {"x": 60, "y": 50, "radius": 10} ] | 4:47: bodies.listed[1]: OVERLAPS at s.json:4:13, OWN
+        "listed": [ SUN, {"x": 25, "y": 20, "radius": 1} ]   | 4:63: bodies.listed[1]: OVERLAPS "sun" at s.json:4:13
         "listed": [ {"x": 5, "y": 50, "radius": 10} ]        | 4:13: bodies.listed[0]: found a place in or behind wall 0
         "listed": [ {"x": -500, "y": 50, "radius": 10} ]     | 4:13: bodies.listed[0]: found a place in or behind wall 0
         "listed": [ {"x": 50, "y": "NaN", "radius": 10} ]    | 4:28: bodies.listed[0].y: found the text "NaN", expected
@@ -60,12 +61,15 @@ class BodiesScenesTest {
         "fill": {"shape": "line", "count": 11, "radius": 10, "in": ENDS} | 4:9: bodies.fill: found room for 1 of 11 b
         "fill": {"count": 3, "radius": 60, "in": {"x": 99, "y": 99, "radius": 50}} | 4:9: bodies.fill: found room for 0
         "fill": {"count": 3, "radius": [9, 8]}               | 4:32: bodies.fill.radius: found 9.0 before 8.0, expected
+        "csv": { "file": "discs.csv" }                       | 4:8: bodies.csv: found .*, expected the name of a file
         "fill": []                                           | 3:13: bodies: found no body, expected bodies that are
         """)
     void whatCannotBeIsRefusedWithItsPlace(String bodies, String message) {
-        String text = bodies.replace("DISC", "{\"x\": 50, \"y\": 50, \"radius\": 10}")
+        String text = bodies.replace("SUN", "{\"label\": \"sun\", \"x\": 20, \"y\": 20, \"radius\": 10}")
+            .replace("DISC", "{\"x\": 50, \"y\": 50, \"radius\": 10}")
             .replace("ENDS", "{\"ax\": 20, \"ay\": 20, \"bx\": 119, \"by\": 20}");
-        String regex = message.replace("PLACE", "found a place that").replace("OWN", "expected a place of its own")
+        String regex = message.replace("OVERLAPS", "found a place that overlaps with the body")
+            .replace("OWN", "expected a place of its own")
             .replaceAll("[\\[\\]{}]", "\\\\$0");
         String found = assertThrows(SceneException.class, () -> open(text)).getMessage();
         assertTrue(found.matches("s.json:" + regex + ".*"), found);
@@ -131,10 +135,11 @@ class BodiesScenesTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', quoteCharacter = '`', textBlock = """
-        x,y,radius;50,60,10;50,65,10        | 3:1: found a place that overlaps with body 0, expected a place of its own
+        x,y,radius;50,60,10;50,65,10        | 3:1: found a place that overlaps with the body at discs.csv:2:1, exp
         x,y,radius;50,nan,10                | 2:4: y: found the text "nan", expected a number -1e12..1e12
         x,y,radius;50,60                    | 2:1: found 2 cells, expected 3, as many as the first line has names
-        x,y,radios;50,60,10                 | 2:1: radius: found nothing, expected a number above 0; the nearest field h
+        x,y,radios;50,60,10                 | 1:1: found no column "radius" in x,y,radios, expected x, y, radius and
+        x;y;radius;50;60;10                 | 1:1: found no column "y" in x, expected x, y, radius and others, separated
         x,y,radius,speed;50,60,10,1         | 1:12: speed: found an unknown field, expected one of
         ``                                  | 1:1: found no names, expected a line with the names of the columns
         x,y,x;50,60,10                      | 1:5: found the column "x" a second time, expected it once

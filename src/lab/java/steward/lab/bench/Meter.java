@@ -28,6 +28,8 @@ public final class Meter {
     private static final double COMPARABLE = 1.25;
     /** From so many rounds on, the lowest and the highest ratio do not count: something else may have run. */
     private static final int MANY_ROUNDS = 5;
+    /** Pieces of work whose allocation is counted. */
+    private static final int COUNTED_PIECES = 10;
 
     private final ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
     private final OperatingSystemMXBean system =
@@ -125,8 +127,7 @@ public final class Meter {
                       String note, Consumer<Row> rows) throws Exception {
         double first = median(Arrays.copyOf(speeds[0], rounds));
         for (int k = 0; k < speeds.length; k++) {
-            boolean countable = contenders.get(k).clock() == Contender.Clock.THREAD;
-            double bytes = countable ? bytes(contenders.get(k)) : Double.NaN;
+            double bytes = bytes(contenders.get(k));
             double median = median(Arrays.copyOf(speeds[k], rounds));
             rows.accept(new Row(section, contenders.get(k).name(), unit, median, median / first, bytes, note)
                 .remark(caution(speeds[k], speeds[0], rounds)));
@@ -148,10 +149,26 @@ public final class Meter {
         return NANOS * units / (now - start);
     }
 
+    /**
+     * Bytes allocated per unit by the calling thread, or by all threads that live on; NaN by the wall clock, where
+     * threads come and go.
+     */
     private double bytes(Contender contender) throws Exception {
-        long before = threads.getCurrentThreadAllocatedBytes();
-        long units = contender.work().run();
-        return (double) (threads.getCurrentThreadAllocatedBytes() - before) / units;
+        if (contender.clock() == Contender.Clock.WALL) {
+            return Double.NaN;
+        }
+        boolean all = contender.clock() == Contender.Clock.JVM;
+        long before = allocated(all);
+        long units = 0;
+        for (int piece = 0; piece < COUNTED_PIECES; piece++) {
+            units += contender.work().run();
+        }
+        return (double) (allocated(all) - before) / units;
+    }
+
+    private long allocated(boolean all) {
+        return all ? Arrays.stream(threads.getThreadAllocatedBytes(threads.getAllThreadIds())).filter(n -> n > 0).sum()
+            : threads.getCurrentThreadAllocatedBytes();
     }
 
     public static double median(double[] values) {

@@ -60,7 +60,7 @@ public final class Calibration {
     private final GameSetup setup;
     private final LongFunction<SeededPlay> plays;
     private final PhysicsParts parts;
-    private final List<Accuracy> rungs = Accuracy.ladder();
+    private final List<Accuracy> rungs;
     private final int states;
     private final Block[] blocks;
     private final AtomicInteger next = new AtomicInteger();
@@ -92,7 +92,14 @@ public final class Calibration {
         this.plays = plays;
         this.states = states;
         parts = setup.physics();
+        int most = mostSteps(setup.plan().bodies());
+        rungs = Accuracy.ladder().stream().filter(rung -> rung.steps() <= most).toList();
         blocks = new Block[(states + BLOCK - 1) / BLOCK];
+    }
+
+    /** Returns the most steps a turn that are measured of so many bodies: steps look at all pairs. */
+    public static int mostSteps(int bodies) {
+        return bodies <= 64 ? Integer.MAX_VALUE : bodies <= 300 ? 256 : 64;
     }
 
     /**

@@ -107,7 +107,7 @@ public final class TradeoffCommand implements Callable<Integer> {
         boolean headings = all || scenes.contains(TradeoffScenes.HEADINGS);
         List<TradeoffScene> chosen = all ? TradeoffScenes.all()
             : TradeoffScenes.of(scenes.stream().filter(word -> !word.equals(TradeoffScenes.HEADINGS)).toList(),
-                word -> Games.warn(Games.open(word, null, streams), streams));
+                word -> Games.warn(Games.computed(Games.open(word, null, streams), "tradeoff"), streams));
         if (out == null) {
             measure(chosen, headings, null);
             return ExitStatus.DONE;

@@ -13,6 +13,7 @@ import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.game.GameSetup;
 import steward.game.Pilot;
+import steward.lab.calibration.Calibration;
 import steward.lab.calibration.SeededPlay;
 import steward.lab.tradeoff.GrazingPasses;
 import steward.lab.tradeoff.TradeoffScene;
@@ -42,8 +43,9 @@ final class TradeoffScenes {
     static final String HEADINGS = "headings";
 
     private static final String OFFICIAL = "mad-pod-racing";
-    /** The shipped scenes among its own; the truth of heaps, as {@code bowl}, takes too long for every run. */
-    private static final List<String> SHIPPED = List.of("walled-race", "dense-box", "gas", "bullets");
+    /** The shipped scenes among its own. */
+    private static final List<String> SHIPPED = List.of("walled-race", "dense-box", "gas", "bullets", "avalanche",
+        "bowl");
     private static final long SEED = 4;
     /** Of a game without players every seventh turn gives a state, so that few states are from all of it. */
     private static final int STRIDE = 7;
@@ -113,7 +115,7 @@ final class TradeoffScenes {
         SeededPlay play = new SeededPlay(setup, setup.pilot(aim), SEED);
         return new TradeoffScene(name, about, setup.scene().json(), setup.physics(), rounds ? motion : null,
             setup.scene().players() > 0 ? play::next : () -> sparse(play), amount.states, amount.freeRuns,
-            amount.freeTurns, amount.steps);
+            amount.freeTurns, Calibration.mostSteps(movable));
     }
 
     private static Bodies sparse(SeededPlay play) {
@@ -123,13 +125,8 @@ final class TradeoffScenes {
         return play.next();
     }
 
-    /**
-     * Extent of a measurement; less of a crowd, because the truth and the steps look at all pairs: a
-     * turn of a heap of a hundred takes the oracle seconds.
-     *
-     * @param steps most steps a turn
-     */
-    private record Amount(int states, int freeRuns, int freeTurns, int steps) {
+    /** Extent of a measurement; less of a crowd, because the truth looks at all pairs. */
+    private record Amount(int states, int freeRuns, int freeTurns) {
 
         private static final int FEW = 16;
         private static final int SOME = 64;
@@ -137,9 +134,9 @@ final class TradeoffScenes {
 
         static Amount of(int movable) {
             return movable <= FEW ? new Amount(
-                Math.max(200, (int) (5000 * Math.min(1, 16.0 / (movable * movable)))), 9, 50, 1024)
-                : movable <= SOME ? new Amount(150, 5, 40, 1024)
-                : movable <= MANY ? new Amount(20, 1, 5, 256) : new Amount(20, 1, 10, 64);
+                Math.max(200, (int) (5000 * Math.min(1, 16.0 / (movable * movable)))), 9, 50)
+                : movable <= SOME ? new Amount(150, 5, 40)
+                : movable <= MANY ? new Amount(20, 1, 5) : new Amount(20, 1, 10);
         }
     }
 

@@ -3,25 +3,30 @@ package steward.lab.oracle;
 import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import steward.physics.Bodies;
 import steward.physics.ImpactLaw;
 import steward.physics.PhysicsParts;
 import steward.physics.Wall;
+import steward.physics.impulse.Rest;
 
 /**
  * A turn computed from the definitions in {@link Decimals#COUNT} decimal digits: find the earliest touch of all pairs
  * and walls, move all bodies there, let the impact react, search again. Slow, and meant to be obviously right: nothing
- * is kept from one impact to the next, and only pairs too far apart to meet in the rest of the turn are skipped
- * ({@link OracleBroadPhase}). It reads {@link ImpactLaw} and {@link Wall} as plain data and calls nothing of the
- * physics.
+ * is kept from one impact to the next, and only pairs that provably touch later than the next impact are not examined
+ * in all digits ({@link OracleBroadPhase}). It reads {@link ImpactLaw} and {@link Wall} as plain data and calls
+ * nothing of the physics.
  *
  * <p>Where the physics has to decide whether two rounded distances are equal, the oracle treats numbers that agree to
  * {@code COUNT - 16} digits as equal: a body moved to a touch does touch, and a body that slides does not approach.
  *
- * <p>Caveat: a turn that reaches the limit on impacts stops there; what contacts may mean is said in
- * {@link OracleContacts}.
+ * <p>Caveat: a turn that reaches the limit on impacts stops there, and so does one in which a heap comes to rest
+ * ({@link Rest}): the oracle computes impacts only. What contacts may mean is said in {@link OracleContacts}.
  */
 public final class Oracle {
+
+    /** A touch that is this much later than the window has no part in what reacts next: many times the rounding. */
+    private static final BigDecimal CLEARLY_LATER = Decimals.SAME.movePointRight(16);
 
     private final ImpactLaw law;
     private final List<Wall> walls;
@@ -29,6 +34,9 @@ public final class Oracle {
     /** {@code null} where everything bounces. */
     private final OracleContacts contacts;
     private boolean limited;
+    private boolean examineAll;
+    /** True if an impact of the turn was rest by the law. */
+    private boolean resting;
 
     /** Everything bounces. */
     public Oracle(ImpactLaw law, List<Wall> walls) {
@@ -63,9 +71,39 @@ public final class Oracle {
         }
     }
 
-    /** True if the last turn reached the limit on impacts; then it stopped there, in the middle of the turn. */
+    /** A pair, or a body and {@code ~wall}, that does not touch before the bound. */
+    private static final class Candidate {
+
+        final double bound;
+        final int a;
+        final int b;
+        final double own;
+        boolean examined;
+        /** {@code null} until found. */
+        Touch touch;
+
+        Candidate(double bound, int a, int b, double own) {
+            this.bound = bound;
+            this.a = a;
+            this.b = b;
+            this.own = own;
+        }
+    }
+
+    /** Examines every pair and wall in all digits, whatever the bounds say. */
+    Oracle examiningAll() {
+        examineAll = true;
+        return this;
+    }
+
+    /** True if the last turn stopped in the middle: at the limit on impacts, or where a heap comes to rest. */
     public boolean limited() {
         return limited;
+    }
+
+    /** True if the last turn stopped where a heap comes to rest. */
+    public boolean rested() {
+        return resting && limited;
     }
 
     /** Plays for a duration from now, a turn being 1; changes the bodies. */
@@ -75,13 +113,15 @@ public final class Oracle {
         int bound = law.maximumImpacts() > 0 ? law.maximumImpacts() : 10_000 + 1_000 * bodies.size();
         int left = bound;
         limited = false;
+        bodies.forEach(body -> body.impacts = 0);
+        resting = false;
         for (;;) {
             List<Touch> next = together(touches(bodies, duration.subtract(now)));
             if (next.isEmpty()) {
                 fly(bodies, duration.subtract(now));
                 return impacts;
             }
-            if (left-- <= 0) {
+            if (left-- <= 0 || resting) {
                 limited = true;
                 return impacts;
             }
@@ -106,12 +146,15 @@ public final class Oracle {
     private OracleImpact react(List<OracleBody> bodies, Touch touch, BigDecimal now) {
         BigDecimal time = now.add(touch.until);
         if (contacts == null) {
-            return reaction.react(bodies, touch.a, touch.b, time);
+            OracleImpact impact = reaction.react(bodies, touch.a, touch.b, time);
+            resting |= reaction.wasRest(bodies, touch.a, touch.b);
+            return impact;
         }
         if (!contacts.bounces(bodies, touch.a, touch.b, time)) {
             return null;
         }
         OracleImpact impact = reaction.react(bodies, touch.a, touch.b, time);
+        resting |= reaction.wasRest(bodies, touch.a, touch.b);
         contacts.after(bodies, touch.a, touch.b, time);
         return impact == null ? null : impact.between(contacts.startIndex(touch.a),
             touch.b < 0 ? touch.b : contacts.startIndex(touch.b));
@@ -126,36 +169,63 @@ public final class Oracle {
         bodies.forEach(body -> body.fly(time));
     }
 
-    /** All touches within a time, in scan order: pairs, then walls. */
+    /** Touches within a time, in scan order: all that {@link #together} can choose, and perhaps others. */
     private List<Touch> touches(List<OracleBody> bodies, BigDecimal left) {
-        List<Touch> touches = new ArrayList<>();
+        List<Candidate> candidates = candidates(bodies, left.doubleValue());
+        BigDecimal window = Decimals.of(law.batchWindow()).add(CLEARLY_LATER);
+        double last = Double.POSITIVE_INFINITY;
+        for (Candidate next; (next = earliest(candidates, last)) != null; ) {
+            BigDecimal until = next.b < 0 ? OracleTimeOfImpact.wall(bodies.get(next.a), walls.get(~next.b))
+                : pair(bodies.get(next.a), bodies.get(next.b), next.own);
+            next.examined = true;
+            if (until != null && until.compareTo(left) <= 0) {
+                next.touch = new Touch(until, next.a, next.b);
+                last = examineAll ? last : Math.min(last, Math.nextUp(until.add(window).doubleValue()));
+            }
+        }
+        return candidates.stream().map(candidate -> candidate.touch).filter(Objects::nonNull).toList();
+    }
+
+    /** Candidate not yet examined with the lowest bound up to a time; {@code null} if there is none. */
+    private static Candidate earliest(List<Candidate> candidates, double last) {
+        Candidate best = null;
+        for (Candidate candidate : candidates) {
+            if (!candidate.examined && candidate.bound <= (best == null ? last : best.bound)) {
+                best = candidate;
+            }
+        }
+        return best;
+    }
+
+    /** In scan order: pairs, then walls. */
+    private List<Candidate> candidates(List<OracleBody> bodies, double time) {
+        List<Candidate> candidates = new ArrayList<>();
         int size = bodies.size();
         boolean descending = law.scanOrder() == ImpactLaw.ScanOrder.DESCENDING;
         OracleBroadPhase reach = new OracleBroadPhase(bodies);
-        double time = left.doubleValue();
         for (int k = 0; k < size; k++) {
             int i = descending ? size - 1 - k : k;
             for (int m = 0; m < (descending ? i : size - 1 - i); m++) {
                 int j = descending ? i - 1 - m : i + 1 + m;
-                double own = contacts == null ? Double.NaN : contacts.reach(i, j);
-                if ((contacts == null || contacts.meet(i, j)) && !reach.apart(i, j, own, time)) {
-                    add(touches, pair(bodies.get(i), bodies.get(j), own), left, i, j);
+                if (contacts == null || contacts.meet(i, j)) {
+                    double own = contacts == null ? Double.NaN : contacts.reach(i, j);
+                    add(candidates, reach.earliest(i, j, own, law.separatingPairsReact()), time, i, j, own);
                 }
             }
         }
         for (int i = 0; i < size; i++) {
             for (int w = 0; w < walls.size() && bodies.get(i).mass != null; w++) {
-                if ((contacts == null || contacts.meetsWall(i, w)) && !reach.apart(i, walls.get(w), time)) {
-                    add(touches, OracleTimeOfImpact.wall(bodies.get(i), walls.get(w)), left, i, ~w);
+                if (contacts == null || contacts.meetsWall(i, w)) {
+                    add(candidates, reach.earliest(i, walls.get(w)), time, i, ~w, Double.NaN);
                 }
             }
         }
-        return touches;
+        return candidates;
     }
 
-    private static void add(List<Touch> touches, BigDecimal until, BigDecimal left, int a, int b) {
-        if (until != null && until.compareTo(left) <= 0) {
-            touches.add(new Touch(until, a, b));
+    private void add(List<Candidate> candidates, double bound, double time, int a, int b, double own) {
+        if (examineAll || bound <= time) {
+            candidates.add(new Candidate(bound, a, b, own));
         }
     }
 

@@ -16,6 +16,8 @@ public final class OracleBody {
     /** {@code null} for an infinite mass. */
     final BigDecimal mass;
     final BigDecimal restitution;
+    /** So far in the turn. */
+    int impacts;
 
     private OracleBody(Bodies from, int k) {
         x = Decimals.of(from.x[k]);

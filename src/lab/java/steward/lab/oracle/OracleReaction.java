@@ -4,6 +4,7 @@ import java.math.BigDecimal;
 import java.util.List;
 import steward.physics.ImpactLaw;
 import steward.physics.Wall;
+import steward.physics.impulse.Rest;
 
 /**
  * Impact in the oracle's arithmetic: the first step of the impulse stops the approach, the second gives back the share
@@ -12,8 +13,12 @@ import steward.physics.Wall;
  */
 final class OracleReaction {
 
+    private static final BigDecimal NEAR = Decimals.of(2.0 / Rest.NEAR);
+
     private final ImpactLaw law;
     private final List<Wall> walls;
+    /** True if the last impact is rest if its bodies belong to a heap. */
+    private boolean rests;
 
     OracleReaction(ImpactLaw law, List<Wall> walls) {
         this.law = law;
@@ -25,6 +30,29 @@ final class OracleReaction {
         return b < 0 ? withWall(bodies.get(a), a, b, time) : pair(bodies.get(a), bodies.get(b), a, b, time);
     }
 
+    /** True if the impact that has just reacted is rest by the law: something else touches its bodies, or nearly. */
+    boolean wasRest(List<OracleBody> bodies, int a, int b) {
+        return rests && (touches(bodies, a, b) || b >= 0 && touches(bodies, b, a));
+    }
+
+    /** True if a body touches anything but its partner, by twice the gap that {@link Rest} takes for none. */
+    private boolean touches(List<OracleBody> bodies, int i, int partner) {
+        OracleBody body = bodies.get(i);
+        for (int k = 0; k < bodies.size(); k++) {
+            OracleBody other = bodies.get(k);
+            if (k != i && k != partner && OracleTimeOfImpact.within(body.x.subtract(other.x), body.y.subtract(other.y),
+                body.radius.add(other.radius).multiply(NEAR.add(BigDecimal.ONE)))) {
+                return true;
+            }
+        }
+        for (int w = 0; w < walls.size() && body.mass != null; w++) {
+            if (~w != partner && OracleWallGeometry.gap(body, walls.get(w)).compareTo(body.radius.multiply(NEAR)) < 0) {
+                return true;
+            }
+        }
+        return false;
+    }
+
     private OracleImpact pair(OracleBody p, OracleBody q, int a, int b, BigDecimal time) {
         BigDecimal dx = q.x.subtract(p.x);
         BigDecimal dy = q.y.subtract(p.y);
@@ -34,7 +62,9 @@ final class OracleReaction {
         BigDecimal ny = apart ? Decimals.divide(dy, distance) : BigDecimal.ZERO;
         BigDecimal approach = Decimals.dot(nx, ny, p.vx.subtract(q.vx), p.vy.subtract(q.vy));
         BigDecimal first = Decimals.divide(approach, p.inverseMass().add(q.inverseMass()));
-        BigDecimal impulse = first.add(second(first, p.restitution.min(q.restitution), true));
+        BigDecimal restitution = p.restitution.min(q.restitution);
+        rests = mayRest(Math.max(p.impacts++, q.impacts++), restitution, approach);
+        BigDecimal impulse = first.add(second(first, restitution, true));
         BigDecimal ax = p.x;
         BigDecimal ay = p.y;
         BigDecimal bx = q.x;
@@ -55,12 +85,14 @@ final class OracleReaction {
         Wall wall = walls.get(~b);
         BigDecimal[] n = OracleWallGeometry.normal(body, wall);
         BigDecimal approach = Decimals.dot(n[0], n[1], body.vx, body.vy);
+        rests = false;
         if (approach.signum() <= 0) {
             return null;
         }
         BigDecimal first = approach.multiply(body.mass);
-        BigDecimal impulse = first.add(
-            second(first, body.restitution.min(Decimals.of(wall.restitution())), law.minimumImpulseAtWalls()));
+        BigDecimal restitution = body.restitution.min(Decimals.of(wall.restitution()));
+        rests = mayRest(body.impacts++, restitution, approach);
+        BigDecimal impulse = first.add(second(first, restitution, law.minimumImpulseAtWalls()));
         BigDecimal ax = body.x;
         BigDecimal ay = body.y;
         BigDecimal gap = OracleWallGeometry.gap(body, wall);
@@ -70,6 +102,13 @@ final class OracleReaction {
         }
         return new OracleImpact(time, a, b, impulse, ax, ay, ax, ay, body.vx, body.vy, BigDecimal.ZERO,
             BigDecimal.ZERO);
+    }
+
+    /** The rule of {@link Rest} for a body in a heap. */
+    private boolean mayRest(int impacts, BigDecimal restitution, BigDecimal approach) {
+        return law.bodiesRest() && restitution.compareTo(BigDecimal.ONE) < 0 && (Double.isNaN(law.restSpeed())
+            ? restitution.signum() == 0 || impacts >= Rest.PATIENCE
+            : restitution.multiply(approach).compareTo(Decimals.of(law.restSpeed())) <= 0);
     }
 
     /** e times the first step, raised to the minimum; or only in magnitude when it exceeds the dead zone. */

@@ -4,11 +4,14 @@ import java.math.BigDecimal;
 import java.math.RoundingMode;
 import java.util.Arrays;
 import java.util.List;
+import steward.physics.Advance;
+import steward.physics.Arithmetic;
 import steward.physics.Bodies;
 import steward.physics.Impact;
 import steward.physics.Motion;
 import steward.physics.PhysicsParts;
 import steward.physics.TurnLog;
+import steward.scene.Accuracy;
 
 /*
  * A true number t is kept as t = h + l, h the double nearest to t and l the one nearest to the rest, so that |f - t| of
@@ -17,8 +20,8 @@ import steward.physics.TurnLog;
  */
 
 /**
- * The true turn from a given start, computed by the {@link Oracle}; any rung can be compared with it. Slow to create,
- * fast to query. Immutable.
+ * The true turn from a given start, computed by the {@link Oracle} (but see {@link #of}); any rung can be compared with
+ * it. Slow to create, fast to query. Immutable.
  */
 public final class TurnTruth {
 
@@ -34,9 +37,10 @@ public final class TurnTruth {
     private final long[] pairs;
     private final boolean limited;
 
-    private TurnTruth(Bodies start, List<OracleBody> end, int[] ids, List<OracleImpact> impacts, boolean limited) {
+    private TurnTruth(List<OracleBody> end, int[] ids, long[] pairs, boolean limited) {
         this.end = end;
         this.ids = ids;
+        this.pairs = pairs;
         this.limited = limited;
         size = end.size();
         high = new double[4 * size];
@@ -53,9 +57,6 @@ public final class TurnTruth {
             sum = sum.add(body.energy());
         }
         energy = sum.doubleValue();
-        pairs = impacts.stream()
-            .mapToLong(impact -> pair(start.id(impact.a()), impact.b() < 0 ? impact.b() : start.id(impact.b())))
-            .sorted().toArray();
     }
 
     private void keep(int k, BigDecimal value) {
@@ -64,7 +65,8 @@ public final class TurnTruth {
     }
 
     /**
-     * Plays the turn; the bodies are not changed.
+     * Plays the turn; the bodies are not changed. If a heap comes to rest in it, it is played on {@code exact}: the
+     * oracle knows impacts only.
      *
      * @param parts their law, walls, contacts and reaction are used; the arithmetic is not
      * @throws IllegalArgumentException if the reaction lets bodies bounce at a distance of their own
@@ -74,11 +76,33 @@ public final class TurnTruth {
         OracleContacts contacts = parts.contacts().allBounce() ? null : new OracleContacts(parts, start);
         Oracle oracle = new Oracle(parts.law(), parts.walls(), contacts);
         List<OracleImpact> impacts = oracle.turn(bodies);
+        if (oracle.rested()) {
+            return ofExact(start, parts);
+        }
         int[] ids = new int[bodies.size()];
         for (int k = 0; k < ids.length; k++) {
             ids[k] = contacts == null ? start.id(k) : contacts.id(k);
         }
-        return new TurnTruth(start, bodies, ids, impacts, oracle.limited());
+        long[] pairs = impacts.stream()
+            .mapToLong(impact -> pair(start.id(impact.a()), impact.b() < 0 ? impact.b() : start.id(impact.b())))
+            .sorted().toArray();
+        return new TurnTruth(bodies, ids, pairs, oracle.limited());
+    }
+
+    private static TurnTruth ofExact(Bodies start, PhysicsParts parts) {
+        Bodies end = start.copy();
+        TurnLog log = new TurnLog();
+        exact(parts, start).turn(end, log);
+        int[] ids = new int[end.size()];
+        for (int k = 0; k < ids.length; k++) {
+            ids[k] = end.id(k);
+        }
+        return new TurnTruth(OracleBody.of(end), ids, found(log), log.limited());
+    }
+
+    /** The advance that stands for the truth where heaps rest. */
+    public static Advance exact(PhysicsParts parts, Bodies bodies) {
+        return Accuracy.event(Arithmetic.EXACT).advance(parts.withArithmetic(Arithmetic.EXACT), bodies.size());
     }
 
     /** Returns the number of impacts. */

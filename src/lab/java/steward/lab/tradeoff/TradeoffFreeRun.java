@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import steward.lab.oracle.Oracle;
 import steward.lab.oracle.OracleBody;
+import steward.lab.oracle.TurnTruth;
 import steward.physics.Advance;
 import steward.physics.Bodies;
 import steward.physics.PhysicsParts;
@@ -21,13 +22,16 @@ final class TradeoffFreeRun {
     }
 
     /**
-     * After how many turns each rung has diverged; one more than the bound if it never does.
+     * After how many turns each rung has diverged; one more than the bound if it never does. From the first turn on in
+     * which a heap rests, truth is {@code exact}.
      *
      * @param bound how many turns at most; fewer if the true turn reaches the law's limit on impacts
      */
     static int[] turns(Bodies start, PhysicsParts parts, List<Advance> rungs, int bound) {
         List<OracleBody> truth = OracleBody.of(start);
         Oracle oracle = Oracle.of(parts, start);
+        Advance exact = TurnTruth.exact(parts, start);
+        Bodies resting = null;
         int[] turns = new int[rungs.size()];
         Bodies[] bodies = new Bodies[turns.length];
         Arrays.fill(turns, bound + 1);
@@ -35,10 +39,18 @@ final class TradeoffFreeRun {
             bodies[r] = start.copy();
         }
         boolean some = true;
-        for (int turn = 1; turn <= bound && some && !oracle.limited(); turn++) {
-            oracle.turn(truth);
+        for (int turn = 1; turn <= bound && some && (resting != null || !oracle.limited()); turn++) {
+            Bodies before = resting == null ? rounded(start, truth) : resting;
+            if (resting == null) {
+                oracle.turn(truth);
+            }
+            if (resting != null || oracle.rested()) {
+                resting = before;
+                exact.turn(resting, TurnSink.NONE);
+                truth = OracleBody.of(resting);
+            }
             some = false;
-            for (int r = 0; r < turns.length && !oracle.limited(); r++) {
+            for (int r = 0; r < turns.length && (resting != null || !oracle.limited()); r++) {
                 if (turns[r] > bound) {
                     rungs.get(r).turn(bodies[r], TurnSink.NONE);
                     turns[r] = isOff(bodies[r], truth) ? turn : turns[r];
@@ -47,6 +59,16 @@ final class TradeoffFreeRun {
             }
         }
         return turns;
+    }
+
+    /** Truth as doubles, as long as the bodies are those of the start. */
+    private static Bodies rounded(Bodies start, List<OracleBody> truth) {
+        Bodies bodies = start.copy();
+        for (int k = 0; k < truth.size() && truth.size() == bodies.size(); k++) {
+            bodies.setPosition(k, truth.get(k).x.doubleValue(), truth.get(k).y.doubleValue());
+            bodies.setVelocity(k, truth.get(k).vx.doubleValue(), truth.get(k).vy.doubleValue());
+        }
+        return bodies;
     }
 
     private static boolean isOff(Bodies bodies, List<OracleBody> truth) {

@@ -7,6 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
 import java.util.function.LongSupplier;
 import org.junit.jupiter.api.Test;
 
@@ -38,6 +40,30 @@ class MeterTest {
         assertEquals(1, rows.get(0).ratio());
         assertEquals(2 * (1 + Effort.QUICK.rounds()), told);
         assertTrue(rows.stream().allMatch(row -> row.perSecond() > 0));
+    }
+
+    private static byte[] garbage;
+
+    /** 100,000 bytes a unit, by this thread or by another one that lives on; by the wall clock they are not counted. */
+    @Test
+    void bytesAreCountedInWhicheverThreadAllocates() throws Exception {
+        ExecutorService other = Executors.newSingleThreadExecutor();
+        try {
+            compare(0, new Contender("here", () -> allocate(100_000)),
+                new Contender("elsewhere", true, () -> other.submit(() -> allocate(100_000)).get()),
+                new Contender("wall", Contender.Clock.WALL, () -> allocate(100_000)));
+        } finally {
+            other.shutdown();
+        }
+
+        assertEquals(100_000, rows.get(0).bytes(), 5_000);
+        assertEquals(100_000, rows.get(1).bytes(), 10_000);
+        assertTrue(Double.isNaN(rows.get(2).bytes()));
+    }
+
+    private static long allocate(int bytes) {
+        garbage = new byte[bytes];
+        return 1;
     }
 
     /** Contender that takes so many nanoseconds for a unit, by the clock of the test. */

@@ -243,6 +243,29 @@ class CalibrateTest {
         assertSampleHolds(name);
     }
 
+    static List<String> ofBodies() {
+        return SceneFiles.shipped().stream().filter(name -> Games.open(name).scene().players() == 0).toList();
+    }
+
+    /** The shipped scenes of bodies have figures beside them, by which a budget in time and one in errors are met. */
+    @ParameterizedTest
+    @MethodSource("ofBodies")
+    void aShippedSceneOfBodiesCanStateABudget(String name) throws Exception {
+        AccuracyFigures figures = shipped(name);
+        assertEquals(SceneKey.of(Games.open(name, Calibration.PLAYED_ON).scene()), figures.key());
+        Path scene = folder.resolve("mine.json");
+        Files.writeString(folder.resolve("mine.accuracy.json"),
+            Files.readString(Path.of("config/scenes", name + ".accuracy.json")));
+        for (String demand : List.of("{ \"maxCost\": \"10s\" }", "{ \"maxPositionError\": 0.01, \"share\": 0.5 }")) {
+            Files.writeString(scene, SceneFiles.load(name).text()
+                .replaceFirst("\"accuracy\": \\{[^}]*}", "\"accuracy\": " + demand));
+            Cli explained = Cli.run("explain", scene.toString(), "--no-prices");
+            assertEquals(ExitStatus.DONE, explained.status(), explained.err());
+            assertTrue(explained.out().replaceAll("\\s+", " ").contains(
+                "shown by " + figures.states() + " (" + folder.resolve("mine.accuracy.json") + ")"), explained.out());
+        }
+    }
+
     private static void assertSampleHolds(String name) throws Exception {
         GameSetup setup = Games.open(name, Calibration.PLAYED_ON);
         AccuracyFigures figures = shipped(name);

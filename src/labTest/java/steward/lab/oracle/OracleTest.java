@@ -19,6 +19,7 @@ import steward.physics.HalfPlane;
 import steward.physics.ImpactLaw;
 import steward.physics.Segment;
 import steward.physics.Wall;
+import steward.physics.impulse.Rest;
 
 /** The oracle itself, against closed forms by hand, conservation, reversal and the digits of pi. */
 @Execution(ExecutionMode.CONCURRENT)
@@ -235,7 +236,7 @@ class OracleTest {
         return sums;
     }
 
-    /** Three in a row and a collapse of impacts: the oracle says that it stopped at the bound. */
+    /** Three in a row and a collapse of impacts: the oracle stops at the bound, or where they may rest, and says so. */
     @Test
     void aCollapseEndsAtTheBound() {
         Bodies bodies = new Bodies(3);
@@ -245,8 +246,25 @@ class OracleTest {
         }
         bodies.setVelocity(0, 1000, 0);
         bodies.setVelocity(2, -1000, 0);
-        Oracle oracle = new Oracle(SOFT.withMaximumImpacts(40), List.of());
+        Oracle oracle = new Oracle(SOFT.withRestSpeed(0).withMaximumImpacts(40), List.of());
         assertEquals(40, oracle.turn(OracleBody.of(bodies)).size());
         assertTrue(oracle.limited());
+        Oracle resting = new Oracle(SOFT, List.of());
+        assertTrue(resting.turn(OracleBody.of(bodies)).size() <= 3 * Rest.PATIENCE);
+        assertTrue(resting.limited(), "the law brings them to rest, and the oracle knows impacts only");
+    }
+
+    /** One that bounces between two others far apart has had its four impacts, too, but belongs to no heap. */
+    @Test
+    void manyImpactsWithoutAHeapAreNoRest() {
+        Bodies bodies = new Bodies(3);
+        for (int k = 0; k < 3; k++) {
+            bodies.add(100 * k, 0, 10, k == 1 ? 1e-3 : 1e9);
+            bodies.setRestitution(k, 0.99);
+        }
+        bodies.setVelocity(1, 2000, 0);
+        Oracle oracle = new Oracle(SOFT, List.of());
+        assertTrue(oracle.turn(OracleBody.of(bodies)).size() > Rest.PATIENCE);
+        assertFalse(oracle.limited());
     }
 }

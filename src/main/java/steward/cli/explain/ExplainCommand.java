@@ -13,6 +13,7 @@ import steward.cli.options.AccuracyOption;
 import steward.cli.options.CallCheck;
 import steward.cli.options.ShippedScenes;
 import steward.cli.shared.ExitStatus;
+import steward.cli.shared.Games;
 import steward.cli.shared.Lab;
 import steward.cli.streams.Colour;
 import steward.cli.streams.Json;
@@ -61,7 +62,7 @@ public final class ExplainCommand implements Callable<Integer> {
     @Override
     public Integer call() {
         CallCheck.brief().that(!measure || !noPrices, "--measure: found --no-prices with it, expected one of them");
-        GameSetup setup = accuracy.open(scene, streams);
+        GameSetup setup = Games.computed(accuracy.open(scene, streams), "explain");
         PriceList prices = noPrices ? null : measure
             ? PriceList.measured(setup, Lab.of("--measure").measurePrices(streams, setup)) : PriceList.stored(setup);
         if (json) {

@@ -13,6 +13,7 @@ import picocli.CommandLine;
 import steward.cli.league.run.NoServing;
 import steward.cli.league.run.RunCommand;
 import steward.cli.league.view.PageCommand;
+import steward.cli.league.view.TableCommand;
 import steward.cli.shared.ExitStatus;
 import steward.cli.streams.Streams;
 import steward.contest.KeptReplays;
@@ -25,7 +26,7 @@ import steward.league.LeagueSettings;
 /** {@code steward league demo}: the bundled bots in a small league. */
 @Command(name = "demo", description = "Plays a small league of the bots that come with the program, in less than a "
     + "minute, and writes its page.",
-    footer = {"", "Example:", "  steward league demo --out demo"})
+    footer = {"", "--json: as in 'league table --json'.", "", "Example:", "  steward league demo --out demo"})
 final class LeagueDemoCommand implements Callable<Integer> {
 
     /** Exists in the folder of the project only. */
@@ -46,6 +47,9 @@ final class LeagueDemoCommand implements Callable<Integer> {
         description = "How long it plays, such as 25s (default: ${DEFAULT-VALUE}).")
     private String time;
 
+    @Option(names = "--json", description = "Prints one JSON object and nothing else.")
+    private boolean json;
+
     LeagueDemoCommand(Streams streams) {
         this.streams = streams;
     }
@@ -53,6 +57,7 @@ final class LeagueDemoCommand implements Callable<Integer> {
     @Override
     public Integer call() throws Exception {
         RunCommand.nanos(time);
+        Streams told = json ? streams.withoutOutput() : streams;
         Path path = out == null ? usual() : OutputFiles.path(out);
         if (Files.exists(path)) {
             throw new InputException(path + ": exists already, and is kept; expected a new folder");
@@ -61,25 +66,26 @@ final class LeagueDemoCommand implements Callable<Integer> {
         LeagueSettings settings = LeagueSettings.usual(SCENE, 1).with(null, TIME_FACTOR, KeptReplays.LOST)
             .withBots(BOTS.stream().map(name -> new LeagueBot(name, "builtin:" + name, null, false, false)).toList());
         new LeagueFolder(path).write(settings);
-        say("steward league init " + path + " --scene " + SCENE + " --keep lost");
-        BOTS.forEach(name -> say("steward league add " + path + " builtin:" + name));
+        say(told, "steward league init " + path + " --scene " + SCENE + " --keep lost");
+        BOTS.forEach(name -> say(told, "steward league add " + path + " builtin:" + name));
         String threads = Integer.toString(Math.min(MOST_THREADS, Runtime.getRuntime().availableProcessors()));
-        say("steward league run " + path + " --threads " + threads + " --for " + time);
-        streams.out().println();
-        streams.out().flush();
-        int status = run(new RunCommand(streams, new NoServing()), path.toString(), "--threads", threads, "--for",
+        say(told, "steward league run " + path + " --threads " + threads + " --for " + time);
+        told.out().println();
+        told.out().flush();
+        int status = run(new RunCommand(told, new NoServing()), path.toString(), "--threads", threads, "--for",
             time);
         if (status != ExitStatus.DONE) {
             return status;
         }
         Path page = path.resolve("league.html");
-        streams.out().println();
-        say("steward league page " + path + " --out " + page);
-        return run(new PageCommand(streams), path.toString(), "--out", page.toString());
+        told.out().println();
+        say(told, "steward league page " + path + " --out " + page);
+        status = run(new PageCommand(told), path.toString(), "--out", page.toString());
+        return json ? run(new TableCommand(streams), path.toString(), "--json") : status;
     }
 
-    private void say(String line) {
-        streams.out().println("$ " + line);
+    private static void say(Streams told, String line) {
+        told.out().println("$ " + line);
     }
 
     private static int run(Callable<Integer> command, String... arguments) throws Exception {

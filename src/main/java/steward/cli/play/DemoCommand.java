@@ -28,7 +28,7 @@ import steward.text.TextFormat;
 /** {@code steward demo}: a match between two bots that come with the program, recorded, verified and drawn. */
 @Command(name = "demo", description = "Plays two of the bots that come with the program, veteran and racer, against "
     + "each other, verifies the replay and draws a map of the race.",
-    footer = {"", "Example:", "  steward demo --seed 7"})
+    footer = {"", "--json: as in 'steward match --json'.", "", "Example:", "  steward demo --seed 7"})
 public final class DemoCommand implements Callable<Integer> {
 
     private static final String SCENE = "mad-pod-racing";
@@ -52,6 +52,9 @@ public final class DemoCommand implements Callable<Integer> {
     @Mixin
     private final AccuracyOption accuracy = new AccuracyOption();
 
+    @Option(names = "--json", description = "Prints one JSON object and nothing else.")
+    private boolean json;
+
     public DemoCommand(Streams streams) {
         this.streams = streams;
     }
@@ -65,29 +68,30 @@ public final class DemoCommand implements Callable<Integer> {
         Contest contest = Contest.of(accuracy.open(SCENE, streams), BOTS, Protocol.JSON, TIME_FACTOR);
         makeFolder(file);
         OutputFiles.check(file, true);
-        streams.out().println("steward match --scene " + SCENE + " --bot " + BOTS.get(0) + " --bot " + BOTS.get(1)
+        Streams told = json ? streams.withoutOutput() : streams;
+        told.out().println("steward match --scene " + SCENE + " --bot " + BOTS.get(0) + " --bot " + BOTS.get(1)
             + " --seed " + seed + accuracy.words() + " \\");
-        streams.out().println("    --time-factor " + TIME_FACTOR + " --out "
+        told.out().println("    --time-factor " + TIME_FACTOR + " --out "
             + CommandLine.quote(List.of(file.toString()))
             + " --overwrite");
-        streams.out().println();
-        streams.out().flush();
-        new SingleMatch(streams, contest, Verbosity.FULL, false, false).play(seed, file, true);
-        streams.out().println();
+        told.out().println();
+        told.out().flush();
+        new SingleMatch(streams, contest, json ? Verbosity.JSON : Verbosity.FULL, false, false).play(seed, file, true);
+        told.out().println();
         try (ReplayReader replay = ReplayCommand.open(file)) {
             Verification verification = Verification.of(replay, Games.types());
             if (!verification.verified()) {
-                streams.out().println(streams.outColour().bad("not verified:") + " "
+                (json ? streams.err() : streams.out()).println(told.outColour().bad("not verified:") + " "
                     + (verification.difference() == null ? verification.warning() : verification.difference()));
                 return ExitStatus.FAILED;
             }
-            streams.out().println(streams.outColour().good("verified:") + " "
+            told.out().println(told.outColour().good("verified:") + " "
                 + TextFormat.count(verification.turns(), "turn")
                 + " played again, every one the same to the last bit");
         }
-        streams.out().println();
+        told.out().println();
         try (ReplayReader replay = ReplayCommand.open(file)) {
-            streams.out().print(TextMap.of(replay));
+            told.out().print(TextMap.of(replay));
         }
         return ExitStatus.DONE;
     }

@@ -51,6 +51,8 @@ import steward.replay.sign.SigningKey;
         "2 wrong call; 130 interrupted (of many games, those that are over are told)."})
 public final class MatchCommand implements Callable<Integer> {
 
+    private static final int MOST_LEVEL = 20;
+
     private final Streams streams;
     private final CallCheck check = CallCheck.withHelp();
 
@@ -65,6 +67,10 @@ public final class MatchCommand implements Callable<Integer> {
         completionCandidates = ProtocolWord.Candidates.class,
         description = "What bots without a prefix speak: json or codingame (default: ${DEFAULT-VALUE}).")
     private String protocol;
+
+    @Option(names = "--league-level", paramLabel = "N", description = "By the rules of this league of the site, 1 for "
+        + "the lowest (default: the scene's).")
+    private Integer level;
 
     @Mixin
     private final SeedOption seed = new SeedOption();
@@ -121,7 +127,10 @@ public final class MatchCommand implements Callable<Integer> {
         check.that(!StandardFiles.is(show.view()),
             "--view: found -, expected a file: the standard output is for the result");
         show.check(check, many.isAny());
+        check.that(level == null || level >= 1 && level <= MOST_LEVEL, "--league-level: found " + level
+            + ", expected 1 to " + MOST_LEVEL);
         GameSetup setup = Games.warn(scene.open(streams), streams);
+        setup = level == null ? setup : Games.types().inLeague(setup, level);
         boolean alone = setup.scene().players() == 1;
         String problem = alone ? many.problemAlone() : null;
         check.that(problem == null, problem);

@@ -103,7 +103,7 @@ final class MatchDisplay implements AutoCloseable {
     private static LiveServer serve(WatchOptions options, String title, LiveRecording recording) {
         try {
             return LiveServer.start(options.host(), options.port(), options.viewers(), title, recording,
-                PageExtras.of(Games.types()));
+                PageExtras.of(Games.types(true)));
         } catch (IOException problem) {
             throw options.cannotListen(problem);
         }
@@ -144,7 +144,7 @@ final class MatchDisplay implements AutoCloseable {
     void finish() throws InterruptedException {
         recording.close();
         if (page != null) {
-            Pages.write(pageFile, Pages.of(recording.replay(), "match", title, PageExtras.of(Games.types())), page);
+            Pages.write(pageFile, Pages.of(recording.replay(), "match", title, PageExtras.of(Games.types(true))), page);
             movePage();
             said.println("Page: " + page);
             said.flush();

@@ -9,6 +9,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import steward.cli.options.SceneOptions;
 import steward.cli.shared.ExitStatus;
+import steward.cli.shared.Games;
 import steward.cli.streams.StandardFiles;
 import steward.cli.streams.Streams;
 import steward.files.InputException;
@@ -45,7 +46,7 @@ public final class SimulateCommand implements Callable<Integer> {
             throw new InputException("--scene: found -, expected a file or a name: the standard input is for "
                 + "the states");
         }
-        GameSetup setup = scene.open(streams);
+        GameSetup setup = Games.computed(scene.open(streams), "simulate");
         // Latin-1 can decode any bytes: an unexpected one is quoted in the error about its line.
         BufferedReader in = new BufferedReader(
             new InputStreamReader(streams.in(), StandardCharsets.ISO_8859_1));

@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import steward.bot.command.BotCommand;
@@ -13,7 +14,7 @@ import steward.bot.process.Debugger;
 import steward.cli.options.BuiltinBotWords;
 import steward.cli.options.CallCheck;
 import steward.cli.options.ProtocolWord;
-import steward.cli.shared.Games;
+import steward.cli.options.RefereeOption;
 import steward.cli.shared.PlayerChoice;
 import steward.cli.streams.StandardFiles;
 import steward.cli.streams.Streams;
@@ -82,6 +83,9 @@ public final class FeedCommand implements Callable<Integer> {
         description = "What a bot without a prefix speaks: json or codingame (default: what the player spoke).")
     private String protocol;
 
+    @Mixin
+    private final RefereeOption referee = new RefereeOption();
+
     @Option(names = "--until", paramLabel = "N",
         description = "Stops when turn N has been answered; the bot waits until you press Enter or it ends.")
     private Integer until;
@@ -134,12 +138,12 @@ public final class FeedCommand implements Callable<Integer> {
         check.that(pause == null || !Debugger.is(bot.words()),
             "--pause is for attaching, expected none with a debugger");
         Protocol spoken = spoken(bot);
-        Resimulation again = new Resimulation(match.header(), Games.types(), match.source());
+        Resimulation again = new Resimulation(match.header(), referee.types(), match.source());
         if (spoken == Protocol.CODINGAME && again.setup().textCodec(again.game()).isEmpty()) {
             throw new InputException("--protocol: found codingame, expected json: the scene has no other");
         }
-        FeedSession feeding = new FeedSession(streams, match, player, bot, spoken, words(bot, again), pause, quiet, json,
-            StandardFiles.is(out));
+        FeedSession feeding = new FeedSession(streams, referee.types(), match, player, bot, spoken,
+            words(bot, again), pause, quiet, json, StandardFiles.is(out));
         return replace ? feeding.replace(from, out, overwrite)
             : feeding.compare(until == null ? Integer.MAX_VALUE : until);
     }

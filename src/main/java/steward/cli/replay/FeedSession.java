@@ -11,12 +11,12 @@ import steward.bot.command.CommandLine;
 import steward.bot.process.AttendedProcess;
 import steward.bot.process.Debugger;
 import steward.cli.shared.FailedException;
-import steward.cli.shared.Games;
 import steward.cli.streams.Colour;
 import steward.cli.streams.EnterKey;
 import steward.cli.streams.Streams;
 import steward.files.InputException;
 import steward.files.OutputFiles;
+import steward.game.GameTypes;
 import steward.match.Protocol;
 import steward.replay.RecordedMatch;
 import steward.replay.feed.Feed;
@@ -34,7 +34,7 @@ import steward.text.TextFormat;
  * @param json     whether nothing but one JSON object is printed to the standard output
  * @param piped    whether the standard output is the new replay
  */
-record FeedSession(Streams streams, RecordedMatch match, int player, BotCommand bot, Protocol protocol,
+record FeedSession(Streams streams, GameTypes types, RecordedMatch match, int player, BotCommand bot, Protocol protocol,
                    List<String> words, Integer pause, boolean quiet, boolean json, boolean piped) {
 
     /** How long a bot may take to end by itself, without a debugger or a pause, in milliseconds. */
@@ -64,7 +64,7 @@ record FeedSession(Streams streams, RecordedMatch match, int player, BotCommand 
     /** Sends the turns to the last or the given one, and compares. */
     int compare(int until) throws InterruptedException {
         return start((process, report, waiting) -> {
-            Feed feed = new Feed(match, Games.types(), player, protocol, process);
+            Feed feed = new Feed(match, types, player, protocol, process);
             Feed.Ending ending = feed.run(until, turn -> before(turn, process, waiting), turn -> {
                 waiting.answered();
                 report.add(turn);
@@ -86,7 +86,7 @@ record FeedSession(Streams streams, RecordedMatch match, int player, BotCommand 
         try (OutputStream out = piped ? new UnclosedOutputStream(streams.out())
                 : OutputFiles.open(OutputFiles.path(file), overwrite)) {
             return start((process, report, waiting) -> {
-                Takeover takeover = new Takeover(match, Games.types(), player, protocol, process, from,
+                Takeover takeover = new Takeover(match, types, player, protocol, process, from,
                     bot.toString(), out);
                 Takeover.Outcome outcome = takeover.run(turn -> before(turn, process, waiting), turn -> {
                     waiting.answered();

@@ -3,9 +3,9 @@ package steward.cli.replay;
 import java.util.Map;
 import steward.bot.LineBuffer;
 import steward.cli.shared.FailedException;
-import steward.cli.shared.Games;
 import steward.cli.streams.Json;
 import steward.cli.streams.Streams;
+import steward.game.GameTypes;
 import steward.match.Dialogue;
 import steward.numerics.StateHash;
 import steward.replay.RecordedTurn;
@@ -29,14 +29,14 @@ final class FramePrinter {
      * @param player counted from 0
      * @throws FailedException if the replay does not say what the game gives, from that turn on
      */
-    static void print(Streams streams, ReplayReader replay, int player) {
-        Resimulation again = new Resimulation(replay.header(), Games.types(), replay.source());
+    static void print(Streams streams, ReplayReader replay, int player, GameTypes types) {
+        Resimulation again = new Resimulation(replay.header(), types, replay.source());
         Dialogue frames = Dialogue.of(replay.header().protocols().get(player), again.setup(),
             again.game(), again.codec());
         print(streams, frames.setup(player));
         boolean failed = false;
         for (RecordedTurn turn = replay.next(); turn != null && !streams.outEnded(); turn = replay.next()) {
-            if (again.game().isIn(player) && turn.asked(player)) {
+            if (again.game().isAsked(player) && turn.asked(player)) {
                 print(streams, frames.turn(player));
             }
             failed |= turn.faults()[player] != null;

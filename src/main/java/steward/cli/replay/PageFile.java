@@ -5,12 +5,12 @@ import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import steward.cli.shared.FailedException;
-import steward.cli.shared.Games;
 import steward.cli.shared.Pages;
 import steward.cli.streams.StandardFiles;
 import steward.cli.streams.Streams;
 import steward.files.InputException;
 import steward.files.OutputFiles;
+import steward.game.GameTypes;
 import steward.live.PagePicture;
 import steward.replay.ReplayReader;
 import steward.replay.page.PageExtras;
@@ -32,7 +32,8 @@ record PageFile(Path replay, byte[] html, int turns) {
      * @param name   as the user wrote it
      * @param site   address for previews of links, or {@code null}
      */
-    static PageFile of(Streams streams, Path replay, byte[] bytes, String name, String site) {
+    static PageFile of(Streams streams, Path replay, byte[] bytes, String name, String site,
+                       GameTypes types) {
         String title = replay == null || replay.getFileName() == null ? name : replay.getFileName().toString();
         String description = title;
         String warning;
@@ -49,7 +50,7 @@ record PageFile(Path replay, byte[] html, int turns) {
         }
         byte[] whole = replay == null ? bytes : Pages.read(replay);
         String source = replay == null ? StandardFiles.INPUT : replay.toString();
-        PageExtras extras = new PageExtras(Games.types(), site, description + ", " + turns + " turns");
+        PageExtras extras = new PageExtras(types, site, description + ", " + turns + " turns");
         byte[] html = Pages.of(whole, source, title, extras);
         if (warning != null) {
             streams.warn(warning);

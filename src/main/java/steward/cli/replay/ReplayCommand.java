@@ -10,14 +10,15 @@ import java.util.Locale;
 import java.util.concurrent.Callable;
 import java.util.stream.Stream;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import steward.bot.isolation.SandboxLevel;
 import steward.cli.options.CallCheck;
 import steward.cli.options.OptionSection;
+import steward.cli.options.RefereeOption;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.FailedException;
-import steward.cli.shared.Games;
 import steward.cli.shared.Pages;
 import steward.cli.shared.PlayerChoice;
 import steward.cli.streams.StandardFiles;
@@ -98,6 +99,9 @@ public final class ReplayCommand implements Callable<Integer> {
     @OptionSection("Verifying")
     @Option(names = "--verify", description = "Plays the match again and compares every turn.")
     private boolean verify;
+
+    @Mixin
+    private final RefereeOption referee = new RefereeOption();
 
     @OptionSection("Verifying")
     @Option(names = "--partial", description = "With --verify: accepts what agrees up to a cut.")
@@ -192,7 +196,7 @@ public final class ReplayCommand implements Callable<Integer> {
                 streams.out().print(TextMap.of(replay));
             } else if (frames) {
                 FramePrinter.print(streams, replay,
-                    PlayerChoice.of(player, replay.header().names(), replay.source()));
+                    PlayerChoice.of(player, replay.header().names(), replay.source()), referee.types());
             } else if (turn != null && !impacts) {
                 TurnDetail.print(streams, replay, turn);
             } else {
@@ -273,7 +277,7 @@ public final class ReplayCommand implements Callable<Integer> {
      * @param bytes  of it, or {@code null} if there is a file
      */
     private int view(Path replay, byte[] bytes) throws InterruptedException {
-        PageFile page = PageFile.of(streams, replay, bytes, file, site);
+        PageFile page = PageFile.of(streams, replay, bytes, file, site, referee.types());
         if (StandardFiles.is(view)) {
             streams.out().writeBytes(page.html());
             return ExitStatus.DONE;
@@ -338,7 +342,7 @@ public final class ReplayCommand implements Callable<Integer> {
     }
 
     private int verify(ReplayReader replay, VerifyReport report) {
-        Verification verification = Verification.of(replay, Games.types());
+        Verification verification = Verification.of(replay, referee.types());
         if (json) {
             return new ReplayJson(streams, replay).verification(verification, report);
         }

@@ -7,6 +7,7 @@ import steward.files.InputException;
 import steward.game.GameSetup;
 import steward.game.GameType;
 import steward.game.GameTypes;
+import steward.guest.GuestType;
 import steward.scene.Accuracy;
 import steward.scene.Scene;
 import steward.scene.SceneFiles;
@@ -24,7 +25,12 @@ public final class Games {
 
     /** All games: those of the program, and those of the user's jars. */
     public static GameTypes types() {
-        return GameTypes.installed();
+        return types(false);
+    }
+
+    /** All games. @param trusted whether replays may be played again by the referees that they name */
+    public static GameTypes types(boolean trusted) {
+        return GameTypes.installed().hosting(new GuestType(trusted));
     }
 
     /** The weakest bundled bot of a game, or {@code null} if it has none. */
@@ -55,6 +61,15 @@ public final class Games {
     private static GameSetup open(SceneText scene, Accuracy accuracy) {
         GameSetup setup = types().open(SceneReader.read(scene, accuracy));
         setup.check();
+        return setup;
+    }
+
+    /** Refuses a scene with a referee of its own. @param use of the scene, as a command or option is called */
+    public static GameSetup computed(GameSetup setup, String use) {
+        if (setup.isHosted()) {
+            throw new InputException(use + ": found the scene \"" + setup.scene().name() + "\", which has a referee of "
+                + "its own, expected a game that Steward computes");
+        }
         return setup;
     }
 

@@ -3,6 +3,7 @@ package steward.machines.check;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
+import steward.files.InputException;
 import steward.game.FrameCodec;
 import steward.game.Game;
 import steward.game.GameSetup;
@@ -27,6 +28,10 @@ public final class RulesFingerprint {
 
     /** 16 hexadecimal digits. */
     public static String of(GameSetup setup) {
+        if (setup.isHosted()) {
+            throw new InputException("workers: found the scene \"" + setup.scene().name() + "\", which has a "
+                + "referee of its own, expected a game that Steward computes");
+        }
         StateHash hash = new StateHash().add(FORM);
         setup.edition().chars().forEach(hash::add);    // the games may be too short to tell
         for (Pilot.Aim aim : Pilot.Aim.values()) {

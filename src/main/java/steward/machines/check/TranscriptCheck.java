@@ -222,7 +222,7 @@ public final class TranscriptCheck {
         private void plainTurn(int behind) {
             Turn turn = Turn.of(game.turn() + 1, players);
             for (int player = 0; player < players; player++) {
-                if (game.isIn(player)) {
+                if (game.isAsked(player)) {
                     asked[player]++;
                     turn.answer(player, null, null, nanos());
                 }
@@ -265,7 +265,7 @@ public final class TranscriptCheck {
             RecordedTurn read = new RecordedTurn(turn.number(), commands, texts, null, NO_OUTCOME, messages, stderr,
                 null, source);
             for (int player = 0; player < players; player++) {
-                if (game.isIn(player) && read.asked(player)) {
+                if (game.isAsked(player) && read.asked(player)) {
                     asked[player]++;
                     long time = nanos();
                     if (texts[player] == null) {

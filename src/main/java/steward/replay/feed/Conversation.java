@@ -64,7 +64,7 @@ final class Conversation {
 
     /** True if the player is to be asked in the next turn. */
     boolean isIn() {
-        return again.game().isIn(player);
+        return again.game().isAsked(player);
     }
 
     /**

@@ -149,7 +149,7 @@ public final class Takeover {
      */
     private String missing(RecordedTurn recorded) {
         for (int other = 0; other < game.players(); other++) {
-            if (other != conversation.player() && game.isIn(other) && !recorded.hasCommand(other)
+            if (other != conversation.player() && game.isAsked(other) && !recorded.hasCommand(other)
                 && recorded.faults()[other] == null && !again.isDecided(other, othersFaults(recorded))) {
                 return "of " + match.header().names().get(other) + " no command was recorded in turn "
                     + recorded.number();
@@ -184,7 +184,7 @@ public final class Takeover {
         Turn turn = Turn.of(recorded.number(), game.players());
         for (int player = 0; player < game.players(); player++) {
             if (player != conversation.player()) {
-                if (game.isIn(player)) {
+                if (game.isAsked(player)) {
                     record(turn, recorded, player);
                     if (turn.fault(player) != null) {
                         game.eliminate(player, turn.fault(player));      // a recorded fault is repeated
@@ -207,7 +207,7 @@ public final class Takeover {
             in.nextToken();
             for (int player = 0; player < game.players(); player++) {
                 JsonToken token = in.nextToken();
-                if (player == conversation.player() || !game.isIn(player) || token == JsonToken.VALUE_NULL) {
+                if (player == conversation.player() || !game.isAsked(player) || token == JsonToken.VALUE_NULL) {
                     in.skipChildren();
                     continue;
                 }

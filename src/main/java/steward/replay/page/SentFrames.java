@@ -47,7 +47,7 @@ final class SentFrames {
         lines.append("]\n");
         for (RecordedTurn turn = replay.next(); turn != null && lines.length() < MOST; turn = replay.next()) {
             for (int player = 0; player < players; player++) {
-                boolean isAsked = again.game().isIn(player) && turn.asked(player);
+                boolean isAsked = again.game().isAsked(player) && turn.asked(player);
                 append(lines, player, isAsked ? frames[player].turn(player) : null);
             }
             lines.append("]\n");

@@ -81,7 +81,7 @@ final class LineCheck {
         }
         Turn turn = Turn.of(number, game.players());
         for (int player = 0; player < game.players(); player++) {
-            if (game.isIn(player)) {
+            if (game.isAsked(player)) {
                 turn.answer(player, null, null, 0);
             }
         }
@@ -111,7 +111,7 @@ final class LineCheck {
         if (played == null) {
             Turn turn = Turn.of(recorded.number(), game.players());
             for (int player = 0; player < game.players(); player++) {
-                if (game.isIn(player) && recorded.asked(player)) {
+                if (game.isAsked(player) && recorded.asked(player)) {
                     fill(turn, recorded, player);
                 }
             }

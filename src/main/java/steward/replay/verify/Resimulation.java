@@ -56,9 +56,19 @@ public final class Resimulation {
      */
     Resimulation(ReplayHeader header, GameTypes types, String source, ViewWriter views) {
         this.views = views;
-        checkJar(header, types, source);
         Scene scene = SceneReader.read(header.scene(), source + " (scene)");
+        if (types.hosted() == null || !types.hosted().id().equals(header.game())) {
+            checkJar(header, types, source);
+        }
         setup = types.open(views == null ? scene : views.observed(scene));
+        if (setup.isHosted() && !types.hosted().isTrusted()) {
+            throw new ReplayException(source + ":1: scene: found a referee of its own, which is a program that the "
+                + "replay names, expected --run-referee: it is run again then");
+        }
+        if (setup.isHosted() && !Objects.equals(header.jar(), JarFolder.digestOf(setup))) {
+            throw new ReplayException(source + ":1: jar: found " + header.jar() + ", expected "
+                + JarFolder.digestOf(setup) + ", which is that of the referee's class path here");
+        }
         if (!header.game().equals(setup.scene().gameId())) {
             throw new ReplayException(source + ":1: game: found \""
                 + TextFormat.beginning(header.game(), SHOWN) + "\", expected \""
@@ -164,7 +174,7 @@ public final class Resimulation {
                 return -1;
             }
             at++;
-            at = game.isIn(player) ? codec.state().readPlainCommand(json, at, to, player) : behindNull(json, at, to);
+            at = game.isAsked(player) ? codec.state().readPlainCommand(json, at, to, player) : behindNull(json, at, to);
             if (at < 0) {
                 return -1;
             }
@@ -235,7 +245,7 @@ public final class Resimulation {
     private boolean readEach(JsonParser in, String[] faults) {
         int player = 0;
         for (JsonToken token = in.nextToken(); token != JsonToken.END_ARRAY; token = in.nextToken()) {
-            if (player >= game.players() || !game.isIn(player) || isSpared(token, player, faults)
+            if (player >= game.players() || !game.isAsked(player) || isSpared(token, player, faults)
                 ? token != JsonToken.VALUE_NULL : readOne(in, token, player, faults[player]) != null) {
                 return false;
             }
@@ -277,7 +287,8 @@ public final class Resimulation {
         try (JsonParser in = JsonNumbers.FACTORY.createParser(ObjectReadContext.empty(), json, 0, json.length)) {
             in.nextToken();
             for (JsonToken token = in.nextToken(); token != JsonToken.END_ARRAY; token = in.nextToken()) {
-                boolean asked = player < game.players() && game.isIn(player) && !isSpared(token, player, turn.faults());
+                boolean asked = player < game.players() && game.isAsked(player)
+                    && !isSpared(token, player, turn.faults());
                 if (!asked && token != JsonToken.VALUE_NULL) {
                     return new Difference(turn.number(), "commands[" + player + "]", "a command", "null");
                 }

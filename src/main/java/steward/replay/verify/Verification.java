@@ -57,8 +57,13 @@ public record Verification(int turns, int states, boolean whole, Difference diff
             return uncompared(replay, null);
         }
         try {
-            return of(replay, new Resimulation(replay.header(), types, replay.source(), !replay.imported() ? null
-                : types.viewWriter(replay.header().game()).orElse(null)), asked);
+            Resimulation again = new Resimulation(replay.header(), types, replay.source(), !replay.imported() ? null
+                : types.viewWriter(replay.header().game()).orElse(null));
+            try {
+                return of(replay, again, asked);
+            } finally {
+                again.game().close();
+            }
         } catch (OlderLawException older) {
             return uncompared(replay, older.laws());
         }
@@ -114,7 +119,7 @@ public record Verification(int turns, int states, boolean whole, Difference diff
     /** Marks who is in before the next turn, if there is one. */
     private static void ask(Game game, boolean... in) {
         for (int player = 0; player < in.length; player++) {
-            in[player] = !game.isOver() && game.isIn(player);
+            in[player] = !game.isOver() && game.isAsked(player);
         }
     }
 

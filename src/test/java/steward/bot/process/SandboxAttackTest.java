@@ -33,12 +33,12 @@ import steward.bot.isolation.SandboxSupport;
 
 /**
  * Bots that attack their opponent and this machine, at every level of isolation that works here. The table held is that
- * of {@code docs/security.md}; an attack that succeeds at level off shows that it is one.
+ * of {@code docs/tables/sandbox.md}; an attack that succeeds at level off shows that it is one.
  */
 @Tag("process")
 class SandboxAttackTest {
 
-    private static final String PAGE = "docs/security.md";
+    private static final String PAGE = "docs/tables/sandbox.md";
 
     /** The processes of the opponent, to be replaced. */
     private static final String OPPONENT = "OPPONENT";

@@ -37,6 +37,15 @@ class DemoCommandTest {
         assertTrue(map.get(map.size() - 1).startsWith("a b veteran    C D racer"), cli.out());
     }
 
+    @Test
+    void asJsonItIsTheMatch() {
+        assumeTrue(BuiltinBots.installed().names().containsAll(List.of("racer", "veteran")),
+            "the bundled bots are not on the class path");
+        Cli cli = Cli.run("demo", "--json", "--out", folder.resolve("demo.jsonl").toString()).done();
+        assertEquals("veteran", cli.json().get("players").get(0).get("name").stringValue());
+        assertEquals(1, cli.out().lines().count(), cli.out());
+    }
+
     /** More than two bots come with the program, so the help says which two race. */
     @Test
     void theHelpNamesTheBotsThatRace() {

@@ -42,6 +42,9 @@ final class BodiesReader {
             bodies.blocks("listed").forEach(block -> listed.add(listed(block)));
         }
         if (bodies.has("csv")) {
+            if (!bodies.isBlock("csv") || !bodies.block("csv").has("lines")) {
+                throw bodies.error("csv", bodies.shown("csv"), "the name of a file beside the scene");
+            }
             for (Block row : new CsvRows(bodies.block("csv")).blocks()) {
                 listed.add(listed(row));
                 row.done();
@@ -72,7 +75,7 @@ final class BodiesReader {
             public void overlap(int body, int other) {
                 int bumpers = field.bumpers().size();
                 throw places.get(body).error("a place that overlaps with " + (other < bumpers ? "bumper " + other
-                    : "body " + (other - bumpers)), "a place of its own");
+                    : named(places.get(other - bumpers), listed.get(other - bumpers))), "a place of its own");
             }
 
             @Override
@@ -82,6 +85,11 @@ final class BodiesReader {
         });
         places.clear();
         return layout;
+    }
+
+    /** A body as its file names it: with its label, and where it stands. */
+    private static String named(Block block, Body body) {
+        return "the body " + (body.label().isEmpty() ? "" : "\"" + body.label() + "\" ") + "at " + block.place();
     }
 
     private Body listed(Block block) {

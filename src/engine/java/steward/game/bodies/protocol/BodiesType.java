@@ -40,7 +40,7 @@ public final class BodiesType implements GameType {
         return switch (scene.name()) {
             case "avalanche" -> "a hundred discs slide down a slope and come to rest";
             case "billiards" -> "fifteen balls and a break, with cushions and drag";
-            case "bowl" -> "a hundred discs fall into a bowl with two walls";
+            case "bowl" -> "two hundred discs fall into a bowl with two walls";
             case "bullets" -> "ten small fast discs among thirty large ones";
             case "cradle" -> "Newton's cradle";
             case "dense-box" -> "fifty discs that cover 60% of a box";

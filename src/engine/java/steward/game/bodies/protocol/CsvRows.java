@@ -23,6 +23,7 @@ import steward.scene.json.SourcePosition;
 final class CsvRows {
 
     private static final Pattern NUMBER = Pattern.compile("-?(0|[1-9][0-9]*)(\\.[0-9]+)?([eE][+-]?[0-9]+)?");
+    private static final List<String> REQUIRED = List.of("x", "y", "radius");
     private static final Set<String> TEXTS = Set.of("label", "colour");
 
     private final String file;
@@ -47,6 +48,12 @@ final class CsvRows {
             }
             names.add(name);
             places.add(place);
+        }
+        for (String name : REQUIRED) {
+            if (!seen.contains(name)) {
+                throw new SceneException(file + ":1:1: found no column \"" + name + "\" in " + lines.get(0).strip()
+                    + ", expected " + String.join(", ", REQUIRED) + " and others, separated by commas");
+            }
         }
     }
 

@@ -17,6 +17,7 @@ import steward.game.podrace.PlaceCheck;
 import steward.game.podrace.PodRace;
 import steward.game.podrace.PodRaceSettings;
 import steward.game.podrace.RulesEdition;
+import steward.game.podrace.simulator.MatchTurn;
 import steward.physics.Arena;
 import steward.physics.Contacts;
 import steward.physics.Wall;
@@ -90,12 +91,12 @@ public final class PodRaceType implements GameType {
 
         @Override
         public PodRace create(long seed) {
-            return new PodRace(settings, scene, plan, seed);
+            return new PodRace(settings, scene, plan, seed, MatchTurn::of);
         }
 
         /** A race on a given map, {@code [n][x, y]}, for tests against recordings and for simulators. */
         public PodRace create(double[][] checkpoints) {
-            return new PodRace(settings, scene, plan, checkpoints);
+            return new PodRace(settings, scene, plan, checkpoints, plan.advance(null), MatchTurn::of);
         }
 
         @Override

@@ -55,7 +55,6 @@ final class PodPaths implements TurnSink {
 
     void record(boolean wanted) {
         recorded = wanted;
-        log.clear();
     }
 
     /** A turn begins. */

@@ -1,6 +1,5 @@
 package steward.game.podrace.simulator;
 
-import java.util.Arrays;
 import steward.game.podrace.Headings;
 import steward.game.podrace.PodRaceSettings;
 import steward.game.podrace.RulesEdition;
@@ -22,7 +21,7 @@ import steward.physics.event.OfficialAdvance;
  * and gliding in one loop. A more precise filter of pairs would gain nothing: the pairs that it keeps nearly always
  * meet.
  *
- * <p>One file of about 480 lines, because all of it works on the same arrays.
+ * <p>One file of about 490 lines, because all of it works on the same arrays.
  */
 final class PodTurn {
 
@@ -31,11 +30,11 @@ final class PodTurn {
     static final double CHECKPOINT_SQUARE = CHECKPOINT_RADIUS * CHECKPOINT_RADIUS;
     static final double DRAG = 0.15;
     static final double KEEP = 1 - DRAG;
-    private static final int MAXIMUM_THRUST = 200;
+    static final int MAXIMUM_THRUST = 200;
     static final int TURNS_WITHOUT_CHECKPOINT = 100;
 
     /** Shield timers: masses are 1 and 10. */
-    private static final double SHIELD_MASS = PodRaceSettings.SHIELD_MASS_FACTOR;
+    static final double SHIELD_MASS = PodRaceSettings.SHIELD_MASS_FACTOR;
 
     /*
      * When a certified vector suffices. A pod below SMALL in each coordinate and speed is steered by a vector accurate
@@ -46,8 +45,6 @@ final class PodTurn {
      * is computed.
      */
     static final double SMALL = 0x1p15;
-    /** See {@link #areSure}. */
-    private static final int MOST_CORNERS = 500;
     static final double DOUBT = 0x1p-26;
 
     /** Offsets per pod in {@link #state}: position, velocity, heading. */
@@ -60,8 +57,8 @@ final class PodTurn {
     /** Offsets per pod in {@link #counts}; after the pods, per player, the turns left. */
     static final int TIMER = 0;
     /** The timer stands in these bits of its count; above them whether the last command was a shield. */
-    static final int TIMER_BITS = 7;
-    static final int HEAVY = 8;
+    static final int TIMER_BITS = (1 << 30) - 1;
+    static final int HEAVY = 1 << 30;
     static final int BOOST = 1;
     static final int PASSED = 2;
     static final int NEXT = 3;
@@ -77,15 +74,18 @@ final class PodTurn {
     private final int toFinish;
     private final double[] checkpointX;
     private final double[] checkpointY;
-    private final OfficialAdvance advance = new OfficialAdvance(RADIUS);
+    private final OfficialAdvance advance;
     private final Headings headings = new Headings();
-    private final TurnLog log = new TurnLog(TurnLog.RECORDED);
+    private final TurnLog log;
     private final PodPaths paths;
     private final CertifiedImpacts impacts;
     /** The pods of a turn with impacts. */
     private final Bodies bodies;
     /** Per pod: the position before, the velocity in this turn, the thrust if by a certified vector, and the mass. */
     private final double[] speed;
+
+    /** The pairs that could meet in the last turn. */
+    private long near;
 
     /** The pods with certified impacts that pass a checkpoint, as bits. */
     private int passing;
@@ -95,12 +95,28 @@ final class PodTurn {
     private int[] counts;
 
     PodTurn(double[][] checkpoints, int pods, int perPlayer, int laps, RulesEdition rules) {
+        this(checkpoints, pods, perPlayer, laps, rules, new OfficialAdvance(RADIUS), new TurnLog(TurnLog.RECORDED));
+    }
+
+    /**
+     * @param advance of the scene
+     * @param log     receives the impacts that are recorded
+     */
+    PodTurn(double[][] checkpoints, int pods, int perPlayer, int laps, RulesEdition rules, OfficialAdvance advance,
+            TurnLog log) {
         this.pods = pods;
+        this.log = log;
+        this.advance = advance;
+        advance.setRadius(RADIUS);
         this.perPlayer = perPlayer;
         this.checkpoints = checkpoints.length;
         toFinish = laps * checkpoints.length;
-        checkpointX = Arrays.stream(checkpoints).mapToDouble(place -> place[0]).toArray();
-        checkpointY = Arrays.stream(checkpoints).mapToDouble(place -> place[1]).toArray();
+        checkpointX = new double[checkpoints.length];
+        checkpointY = new double[checkpoints.length];
+        for (int k = 0; k < checkpoints.length; k++) {
+            checkpointX[k] = checkpoints[k][0];
+            checkpointY[k] = checkpoints[k][1];
+        }
         bodies = new Bodies(pods);
         paths = new PodPaths(pods, log, CHECKPOINT_RADIUS, rules);
         impacts = new CertifiedImpacts(pods, paths);
@@ -116,6 +132,26 @@ final class PodTurn {
 
     void record(boolean wanted) {
         paths.record(wanted);
+        log.clear();
+    }
+
+    /**
+     * Adds the impacts of the last turn, which was not recorded, to the log. The state has to be as it was after that
+     * turn, but with the velocities before it, and is as after it then.
+     */
+    void recordLast() {
+        if (near != 0) {
+            paths.record(true);
+            paths.clear();
+            collide();
+            paths.record(false);
+        }
+    }
+
+    /** True if the path of a pod in the last turn passes a checkpoint. */
+    boolean passes(int pod, double x, double y) {
+        return paths.passes(pod, speed[SPEED * pod + X], speed[SPEED * pod + Y], state[NUMBERS * pod + X],
+            state[NUMBERS * pod + Y], x, y);
     }
 
     int toFinish() {
@@ -135,31 +171,37 @@ final class PodTurn {
         headings.set(to, NUMBERS * pod + HEADING, angle);
     }
 
+    /** Plays one turn and counts checkpoints. @param numbers have also the turns left, per player; see {@link #move} */
+    void play(double[] states, int[] numbers, double[] targetX, double[] targetY, int[] thrust, int first) {
+        int mayPass = move(states, numbers, targetX, targetY, thrust, first);
+        int last = numbers.length;
+        for (int player = COUNTS * pods; player < last; player++) {
+            numbers[player]--;
+        }
+        if (mayPass != 0) {
+            countCheckpoints(mayPass);
+        }
+    }
+
     /**
-     * Plays one turn.
+     * Plays the commands and the motion of one turn.
      *
      * @param states   {@link #NUMBERS} per pod, altered
-     * @param numbers  {@link #COUNTS} per pod, then the turns left per player, altered
+     * @param numbers  {@link #COUNTS} per pod, altered
      * @param targetX  of a command by target; or the degrees of a command by angle
      * @param targetY  of a command by target; NaN for a command by angle: then no target can be steered to by vectors,
      *                 so that commands by target are not delayed by a question
      * @param first    index of the command of the first pod
+     * @return the pods that may have passed their next checkpoint, as bits
      */
-    void play(double[] states, int[] numbers, double[] targetX, double[] targetY, int[] thrust, int first) {
+    int move(double[] states, int[] numbers, double[] targetX, double[] targetY, int[] thrust, int first) {
         state = states;
         counts = numbers;
         steer(targetX, targetY, thrust, first);
         paths.clear();
-        long near = pods == 4 && PodPairFilter.allFar(speed, advance.reach()) ? 0 : PodPairFilter.nearPairs(speed,
-            pods, advance);
-        int last = counts.length;
-        for (int player = COUNTS * pods; player < last; player++) {
-            counts[player]--;
-        }
-        int mayPass = near == 0 ? glide(OfficialAdvance.ALL) : collide(near);
-        if (mayPass != 0) {
-            countCheckpoints(mayPass);
-        }
+        near = pods == 4 && PodPairFilter.allFar(speed, advance.reach()) ? 0
+            : PodPairFilter.nearPairs(speed, pods, advance);
+        return near == 0 ? glide(OfficialAdvance.ALL) : collide();
     }
 
     /** Applies headings and thrusts. Rare cases go to {@link #steerExactly}, so that values stay in registers here. */
@@ -338,9 +380,9 @@ final class PodTurn {
      * The turn when some pairs may meet. Their pods get the game's own directions and speeds, then the game's event
      * loop is played; the other pods get them only if an impact sends a pod towards them.
      */
-    private int collide(long near) {
+    private int collide() {
         if (!paths.areRecorded()) {
-            if (flyCertified(near)) {
+            if (flyCertified()) {
                 int touched = impacts.touched();
                 for (int rest = touched; rest != 0; rest &= rest - 1) {
                     int pod = Integer.numberOfTrailingZeros(rest);
@@ -355,10 +397,11 @@ final class PodTurn {
             paths.clear();
         }
         int exact = advance.bodiesOf(near, pods);
-        if (!collide(near, exact) || paths.knots() > MOST_CORNERS || !areSure(~exact)) {
+        if (!collide(exact) || paths.knots() > CertainRounding.MOST_CORNERS
+            || !CertainRounding.areSure(~exact, speed, pods)) {
             paths.clear();
             exact = OfficialAdvance.ALL;
-            collide(near, exact);
+            collide(exact);
         }
         for (int pod = 0; pod < pods; pod++) {
             if ((exact >> pod & 1) != 0) {
@@ -373,7 +416,7 @@ final class PodTurn {
     }
 
     /** True if the impacts of certified speeds, with all their results, are certified to be those of the game. */
-    private boolean flyCertified(long near) {
+    private boolean flyCertified() {
         for (int pod = 0; pod < pods; pod++) {
             int in = SPEED * pod;
             if (!impacts.set(pod, speed[in + X], speed[in + Y], speed[in + VX], speed[in + VY],
@@ -381,7 +424,7 @@ final class PodTurn {
                 return false;
             }
         }
-        if (!impacts.fly(near) || !areSure(~impacts.touched())) {
+        if (!impacts.fly(near) || !CertainRounding.areSure(~impacts.touched(), speed, pods)) {
             return false;
         }
         passing = 0;
@@ -410,34 +453,7 @@ final class PodTurn {
         return true;
     }
 
-    /*
-     * In a turn with impacts the game moves all pods from impact to impact, also those without impacts; a position is
-     * rounded at each, by less than 2^-37. In MOST_CORNERS / 2 flights that stays below the 2^-27 that DOUBT leaves.
-     */
-
-    /** True if the roundings of these pods (bits) are all certain: no fraction is close to where the result changes. */
-    private boolean areSure(int which) {
-        for (int pod = 0; pod < pods; pod++) {
-            if ((which >> pod & 1) != 0 && !isSure(SPEED * pod)) {
-                return false;
-            }
-        }
-        return true;
-    }
-
-    private boolean isSure(int in) {
-        double lostX = Math.abs(speed[in + VX] * KEEP);
-        double lostY = Math.abs(speed[in + VY] * KEEP);
-        return farFromWhole(speed[in + X] + speed[in + VX] + 0.5) && farFromWhole(speed[in + Y] + speed[in + VY] + 0.5)
-            && farFromWhole(lostX) && farFromWhole(lostY) && Math.max(lostX, lostY) < SMALL
-            && Math.max(Math.abs(speed[in + X]), Math.abs(speed[in + Y])) < SMALL;
-    }
-
-    private static boolean farFromWhole(double value) {
-        return Math.abs(value - Math.rint(value)) > DOUBT;
-    }
-
-    private boolean collide(long near, int exact) {
+    private boolean collide(int exact) {
         for (int pod = 0; pod < pods; pod++) {
             int to = SPEED * pod;
             if (speed[to + POWER] != 0 && (exact >> pod & 1) != 0) {
@@ -472,8 +488,7 @@ final class PodTurn {
         int at = COUNTS * pod;
         boolean any = false;
         int next = counts[at + NEXT];
-        for (int most = checkpoints; most > 0 && paths.passes(pod, speed[SPEED * pod + X], speed[SPEED * pod + Y],
-            state[NUMBERS * pod + X], state[NUMBERS * pod + Y], checkpointX[next], checkpointY[next]); most--) {
+        for (int most = checkpoints; most > 0 && passes(pod, checkpointX[next], checkpointY[next]); most--) {
             any = true;
             counts[at + PASSED]++;
             next = next + 1 < checkpoints ? next + 1 : 0;

@@ -1,6 +1,7 @@
 package steward.game.podrace.simulator;
 
 import java.util.concurrent.TimeUnit;
+import java.util.function.Supplier;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
 import org.openjdk.jmh.annotations.Fork;
@@ -53,13 +54,13 @@ public class PodKernelBenchmark {
     private final PodRaceBatch batch = new PodRaceBatch(MAP, STATES);
     private final PodRaceBatch.Commands batchCommands = new PodRaceBatch.Commands(STATES);
     private PodRaceType.PodRaceSetup setup;
-    private PodRace plain;
-    private PodRace match;
+    private EventAdvance plain;
 
     @Setup
     public void fill() {
         SceneText text = SceneFiles.load("mad-pod-racing");
         setup = new PodRaceType().open(SceneReader.read(text.text(), text.source()));
+        plain = new EventAdvance(setup.plan().physics(null));
         SplitMix64 random = new SplitMix64(1);
         PodRaceSimulator race = new PodRaceSimulator(MAP);
         for (int k = 0; k < STATES; k++) {
@@ -122,22 +123,18 @@ public class PodKernelBenchmark {
     @Benchmark
     @OperationsPerInvocation(STATES)
     public double plain() {
-        plain = new PodRace(setup.settings(), setup.scene(), setup.plan(), MAP,
-            plain == null ? new EventAdvance(setup.plan().physics(null)) : plain.advance());
-        return play(plain);
+        return play(() -> new PodRace(setup.settings(), setup.scene(), setup.plan(), MAP, plain));
     }
 
     /** {@link PodRace} as matches and verification use it. */
     @Benchmark
     @OperationsPerInvocation(STATES)
     public double match() {
-        match = new PodRace(setup.settings(), setup.scene(), setup.plan(), MAP,
-            match == null ? setup.create(MAP).advance() : match.advance());
-        return play(match);
+        return play(() -> setup.create(MAP));
     }
 
-    private double play(PodRace first) {
-        PodRace race = first;
+    private double play(Supplier<PodRace> fresh) {
+        PodRace race = fresh.get();
         double sum = 0;
         for (int k = 0; k < STATES; k++) {
             for (int pod = 0; pod < 4; pod++) {
@@ -147,7 +144,7 @@ public class PodKernelBenchmark {
             race.play();
             sum += race.bodies().x[0];
             if (race.isOver()) {
-                race = new PodRace(setup.settings(), setup.scene(), setup.plan(), MAP, race.advance());
+                race = fresh.get();
             }
         }
         return sum;

@@ -76,7 +76,8 @@ final class MatchSection implements Section {
 
     private Row withTurns(Row row) {
         return new Row(row.section(), row.name(), row.unit(), row.perSecond(), row.ratio(), row.bytes(),
-            Math.round(row.nanos() / meanTurns()) + " ns a turn, " + Math.round(meanTurns()) + " turns a match"
+            Math.round(row.nanos() / meanTurns()) + " ns and " + Math.round(row.bytes() / meanTurns())
+                + " bytes a turn, " + Math.round(meanTurns()) + " turns a match"
                 + (row.note().isEmpty() ? "" : ", " + row.note()));
     }
 

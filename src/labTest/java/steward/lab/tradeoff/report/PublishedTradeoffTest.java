@@ -56,6 +56,20 @@ class PublishedTradeoffTest {
         assertEquals(expected, page);
     }
 
+    /** Each scene of the first table leads to its full table, and that to its panel. */
+    @Test
+    void everyLinkLeadsToAHeading() throws IOException {
+        String page = Files.readString(DOCS.resolve(TradeoffReport.PAGE));
+        List<String> headings = page.lines().filter(line -> line.startsWith("#"))
+            .map(line -> "#" + TradeoffAdvice.anchor(line.replaceFirst("#+ ", ""))).toList();
+        List<String> links = Pattern.compile("\\((#[^)]+)\\)").matcher(page).results().map(link -> link.group(1))
+            .distinct().toList();
+        assertTrue(headings.containsAll(links), links + " among " + headings);
+        for (String scene : published(page).scenes()) {
+            assertTrue(links.contains("#" + TradeoffAdvice.anchor(scene)), scene);
+        }
+    }
+
     /** A ratio is that of two times of the table, and within its range; every rung has JVMs of its own,
      * unless the page says that it was made in haste. */
     @Test

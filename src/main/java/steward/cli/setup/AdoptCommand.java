@@ -1,0 +1,87 @@
+package steward.cli.setup;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import steward.bot.command.CommandLine;
+import steward.bot.isolation.Isolation;
+import steward.cli.shared.ExitStatus;
+import steward.cli.shared.FailedException;
+import steward.cli.shared.Pages;
+import steward.cli.streams.Streams;
+import steward.files.InputException;
+import steward.files.OutputFiles;
+import steward.guest.Adoption;
+import steward.guest.RefereeFault;
+
+/** {@code steward adopt}: a scene of a published referee. */
+@Command(name = "adopt", description = "Makes a scene of a referee that its author has published as a project on "
+    + "CodinGame's SDK, builds it with its Maven if need be, and plays trial games with idle bots.",
+    footer = {"", "Examples:", "  steward adopt SpringChallenge2021",
+        "  steward adopt SpringChallenge2023 --as ants --engine 4.3.0",
+        "", "Exit status: 0 written; 1 no trial game came to its end; 2 the project cannot be built, or the call",
+        "is wrong."})
+public final class AdoptCommand implements Callable<Integer> {
+
+    private final Streams streams;
+
+    @Parameters(index = "0", paramLabel = "DIR|JAR",
+        description = "The folder of the project, or a jar with all in it.")
+    private String project;
+
+    @Option(names = "--as", paramLabel = "NAME", description = "Name of the scene; it is written into NAME.json "
+        + "(default: that of the project in lower case).")
+    private String name;
+
+    @Option(names = "--engine", paramLabel = "VERSION", description = "Builds it with this version of the engine in "
+        + "place of its own.")
+    private String engine;
+
+    @Option(names = "--overwrite", description = "Replaces a scene that exists.")
+    private boolean overwrite;
+
+    public AdoptCommand(Streams streams) {
+        this.streams = streams;
+    }
+
+    @Override
+    public Integer call() {
+        Path path = OutputFiles.path(project);
+        String called = name != null ? name : path.toAbsolutePath().normalize().getFileName().toString()
+            .replaceFirst("\\.jar$", "").toLowerCase(Locale.ROOT);
+        if (!called.matches("[\\w.-]{1,100}")) {
+            throw new InputException("--as: found '" + called + "', expected letters, digits, '-', '_' and '.'");
+        }
+        if (engine != null && !engine.matches("[\\w.-]{1,40}")) {
+            throw new InputException("--engine: found '" + engine + "', expected a version such as 4.3.0");
+        }
+        Path file = OutputFiles.path(called + ".json");
+        OutputFiles.check(file, overwrite);
+        String scene;
+        try {
+            scene = Adoption.scene(path, engine, called, Isolation::usual, this::say);
+        } catch (RefereeFault fault) {
+            throw new FailedException("no trial game came to its end: " + fault.getMessage());
+        }
+        try (OutputStream out = OutputFiles.open(file, overwrite)) {
+            Pages.write(out, scene.getBytes(StandardCharsets.UTF_8), file);
+        } catch (IOException problem) {
+            throw new FailedException(file + ": cannot be closed: " + problem.getMessage());
+        }
+        say("Written: " + file + ". To play in it:");
+        say("  steward match --scene " + CommandLine.quote(List.of(file.toString())) + " --bot ./mine --bot ./other");
+        return ExitStatus.DONE;
+    }
+
+    private void say(String line) {
+        streams.out().println(line);
+        streams.out().flush();
+    }
+}

@@ -1,0 +1,91 @@
+package steward.guest;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
+import steward.text.TextFormat;
+
+/** Reads what a referee says until its host speaks next. Bounded, so that a flood is a fault and fills no memory. */
+final class BlockReader {
+
+    /** Bytes that a referee may say between two words of its host: an SDK says at most 1 MiB of view. */
+    static final int MOST = 16 << 20;
+    private static final int MOST_LINES = 200_000;
+    private static final int BUFFER = 1 << 16;
+    private static final int SHOWN = 80;
+
+    private final InputStream in;
+    private final byte[] buffer = new byte[BUFFER];
+    private final ByteArrayOutputStream line = new ByteArrayOutputStream();
+    private int from;
+    private int to;
+    private int read;
+    private int count;
+
+    BlockReader(InputStream in) {
+        this.in = in;
+    }
+
+    /**
+     * Returns all blocks up to the first that {@link Block.Name#isLast() ends} the referee's turn to speak.
+     *
+     * @return {@code null} if the stream ends before
+     * @throws RefereeFault if it says anything else than blocks, or too much
+     */
+    List<Block> next() throws IOException {
+        List<Block> blocks = new ArrayList<>();
+        read = 0;
+        count = 0;
+        for (;;) {
+            String first = line();
+            if (first == null) {
+                return null;
+            }
+            Block.Head head = Block.head(first).orElseThrow(() -> new RefereeFault("said '"
+                + TextFormat.plain(TextFormat.beginning(first, SHOWN)) + "', expected a block such as [[VIEW] 3]"));
+            List<String> lines = new ArrayList<>();
+            for (int k = 0; k < head.lines(); k++) {
+                String next = line();
+                if (next == null) {
+                    return null;
+                }
+                lines.add(next);
+            }
+            blocks.add(new Block(head.name(), lines));
+            if (head.name().isLast()) {
+                return blocks;
+            }
+        }
+    }
+
+    /** The next line without its end, or {@code null} at the end of the stream. */
+    private String line() throws IOException {
+        line.reset();
+        if (++count > MOST_LINES) {
+            throw new RefereeFault("said more than " + MOST_LINES + " lines at a time");
+        }
+        for (;;) {
+            for (int at = from; at < to; at++) {
+                if (buffer[at] == '\n') {
+                    line.write(buffer, from, at - from);
+                    from = at + 1;
+                    String text = line.toString(StandardCharsets.UTF_8);
+                    return text.endsWith("\r") ? text.substring(0, text.length() - 1) : text;
+                }
+            }
+            line.write(buffer, from, to - from);
+            from = 0;
+            to = Math.max(0, in.read(buffer, 0, BUFFER));
+            read += to;
+            if (read > MOST) {
+                throw new RefereeFault("said more than " + (MOST >> 20) + " MiB at a time");
+            }
+            if (to == 0) {
+                return null;
+            }
+        }
+    }
+}

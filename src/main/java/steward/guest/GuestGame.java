@@ -1,0 +1,337 @@
+package steward.guest;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Supplier;
+import java.util.regex.Pattern;
+import steward.bot.isolation.Isolation;
+import steward.game.AbstractGame;
+import steward.game.Game;
+import steward.game.TurnEvent;
+import steward.guest.Block.Name;
+import steward.numerics.StateHash;
+import steward.physics.Bodies;
+import steward.text.TextFormat;
+
+/**
+ * A game whose referee is a program of its own. A turn is one question: the referee names a player, how many lines it
+ * has to answer and within which limit; the turn plays that answer, or that there was none. Questions of no lines ask
+ * nobody and are answered at once; the lines that came with them are sent with the next question of that player. A
+ * player who has failed is not asked again: the referee is told so each time.
+ *
+ * <p>The program is started by the first look at who is asked, and ended by the end of the game or {@link #close}.
+ */
+final class GuestGame extends AbstractGame {
+
+    /** Questions of a game at most, those of no lines included: a game that asks more does not end. */
+    static final int MOST_QUESTIONS = 20_000;
+    /** Characters that a referee may say in a game. */
+    private static final long MOST_SAID = 256L << 20;
+    private static final int MOST_LINES = 1000;
+    private static final int MOST_LIMIT_MS = 3_600_000;
+    private static final int BYTES = 8;
+    /** Lines for people of a block, and characters of each, that become events. */
+    private static final int MOST_LINES_SHOWN = 20;
+    private static final int SHOWN = 300;
+    private static final Pattern COLOUR = Pattern.compile("[\u00a4\u00a7][A-Za-z_]+[\u00a4\u00a7]");
+    private static final Pattern PLAYER = Pattern.compile("\\$(\\d)");
+
+    private final GuestProgram program;
+    private final long seed;
+    private final Supplier<Isolation> isolation;
+    private final StateHash said = new StateHash();
+    private final List<Block> blocks = new ArrayList<>();
+    private final StringBuilder[] pending;
+    private final Bodies bodies = new Bodies(1);
+    private final double[] scores;
+    private List<String> command;
+    private Isolation isolated;
+    private RefereeProcess process;
+    private boolean opened;
+    private boolean closed;
+    private boolean monitored;
+    private int questions;
+    private long length;
+    private int player = -1;
+    private int lines;
+    private int limitMs;
+    private List<String> answer;
+    private long answerMs;
+
+    GuestGame(GuestProgram program, int players, long seed, Supplier<Isolation> isolation) {
+        super(players);
+        this.program = program;
+        this.seed = seed;
+        this.isolation = isolation;
+        scores = new double[players];
+        pending = new StringBuilder[players];
+        for (int k = 0; k < players; k++) {
+            pending[k] = new StringBuilder();
+        }
+    }
+
+    private void open() {
+        if (opened) {
+            return;
+        }
+        opened = true;
+        if (program.missing() != null) {
+            throw new RefereeFault("cannot be started: found no " + program.missing());
+        }
+        command = program.words();
+        isolated = program.isolated(isolation.get());
+        synchronized (this) {
+            if (closed) {
+                throw new RefereeFault("was ended");
+            }
+            process = program.isResident() ? ResidentReferees.shared().take(command, isolated, program.limitMs())
+                : RefereeProcess.start(command, isolated, program.limitMs());
+        }
+        StringBuilder begin = new StringBuilder();
+        program.begin(begin, players(), seed);
+        say(begin);
+    }
+
+    @Override
+    protected void playTurn() {
+        open();
+        StringBuilder told = new StringBuilder();
+        if (answer == null) {
+            Block.write(told, "SET_PLAYER_TIMEOUT", List.of());
+        } else {
+            write(told, answer);
+        }
+        pending[player].setLength(0);
+        answer = null;
+        blocks.clear();
+        say(told);
+    }
+
+    private void write(StringBuilder told, List<String> output) {
+        List<String> all = new ArrayList<>(output);
+        if (monitored) {
+            all.add(0, Long.toString(answerMs));
+        }
+        Block.write(told, "SET_PLAYER_OUTPUT", all);
+    }
+
+    /** Tells the referee this and listens until somebody has to be asked, or the game is over. */
+    private void say(StringBuilder first) {
+        StringBuilder told = first;
+        for (;;) {
+            hash(told.toString());
+            Block.write(told, "GET_GAME_INFO", List.of());
+            List<Block> answered = process.exchange(told.toString());
+            answered.forEach(this::take);
+            Block last = answered.get(answered.size() - 1);
+            if (last.name() == Name.SCORES) {
+                finish(last);
+                return;
+            }
+            ask(last);
+            if (lines > 0 && isIn(player)) {
+                return;
+            }
+            told = new StringBuilder();
+            if (lines > 0) {
+                Block.write(told, "SET_PLAYER_TIMEOUT", List.of());
+            } else {
+                answerMs = 0;
+                write(told, List.of());
+            }
+        }
+    }
+
+    private void take(Block block) {
+        monitored |= block.name() == Name.MONITORING;
+        if (!program.undetermined().contains(block.name())) {
+            blocks.add(block);
+            hash(block.name().name());
+            block.lines().forEach(this::hash);
+            for (String line : block.lines()) {
+                length += line.length();
+            }
+            if (length > MOST_SAID) {
+                throw process.fault("said more than " + MOST_SAID + " characters in a game");
+            }
+            // A tooltip is pairs of lines: a text and its player.
+            int step = block.name() == Name.SUMMARY ? 1 : block.name() == Name.TOOLTIP ? 2 : MOST_LINES_SHOWN;
+            int most = step < MOST_LINES_SHOWN ? Math.min(block.lines().size(), MOST_LINES_SHOWN) : 0;
+            for (int k = 0; k < most; k += step) {
+                show(block.lines().get(k));
+            }
+        }
+    }
+
+    /** Makes a line for people an event, without colours, and with players by number: the program knows no names. */
+    private void show(String line) {
+        String text = PLAYER.matcher(COLOUR.matcher(line).replaceAll("")).replaceAll("player $1").strip();
+        if (!text.isEmpty()) {
+            events.add(TurnEvent.Kind.MARK, 1, -1, GuestLines.WIDTH / 2.0, GuestLines.HEIGHT / 2.0,
+                TextFormat.beginning(text, SHOWN), false);
+        }
+    }
+
+    private void hash(String text) {
+        said.add(text.length());
+        long word = 0;
+        for (int k = 0; k < text.length(); k++) {
+            word = word << Short.SIZE | text.charAt(k);
+            if (k % (BYTES / 2) == BYTES / 2 - 1) {
+                said.add(word);
+            }
+        }
+        said.add(word);
+    }
+
+    /** Reads who is asked; the lines that came before are that player's. */
+    private void ask(Block info) {
+        int[] numbers = info.lines().stream().flatMap(line -> List.of(line.trim().split("\\s+")).stream())
+            .mapToInt(GuestGame::number).toArray();
+        if (numbers.length != 3 || numbers[0] < 0 || numbers[0] >= players() || numbers[1] < 0
+                || numbers[1] > MOST_LINES || numbers[2] < 0 || numbers[2] > MOST_LIMIT_MS) {
+            throw process.fault("said NEXT_PLAYER_INFO " + info.lines() + ", expected a player 0.." + (players() - 1)
+                + ", a number of lines and a limit in ms");
+        }
+        if (++questions > MOST_QUESTIONS) {
+            throw process.fault("asked more than " + MOST_QUESTIONS + " times: the game does not end");
+        }
+        player = numbers[0];
+        lines = numbers[1];
+        limitMs = Math.max(1, numbers[2]);
+        for (int k = blocks.size() - 2; k >= 0 && blocks.get(k).name() == Name.NEXT_PLAYER_INPUT; k--) {
+            blocks.get(k).lines().forEach(line -> pending[player].append(line).append('\n'));
+        }
+    }
+
+    private static int number(String word) {
+        try {
+            return Integer.parseInt(word);
+        } catch (NumberFormatException none) {
+            return -1;
+        }
+    }
+
+    private void finish(Block told) {
+        int found = 0;
+        for (String line : told.lines()) {
+            String[] words = line.trim().split("\\s+");
+            int of = number(words[0]);
+            if (words.length == 2 && of >= 0 && of < players() && words[1].matches("-?\\d{1,15}(\\.\\d{1,15})?")) {
+                scores[of] = Double.parseDouble(words[1]);
+                found |= 1 << of;
+            }
+        }
+        if (found != (1 << players()) - 1 || told.lines().size() != players()) {
+            throw process.fault("said SCORES " + told.lines() + ", expected a player and a score in each of "
+                + players() + " lines");
+        }
+        if (questions == 0) {
+            throw process.fault("said SCORES before it asked anybody");
+        }
+        player = -1;
+        end("the referee has ended the game");
+        RefereeProcess playing;
+        synchronized (this) {
+            playing = closed ? null : process;
+            process = program.isResident() ? null : process;
+        }
+        if (program.isResident() && playing != null) {
+            ResidentReferees.shared().giveBack(command, isolated, playing);
+        }
+        close();
+    }
+
+    @Override
+    public synchronized void close() {
+        closed = true;
+        if (process != null) {
+            process.close();
+        }
+    }
+
+    @Override
+    public boolean isAsked(int asked) {
+        open();
+        return asked == player && isIn(asked);
+    }
+
+    @Override
+    public int limitMs(int asked) {
+        return limitMs;
+    }
+
+    @Override
+    public void timed(int asked, long nanos) {
+        answerMs = nanos / 1_000_000;
+    }
+
+    /** Lines that the asked player is sent. */
+    CharSequence input(int asked) {
+        open();
+        return pending[asked];
+    }
+
+    /** Number of lines of the next answer. */
+    int lines() {
+        return lines;
+    }
+
+    /** The player that is asked, or -1 at the end. */
+    int asked() {
+        return player;
+    }
+
+    /** True if times of answers count in the game. */
+    boolean isMonitored() {
+        return monitored;
+    }
+
+    /** The answer of the player that is asked, or {@code null}. */
+    List<String> answer() {
+        return answer;
+    }
+
+    /** Time of that answer, in milliseconds. */
+    long answerMs() {
+        return answerMs;
+    }
+
+    /** Makes lines the answer of the player that is asked, or takes it back for {@code null}. */
+    void answer(List<String> output, long ms) {
+        answer = output;
+        answerMs = ms;
+    }
+
+    /** All that the referee has said since the last answer. */
+    List<Block> blocks() {
+        open();
+        return blocks;
+    }
+
+    @Override
+    public int[] ranks() {
+        return ranks((one, other) -> scores[one] > scores[other]);
+    }
+
+    @Override
+    public double[] scores() {
+        return scores.clone();
+    }
+
+    @Override
+    public Bodies bodies() {
+        return bodies;
+    }
+
+    @Override
+    public Game copy() {
+        throw new UnsupportedOperationException("the state of a guest is not known");
+    }
+
+    @Override
+    public long hash() {
+        open();
+        return said.value();
+    }
+}

@@ -1,0 +1,166 @@
+package steward.guest;
+
+import java.io.File;
+import java.net.URISyntaxException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import steward.bot.command.ProgramFinder;
+import steward.bot.isolation.Isolation;
+import steward.guest.Block.Name;
+import steward.scene.SceneReader;
+import steward.scene.json.Block;
+
+/**
+ * The block {@code referee} of a scene: a command that plays one game, or a class path whose main class plays game
+ * after game in a JVM.
+ *
+ * @param command      the program and its arguments; empty with a class path
+ * @param classPath    folders and jars of a referee made with an SDK, the project itself first; empty with a command
+ * @param main         its main class
+ * @param reuse        whether games use the classes of those before, and not fresh ones
+ * @param system       system properties of a referee on a class path: its mode and level
+ * @param testIn       lines of the block INIT in place of the seed, in a game for one
+ * @param properties   lines {@code key=value} of the block INIT behind that of the seed, in the order of the keys
+ * @param limitMs      how long the referee may take each time that it speaks, its start included
+ * @param undetermined blocks that are not the same when a game is played again; they are not recorded
+ */
+record GuestProgram(List<String> command, List<String> classPath, String main, boolean reuse,
+                    Map<String, String> system, List<String> testIn, Map<String, String> properties, int limitMs,
+                    Set<Name> undetermined) {
+
+    static final String SDK_MAIN = "com.codingame.gameengine.core.RefereeMain";
+
+    /** Guice needs the package open on 17, identity hashes decide results of some, and blocks are UTF-8. */
+    private static final List<String> JVM_OPTIONS = List.of("-XX:+UseSerialGC", "-Xshare:auto",
+        "-XX:+UnlockExperimentalVMOptions", "-XX:hashCode=2", "-Dfile.encoding=UTF-8",
+        "--add-opens", "java.base/java.lang=ALL-UNNAMED");
+    static final String LEVEL = "league.level";
+    private static final int MOST_LEVEL = 20;
+    private static final int USUAL_LIMIT_MS = 30_000;
+    private static final int MOST_LIMIT_MS = 3_600_000;
+    static final Set<Name> FOR_PEOPLE = EnumSet.of(Name.VIEW, Name.INFOS, Name.SUMMARY, Name.TOOLTIP,
+        Name.UINPUT, Name.METADATA);
+
+    /** Reads the block of a scene. */
+    static GuestProgram read(Block root) {
+        Block block = root.block(SceneReader.REFEREE);
+        boolean resident = block.contains("classPath");
+        if (resident == block.contains("command")) {
+            throw block.error(resident ? "a command and a classPath" : "neither a command nor a classPath",
+                "one of them");
+        }
+        List<String> command = resident ? List.of() : words(block, "command");
+        List<String> classPath = resident ? words(block, "classPath") : List.of();
+        Map<String, String> system = new TreeMap<>();
+        String main = null;
+        boolean reuse = false;
+        if (resident) {
+            main = block.contains("main") ? block.text("main") : SDK_MAIN;
+            reuse = block.choice("reuse", Map.of("classes", true, "nothing", false), false);
+            system.put("game.mode", block.choice("mode", Map.of("multi", "multi", "solo", "solo"), "multi"));
+            if (block.contains("leagueLevel")) {
+                system.put(LEVEL, Integer.toString(block.integer("leagueLevel", 1, MOST_LEVEL)));
+            }
+        }
+        int limitMs = block.integer("limitMs", 1, MOST_LIMIT_MS, USUAL_LIMIT_MS);
+        return new GuestProgram(command, classPath, main, reuse, system,
+            block.contains("testIn") ? block.texts("testIn") : List.of(), properties(block), limitMs,
+            undetermined(block));
+    }
+
+    private static List<String> words(Block block, String name) {
+        List<String> words = block.texts(name);
+        if (words.isEmpty()) {
+            throw block.error(name, "no words", "at least one");
+        }
+        return words;
+    }
+
+    private static Map<String, String> properties(Block block) {
+        Map<String, String> properties = new TreeMap<>();
+        block.optionalBlock("properties").ifPresent(values ->
+            values.entries().keySet().forEach(key -> properties.put(key, values.text(key))));
+        properties.forEach((key, value) -> {
+            if ((key + value).chars().anyMatch(Character::isISOControl) || key.contains("=")) {
+                throw block.error("properties", "the property '" + key + "'", "keys and values of one line");
+            }
+        });
+        return properties;
+    }
+
+    private static Set<Name> undetermined(Block block) {
+        Set<Name> undetermined = EnumSet.noneOf(Name.class);
+        for (String word : block.contains("undetermined") ? block.texts("undetermined") : List.<String>of()) {
+            undetermined.add(FOR_PEOPLE.stream().filter(name -> name.name().equals(word)).findFirst()
+                .orElseThrow(() -> block.error("undetermined", "\"" + word + "\"", "blocks of " + FOR_PEOPLE)));
+        }
+        return undetermined;
+    }
+
+    /** True if one process plays game after game. */
+    boolean isResident() {
+        return !classPath.isEmpty();
+    }
+
+    /** Says the blocks that begin a game. */
+    void begin(StringBuilder out, int players, long seed) {
+        if (isResident()) {
+            steward.guest.Block.write(out, "START", system.entrySet().stream()
+                .map(property -> property.getKey() + "=" + property.getValue()).toList());
+        }
+        List<String> lines = new ArrayList<>();
+        lines.add(Integer.toString(players));
+        if (testIn.isEmpty()) {
+            lines.add("seed=" + seed);
+        }
+        lines.addAll(testIn);
+        properties.forEach((key, value) -> lines.add(key + "=" + value));
+        steward.guest.Block.write(out, "INIT", lines);
+    }
+
+    /** Name of a program or an entry of the class path that is not there, or {@code null}. */
+    String missing() {
+        return isResident() ? classPath.stream().filter(entry -> !Files.exists(Path.of(entry))).findFirst().orElse(null)
+            : ProgramFinder.find(command.get(0)) == null ? command.get(0) : null;
+    }
+
+    /** The words of the process to start; nothing is {@link #missing}. */
+    List<String> words() {
+        List<String> words = new ArrayList<>();
+        if (!isResident()) {
+            words.add(ProgramFinder.find(command.get(0)).toString());
+            words.addAll(command.subList(1, command.size()));
+            return words;
+        }
+        words.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
+        words.addAll(JVM_OPTIONS);
+        // One JVM plays one level where classes stay: levels are often kept in static fields.
+        if (reuse && system.containsKey(LEVEL)) {
+            words.add("-D" + LEVEL + "=" + system.get(LEVEL));
+        }
+        words.addAll(List.of("-cp", hostPath(), RefereeHost.class.getName(), main, reuse ? "classes" : "fresh"));
+        classPath.forEach(entry -> words.add(Path.of(entry).toAbsolutePath().toString()));
+        return words;
+    }
+
+    /** Where the classes of this program are, of which the JVM needs one. */
+    private static String hostPath() {
+        try {
+            return new File(RefereeHost.class.getProtectionDomain().getCodeSource().getLocation().toURI()).getPath();
+        } catch (URISyntaxException impossible) {
+            throw new IllegalStateException(impossible);
+        }
+    }
+
+    /** Isolation of the referee: its class path is let through. */
+    Isolation isolated(Isolation usual) {
+        return isResident() ? usual.showing(classPath.stream().map(entry -> Path.of(entry).toAbsolutePath()).toList())
+            : usual;
+    }
+}

@@ -1,0 +1,106 @@
+package steward.guest;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Supplier;
+import steward.bot.isolation.Isolation;
+import steward.files.Digested;
+import steward.game.FrameCodec;
+import steward.game.Game;
+import steward.game.GameSetup;
+import steward.game.GameType;
+import steward.game.Pilot;
+import steward.game.TextCodec;
+import steward.match.HostedSetup;
+import steward.physics.Contacts;
+import steward.scene.Plan;
+import steward.scene.Scene;
+import steward.scene.SceneReader;
+
+/** Type of the games whose referee is a program of its own. */
+public final class GuestType implements GameType {
+
+    /** Id of the game in scenes. */
+    public static final String ID = "guest";
+
+    private final boolean trusted;
+
+    /** @param trusted whether programs are run that replays name */
+    public GuestType(boolean trusted) {
+        this.trusted = trusted;
+    }
+
+    @Override
+    public boolean isTrusted() {
+        return trusted;
+    }
+
+    @Override
+    public String id() {
+        return ID;
+    }
+
+    /** The level of a referee on a class path; what a command plays is up to it. */
+    @Override
+    public String inLeague(Scene scene, int league) {
+        return scene.root().block(SceneReader.REFEREE).contains("classPath")
+            ? scene.root().json(SceneReader.REFEREE, Map.of("leagueLevel", Integer.toString(league))) : scene.json();
+    }
+
+    @Override
+    public GameSetup open(Scene scene) {
+        if (scene.players() == 0) {
+            throw scene.root().error("players", "0", "1.." + MOST_PLAYERS + ", as many as its referee is for");
+        }
+        GuestProgram program = GuestProgram.read(scene.root());
+        scene.root().done();
+        return new Setup(scene, program, Plan.of(scene, new Contacts(1), 1, false, List.of()),
+            new ClassPathDigest(program.classPath()), Isolation::usual);
+    }
+
+    private record Setup(Scene scene, GuestProgram program, Plan plan, ClassPathDigest files,
+                         Supplier<Isolation> isolation) implements HostedSetup, Digested {
+
+        @Override
+        public String digest() {
+            return files.text();
+        }
+
+        @Override
+        public GameSetup isolatedBy(Supplier<Isolation> other) {
+            return new Setup(scene, program, plan, files, other);
+        }
+
+        @Override
+        public List<String> check() {
+            if (program.missing() != null) {
+                throw scene.root().block(SceneReader.REFEREE).error(program.isResident() ? "classPath" : "command",
+                    "\"" + program.missing() + "\"", program.isResident() ? "folders and jars that are there"
+                    : "a program that is there");
+            }
+            return List.of();
+        }
+
+        @Override
+        public Game create(long seed) {
+            return new GuestGame(program, scene.players(), seed, isolation);
+        }
+
+        @Override
+        public Pilot pilot(Pilot.Aim aim) {
+            throw new UnsupportedOperationException("nothing is known of a guest's commands");
+        }
+
+        @Override
+        public FrameCodec codec(Game game) {
+            GuestLines lines = new GuestLines((GuestGame) game);
+            return new FrameCodec(lines, new GuestState((GuestGame) game), lines);
+        }
+
+        @Override
+        public Optional<TextCodec> textCodec(Game game) {
+            return Optional.of(new GuestText((GuestGame) game));
+        }
+    }
+}

@@ -1,0 +1,223 @@
+package steward.guest;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.PrintStream;
+import java.lang.management.ManagementFactory;
+import java.lang.management.MemoryPoolMXBean;
+import java.lang.ref.WeakReference;
+import java.lang.reflect.Field;
+import java.lang.reflect.InvocationTargetException;
+import java.lang.reflect.Method;
+import java.net.MalformedURLException;
+import java.net.URL;
+import java.net.URLClassLoader;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.jar.JarFile;
+
+/**
+ * Main class of the JVM in which referees on a class path play, game after game. It needs nothing but the JDK. The
+ * blocks go through the JVM's own input and output, which the referee cannot reach: what it prints itself goes to the
+ * standard error.
+ *
+ * <p>A game begins with a block START, whose lines are system properties, and ends with END, which is answered by
+ * READY: {@code go on}, or {@code recycle} once loaders that stay alive fill the metaspace. Each game has a loader of
+ * its own for the SDK and the contest, unless classes are reused; other libraries are shared.
+ *
+ * <p>Arguments: the main class, {@code fresh} or {@code classes}, the entries of the class path.
+ */
+public final class RefereeHost {
+
+    /** Metaspace in bytes above which a collection is asked for, and above which the JVM is recycled. */
+    private static final long COLLECT_ABOVE = 96L << 20;
+    private static final long RECYCLE_ABOVE = 192L << 20;
+    /** The first entry is the project itself; of the others, those with such classes are the SDK. */
+    private static final String SDK = "com/codingame/";
+
+    private final String main;
+    private final boolean reuse;
+    private final List<URL> own = new ArrayList<>();
+    private final ClassLoader libraries;
+    private final List<WeakReference<ClassLoader>> loaders = new ArrayList<>();
+    private ClassLoader kept;
+
+    private RefereeHost(String main, boolean reuse, List<String> classPath) throws IOException {
+        this.main = main;
+        this.reuse = reuse;
+        List<URL> shared = new ArrayList<>();
+        for (String entry : classPath) {
+            Path path = Path.of(entry);
+            (own.isEmpty() || isSdk(path) ? own : shared).add(url(path));
+        }
+        libraries = new URLClassLoader(shared.toArray(new URL[0]), ClassLoader.getPlatformClassLoader());
+    }
+
+    private static URL url(Path path) throws MalformedURLException {
+        return path.toUri().toURL();
+    }
+
+    private static boolean isSdk(Path path) throws IOException {
+        if (Files.isDirectory(path)) {
+            return true;
+        }
+        try (JarFile jar = new JarFile(path.toFile())) {
+            return jar.stream().anyMatch(entry -> entry.getName().startsWith(SDK));
+        }
+    }
+
+    /** Plays until its input ends. */
+    public static void main(String[] words) throws IOException {
+        Lines in = new Lines(System.in);
+        PrintStream out = new PrintStream(System.out, false, StandardCharsets.UTF_8);
+        System.setOut(new PrintStream(System.err, true, StandardCharsets.UTF_8));
+        System.setIn(InputStream.nullInputStream());
+        RefereeHost host = new RefereeHost(words[0], words[1].equals("classes"),
+            List.of(words).subList(2, words.length));
+        List<String> set = new ArrayList<>();
+        for (String head = in.line(); head != null; head = in.line()) {
+            if (head.startsWith("[[START]")) {
+                set.forEach(System::clearProperty);
+                set.clear();
+                for (int count = Integer.parseInt(head.replaceAll("\\D", "")); count > 0; count--) {
+                    String[] property = in.line().split("=", 2);
+                    System.setProperty(property[0], property[1]);
+                    set.add(property[0]);
+                }
+                in.ended = false;
+                host.play(in, out);
+                while (!in.ended) {
+                    in.line();
+                }
+                out.print("[[READY] 1]\n" + (host.isFull() ? "recycle" : "go on") + "\n");
+                out.flush();
+            }
+        }
+    }
+
+    private void play(Lines in, PrintStream out) {
+        ClassLoader loader = kept;
+        if (loader == null) {
+            loader = new URLClassLoader(own.toArray(new URL[0]), libraries);
+            loaders.add(new WeakReference<>(loader));
+            kept = reuse ? loader : null;
+        }
+        Thread.currentThread().setContextClassLoader(loader);
+        try {
+            Class<?> referee = loader.loadClass(main);
+            setInProduction(referee);
+            Method start = referee.getMethod("start", InputStream.class, PrintStream.class);
+            start.invoke(null, in, out);
+        } catch (InvocationTargetException thrown) {
+            fail(out, thrown.getCause());
+        } catch (Throwable problem) {              // errors too: whatever a referee throws is told as its failure
+            fail(out, problem);
+        } finally {
+            Thread.currentThread().setContextClassLoader(ClassLoader.getSystemClassLoader());
+            out.flush();
+        }
+    }
+
+    /** Sets what the SDK's own main method sets, where it is there. */
+    private static void setInProduction(Class<?> referee) {
+        try {
+            Field field = referee.getDeclaredField("inProduction");
+            field.setAccessible(true);
+            field.set(null, true);
+        } catch (ReflectiveOperationException none) {
+            // A main class without it needs nothing.
+            return;
+        }
+    }
+
+    private static void fail(PrintStream out, Throwable problem) {
+        problem.printStackTrace();
+        out.print("[[FAIL] 1]\n" + String.valueOf(problem).replaceAll("\\R", " ") + "\n");
+    }
+
+    /** True if loaders of earlier games stay alive, also after a collection, and fill the metaspace. */
+    private boolean isFull() {
+        if (metaspace() < COLLECT_ABOVE) {
+            return false;
+        }
+        System.gc();
+        loaders.removeIf(loader -> loader.get() == null);
+        return metaspace() > RECYCLE_ABOVE;
+    }
+
+    private static long metaspace() {
+        for (MemoryPoolMXBean pool : ManagementFactory.getMemoryPoolMXBeans()) {
+            if (pool.getName().equals("Metaspace")) {
+                return pool.getUsage().getUsed();
+            }
+        }
+        return 0;
+    }
+
+    /** The input of one game: a reader gets a line at a time, so that it never takes lines of the next game. */
+    private static final class Lines extends InputStream {
+
+        private static final String END = "[[END] 0]";
+
+        private final InputStream in;
+        private final byte[] buffer = new byte[1 << 16];
+        private int from;
+        private int to;
+        private byte[] current = {};
+        private int at;
+        private boolean ended;
+
+        Lines(InputStream in) {
+            this.in = in;
+        }
+
+        /** The next line without its end, or {@code null}; END sets {@link #ended}. */
+        String line() throws IOException {
+            ByteArrayOutputStream line = new ByteArrayOutputStream();
+            for (;;) {
+                if (from == to) {
+                    from = 0;
+                    to = in.read(buffer);
+                    if (to <= 0) {
+                        to = 0;
+                        ended = true;
+                        return null;
+                    }
+                }
+                byte one = buffer[from++];
+                if (one == '\n') {
+                    String text = line.toString(StandardCharsets.UTF_8);
+                    ended |= text.equals(END);
+                    return text;
+                }
+                line.write(one);
+            }
+        }
+
+        @Override
+        public int read() throws IOException {
+            byte[] one = new byte[1];
+            return read(one, 0, 1) < 0 ? -1 : one[0] & 0xFF;
+        }
+
+        @Override
+        public int read(byte[] target, int offset, int length) throws IOException {
+            if (at == current.length) {
+                String line = ended ? null : line();
+                if (line == null || ended) {
+                    return -1;
+                }
+                current = (line + "\n").getBytes(StandardCharsets.UTF_8);
+                at = 0;
+            }
+            int count = Math.min(length, current.length - at);
+            System.arraycopy(current, at, target, offset, count);
+            at += count;
+            return count;
+        }
+    }
+}

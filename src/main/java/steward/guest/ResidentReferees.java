@@ -1,0 +1,69 @@
+package steward.guest;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.List;
+import steward.bot.isolation.Isolation;
+
+/** Referees between two games: JVMs that play the next one of the same referee, as many as are not in use. */
+final class ResidentReferees {
+
+    private static final ResidentReferees SHARED = new ResidentReferees();
+    private static final int MOST = Math.max(2, Runtime.getRuntime().availableProcessors());
+
+    private record Idle(List<String> command, Isolation isolation, RefereeProcess process) {
+    }
+
+    private final Deque<Idle> idle = new ArrayDeque<>();
+
+    /** Those of this JVM. */
+    static ResidentReferees shared() {
+        return SHARED;
+    }
+
+    /** A referee that plays one game, to be closed or given back. */
+    RefereeProcess take(List<String> command, Isolation isolation, int limitMs) {
+        synchronized (idle) {
+            for (Idle each : idle) {
+                if (each.command.equals(command) && each.isolation.equals(isolation)) {
+                    idle.remove(each);
+                    return each.process;
+                }
+            }
+        }
+        return RefereeProcess.start(command, isolation, limitMs);
+    }
+
+    /** Takes a referee back whose game is over. If it is full, or others are idle already, one is ended. */
+    void giveBack(List<String> command, Isolation isolation, RefereeProcess process) {
+        StringBuilder end = new StringBuilder();
+        Block.write(end, "END", List.of());
+        List<Block> answer;
+        try {
+            answer = process.exchange(end.toString());
+        } catch (RefereeFault late) {
+            return;                                  // it is ended; the game was over, and its result counts
+        }
+        if (!answer.get(answer.size() - 1).lines().equals(List.of("go on"))) {
+            process.close();
+            return;
+        }
+        process.forgetStderr();
+        Idle ended;
+        synchronized (idle) {
+            idle.addFirst(new Idle(command, isolation, process));
+            ended = idle.size() > MOST ? idle.removeLast() : null;
+        }
+        if (ended != null) {
+            ended.process.close();
+        }
+    }
+
+    /** Ends all that are idle. */
+    void close() {
+        synchronized (idle) {
+            idle.forEach(each -> each.process.close());
+            idle.clear();
+        }
+    }
+}

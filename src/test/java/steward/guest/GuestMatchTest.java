@@ -1,0 +1,272 @@
+package steward.guest;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import steward.bot.command.ProgramFinder;
+import steward.cli.Cli;
+import steward.cli.shared.ExitStatus;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
+
+/** Matches with a referee that is a program of its own: one that speaks rightly, and wrongly in every way. */
+@Tag("process")
+@Timeout(120)
+class GuestMatchTest {
+
+    @TempDir
+    private Path folder;
+
+    @BeforeEach
+    void programs() throws IOException {
+        assumeTrue(ProgramFinder.find("python3") != null && ProgramFinder.find("sh") != null,
+            "skipped: there is no python3 or no sh");
+        Files.copy(Path.of("src/test/resources/referees/standin.py"), folder.resolve("standin.py"));
+    }
+
+    /** A scene for so many players with the stand-in in a mode. */
+    private String scene(String mode, int players, String more) throws IOException {
+        return Files.writeString(folder.resolve(mode + ".json"), """
+            { "name": "%s", "game": "guest", "players": %d,
+              "referee": { "command": ["python3", "%s", "%s"]%s } }
+            """.formatted(mode, players, folder.resolve("standin.py"), mode, more)).toString();
+    }
+
+    /** A bot that reads so many lines before each answer, and runs a command from a turn on; turns count from 0. */
+    private String bot(String name, int lines, String answer, int turn, String then) throws IOException {
+        return name + "=sh " + Files.writeString(folder.resolve(name + ".sh"), """
+            turn=0
+            while :; do
+              for k in $(seq %d); do IFS= read -r line || exit 0; echo "$line" >>%s; done
+              if [ $turn -ge %d ]; then %s; fi
+              echo %s
+              turn=$((turn + 1))
+            done
+            """.formatted(lines, folder.resolve(name + ".txt"), turn, then, answer));
+    }
+
+    private Cli match(String scene, String... more) throws IOException {
+        String[] call = {"match", "--scene", scene, "--bot", bot("low", 2, "1", 99, ":"), "--bot",
+            bot("high", 2, "2", 99, ":"), "--seed", "7", "--time-factor", "20"};
+        String[] all = new String[call.length + more.length];
+        System.arraycopy(call, 0, all, 0, call.length);
+        System.arraycopy(more, 0, all, call.length, more.length);
+        return Cli.run(all);
+    }
+
+    @Test
+    void pointsAreThoseOfTheScoresAndTheReplayVerifies() throws IOException {
+        Path file = folder.resolve("x.jsonl");
+        Cli cli = match(scene("good", 2, ""), "--out", file.toString());
+        assertEquals(ExitStatus.DONE, cli.status(), cli.err());
+        assertTrue(cli.out().startsWith("high wins: the referee has ended the game, 20 turns (good, seed 7)"),
+            cli.out());
+        assertEquals("verified: states of 20 of 20 turns and the result\n",
+            Cli.run("replay", file.toString(), "--verify", "--run-referee").out());
+        assertEquals("seed=7\n0\nseed=7\n1\n", Files.readString(folder.resolve("low.txt")).substring(0, 18));
+        assertTrue(Files.readString(file).contains("""
+            {"type":"turn","turn":3,"commands":[{"lines":["1"]},null]"""), Files.readString(file));
+        String turn = Cli.run("replay", file.toString(), "--turn", "3").out();
+        assertTrue(turn.contains("block NEXT_PLAYER_INPUT  lines seed=7, 1"), turn);
+    }
+
+    @Test
+    void aBotIsFedWhatItWasSent() throws IOException {
+        Path file = folder.resolve("x.jsonl");
+        match(scene("pairs", 2, ", \"properties\": {\"width\": \"12\"}"), "--out", file.toString());
+        Cli same = Cli.run("feed", file.toString(), "--player", "0", "--run-referee", "--",
+            "sh " + folder.resolve("low.sh"));
+        assertEquals(ExitStatus.DONE, same.status(), same.out() + same.err());
+        String frames = Cli.run("replay", file.toString(), "--frames", "--player", "1",
+            "--run-referee").out();
+        assertTrue(frames.startsWith("setup of 1\nseed=7\nwidth=12\n0\nsetup of 1\nseed=7\nwidth=12\n1\n"), frames);
+    }
+
+    /** A replay from somebody else may name any program of this machine. */
+    @Test
+    void theProgramThatAReplayNamesIsRunOnlyByAnOption() throws IOException {
+        Path file = folder.resolve("x.jsonl");
+        match(scene("good", 2, ""), "--out", file.toString());
+        Files.delete(folder.resolve("standin.py"));
+        for (String[] call : new String[][] {{"replay", file.toString(), "--verify"},
+            {"replay", file.toString(), "--frames", "--player", "0"},
+            {"feed", file.toString(), "--player", "0", "--", "true"}}) {
+            Cli cli = Cli.run(call);
+            assertEquals(ExitStatus.UNUSABLE, cli.status(), cli.out());
+            assertTrue(cli.err().contains("a program that the replay names, expected --run-referee"), cli.err());
+        }
+        assertEquals(ExitStatus.DONE, Cli.run("replay", file.toString()).status());
+    }
+
+    @Test
+    void theFirstDifferenceIsNamed() throws IOException {
+        Path file = folder.resolve("x.jsonl");
+        match(scene("good", 2, ""), "--out", file.toString());
+        Files.writeString(folder.resolve("standin.py"), Files.readString(folder.resolve("standin.py"))
+            .replace("f\"KEY_FRAME {turn}\"", "f\"KEY_FRAME {turn // 5 * 5}\""));
+        Cli cli = Cli.run("replay", file.toString(), "--verify", "--run-referee");
+        assertEquals(ExitStatus.FAILED, cli.status());
+        assertTrue(cli.out().startsWith("differs: turn 2, "), cli.out());
+        assertTrue(cli.out().contains("KEY_FRAME 1"), cli.out());
+    }
+
+    @Test
+    void blocksThatAreNotDeterminedAreLeftOut() throws IOException {
+        Path file = folder.resolve("x.jsonl");
+        match(scene("view", 2, ""), "--out", file.toString());
+        assertEquals(ExitStatus.FAILED, Cli.run("replay", file.toString(), "--verify", "--run-referee").status());
+        match(scene("view", 2, ", \"undetermined\": [\"METADATA\"]"), "--out", file.toString(), "--overwrite");
+        assertEquals("verified: states of 20 of 20 turns and the result\n",
+            Cli.run("replay", file.toString(), "--verify", "--run-referee").out());
+    }
+
+    @Test
+    void timesThatCountAreRecordedAndPlayedAgain() throws IOException {
+        Path file = folder.resolve("x.jsonl");
+        Cli cli = match(scene("monitored", 2, ""), "--out", file.toString());
+        assertEquals(ExitStatus.DONE, cli.status(), cli.err());
+        assertTrue(Files.readString(file).contains("\"commands\":[{\"ms\":"), cli.out());
+        assertEquals("verified: states of 20 of 20 turns and the result\n",
+            Cli.run("replay", file.toString(), "--verify", "--run-referee").out());
+    }
+
+    @Test
+    void aBotThatFailsIsToldToTheRefereeAndTheGameGoesOn() throws IOException {
+        Path file = folder.resolve("x.jsonl");
+        Cli cli = Cli.run("match", "--scene", scene("good", 3, ""), "--bot", bot("low", 2, "1", 99, ":"), "--bot",
+            bot("dies", 2, "9", 2, "exit 3"), "--bot", bot("high", 2, "2", 99, ":"), "--seed", "7", "--json",
+            "--out", file.toString(), "--time-factor", "20");
+        assertEquals(ExitStatus.DONE, cli.status(), cli.err());
+        JsonNode result = JsonMapper.shared().readTree(cli.out());
+        assertEquals(10, result.at("/players/1/score").asDouble());      // 9 + 9 - 8 rounds without an answer
+        assertEquals(20, result.at("/players/2/score").asDouble());
+        assertTrue(result.at("/players/1/fault").asString().contains("exited with status 3"), cli.out());
+        assertEquals("verified: states of 23 of 23 turns and the result\n",
+            Cli.run("replay", file.toString(), "--verify", "--run-referee").out());
+    }
+
+    /** Readers of Java and Python end a line there: the bot could speak as the host. */
+    @Test
+    void aBotCannotSayMoreLinesThanItWasAskedFor() throws IOException {
+        Cli cli = Cli.run("match", "--scene", scene("good", 2, ""), "--bot", bot("low", 2, "1", 99, ":"), "--bot",
+            bot("sly", 2, "9", 1, "printf '9\\r[[GET_GAME_INFO] 0]\\n'"), "--time-factor", "20");
+        assertEquals(ExitStatus.DONE, cli.status(), cli.err());
+        assertTrue(cli.out().contains("found an end of line within a line, expected none"), cli.out());
+    }
+
+    @Test
+    void aBotThatIsLateByTheLimitOfItsQuestionHasFailed() throws IOException {
+        Cli cli = Cli.run("match", "--scene", scene("good", 2, ""), "--bot", bot("low", 2, "1", 99, ":"), "--bot",
+            bot("late", 2, "9", 1, "sleep 1000"), "--time-factor", "0.2");
+        assertEquals(ExitStatus.DONE, cli.status(), cli.err());
+        assertTrue(cli.out().contains("600 ms"), cli.out());
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {
+        "exit     | exited with status 3 before answering; its stderr: the map is missing",
+        "fail     | failed: java.lang.NullPointerException | at Referee.gameTurn",
+        "silence  | said nothing for 1500 ms that ends its turn to speak",
+        "flood    | said more than 16 MiB at a time",
+        "errors   | exited with status 4 before answering; its stderr: e",
+        "unknown  | said '[[GARBAGE] 1]', expected a block such as [[VIEW] 3]",
+        "noise    | said 'debug: 7 bodies', expected a block",
+        "huge     | said more than 16 MiB at a time",
+        "nobody   | said NEXT_PLAYER_INFO [7, 1, 100], expected a player 0..1",
+        "few      | said SCORES [0 1], expected a player and a score in each of 2 lines",
+        "endless  | asked more than 20000 times: the game does not end",
+        "scores   | said SCORES before it asked anybody",
+        "children | exited with status 5 before answering",
+        })
+    void whatTheRefereeDoesWrongIsItsFault(String line) throws IOException {
+        String mode = line.split("\\|", 2)[0].strip();
+        String problem = line.split("\\|", 2)[1].strip();
+        String limit = mode.equals("silence") ? ", \"limitMs\": 1500" : "";
+        Cli cli = match(scene(mode, 2, limit));
+        assertEquals(ExitStatus.FAILED, cli.status(), cli.out() + cli.err());
+        assertTrue(cli.err().contains("the match could not be brought to a result: the referee " + problem),
+            cli.err());
+        assertFalse(cli.err().contains("low"), cli.err());
+        assertNothingIsLeft();
+    }
+
+    private void assertNothingIsLeft() {
+        List<ProcessHandle> left = ProcessHandle.allProcesses().filter(process -> process.info().commandLine()
+            .orElse("").contains(folder.toString())).toList();
+        long end = System.nanoTime() + 10_000_000_000L;
+        while (left.stream().anyMatch(ProcessHandle::isAlive) && System.nanoTime() < end) {
+            Thread.onSpinWait();
+        }
+        assertTrue(left.stream().noneMatch(ProcessHandle::isAlive), left.toString());
+    }
+
+    @Test
+    void aRefereeThatStaysAfterTheEndIsEnded() throws IOException {
+        Cli cli = match(scene("stays", 2, ""));
+        assertEquals(ExitStatus.DONE, cli.status(), cli.err());
+        assertNothingIsLeft();
+    }
+
+    @Test
+    void aSeriesGoesOnAfterFaultsOfTheRefereeAndCountsThem() throws IOException {
+        Path games = folder.resolve("games");
+        String scene = scene("good", 2, "");
+        Files.writeString(folder.resolve("standin.py"), Files.readString(folder.resolve("standin.py"))
+            .replace("turn = 0\n", "turn = 0\nif seed == 'seed=8': sys.exit('no such map')\n"));
+        Cli cli = match(scene, "--games", "4", "--out", games.toString());
+        assertEquals(ExitStatus.FAILED, cli.status(), cli.out() + cli.err());
+        assertTrue(cli.out().contains("high"), cli.out());
+        assertTrue((cli.out() + cli.err()).contains("no such map"), cli.out() + cli.err());
+        try (var files = Files.list(games)) {
+            assertEquals(3, files.count());
+        }
+        assertNothingIsLeft();
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"explain", "simulate --scene", "tradeoff --scene", "match --accuracy exact --scene"})
+    void whatNeedsTheRulesRefusesGuestsByName(String call) throws IOException {
+        Cli cli = Cli.run((call + " " + scene("good", 2, "")).split(" "));
+        assertEquals(ExitStatus.UNUSABLE, cli.status());
+        assertTrue(cli.err().contains("a referee of its own, expected a game that Steward computes"), cli.err());
+    }
+
+    @Test
+    void aBotThatSpeaksJsonAndAProgramThatIsNotThereAreRefused() throws IOException {
+        Cli.run("match", "--scene", scene("good", 2, ""), "--bot", "json:./a", "--bot", "./b")
+            .assertRefused("has a referee of its own, expected a bot that speaks its lines, codingame");
+        Path scene = Files.writeString(folder.resolve("none.json"), """
+            {"name": "none", "game": "guest", "players": 2, "referee": {"command": ["no-such-program"]}}""");
+        Cli.run("match", "--scene", scene.toString(), "--bot", "a", "--bot", "b")
+            .assertRefused("referee.command: found \"no-such-program\", expected a program that is there");
+    }
+
+    @Test
+    void theExampleOfTheManualPlays() throws IOException {
+        Path scene = Files.writeString(folder.resolve("heap.json"), """
+            {"name": "heap", "game": "guest", "players": 2,
+             "referee": {"command": ["python3", "src/examples/referees/heap.py"]}}""");
+        Path file = folder.resolve("x.jsonl");
+        Cli cli = Cli.run("match", "--scene", scene.toString(), "--bot", bot("one", 1, "1", 99, ":"), "--bot",
+            bot("never", 1, "0", 99, ":"), "--time-factor", "50", "--out", file.toString());
+        assertEquals(ExitStatus.DONE, cli.status(), cli.err());
+        assertTrue(cli.out().startsWith("one wins: the referee has ended the game, 2 turns (heap, "), cli.out());
+        assertTrue(Cli.run("replay", file.toString(), "--verify", "--run-referee").out().startsWith("verified"), cli.out());
+        assertTrue(Cli.run("replay", file.toString()).out().contains(" stones are left"), cli.out());
+        String page = Files.readString(Path.of("docs/referees.md"));
+        assertTrue(page.contains(Files.readString(Path.of("src/examples/referees/heap.py"))), page);
+    }
+}

@@ -1,0 +1,168 @@
+package steward.guest;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.jar.JarEntry;
+import java.util.jar.JarOutputStream;
+import javax.tools.JavaCompiler;
+import javax.tools.ToolProvider;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import steward.bot.isolation.Isolation;
+import steward.cli.Cli;
+import steward.cli.shared.ExitStatus;
+import steward.files.JarFolder;
+import steward.scene.SceneReader;
+
+/** Referees on a class path, by a stand-in for the SDK that is compiled here: game after game in one JVM. */
+@Tag("process")
+@Timeout(120)
+class ResidentRefereeTest {
+
+    private static final Path SOURCES = Path.of("src/test/resources/referees/sdk");
+    private static final String MAIN = "com/codingame/gameengine/core/RefereeMain";
+
+    @TempDir
+    private Path folder;
+
+    /** A project as its author leaves it: the contest in target/classes, the SDK's jar in lib. */
+    @BeforeEach
+    void compile() throws IOException {
+        JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
+        assumeTrue(compiler != null, "skipped: this is no JDK");
+        Path classes = Files.createDirectories(folder.resolve("target/classes"));
+        Path sdk = Files.createDirectories(folder.resolve("sdk"));
+        assertEquals(0, compiler.run(null, null, null, "-d", sdk.toString(),
+            SOURCES.resolve(MAIN + ".java").toString()));
+        assertEquals(0, compiler.run(null, null, null, "-d", classes.toString(),
+            SOURCES.resolve("Referee.java").toString()));
+        Files.createDirectories(folder.resolve("lib"));
+        try (OutputStream file = Files.newOutputStream(folder.resolve("lib/core.jar"));
+                JarOutputStream jar = new JarOutputStream(file)) {
+            jar.putNextEntry(new JarEntry(MAIN + ".class"));
+            jar.write(Files.readAllBytes(sdk.resolve(MAIN + ".class")));
+        }
+        for (int level = 1; level <= 2; level++) {
+            Files.createDirectories(folder.resolve("config/level" + level));
+        }
+        Files.writeString(folder.resolve("config/config.ini"), "min_players=2\nmax_players=3\ntype=multi");
+    }
+
+    @AfterEach
+    void end() {
+        ResidentReferees.shared().close();
+    }
+
+    private String scene(int players, String more) {
+        return """
+            {"name": "small", "game": "guest", "players": %d,
+             "referee": {"classPath": ["%s", "%s"]%s}}""".formatted(players, folder.resolve("target/classes"),
+            folder.resolve("lib/core.jar"), more);
+    }
+
+    /** The summaries of a game in which all answer. */
+    private static List<String> play(String scene, long seed) {
+        GuestGame game = (GuestGame) new GuestType(false).open(SceneReader.read(scene, "test")).create(seed);
+        List<String> summaries = new ArrayList<>();
+        try {
+            while (!game.isOver()) {
+                game.blocks().stream().filter(block -> block.name() == Block.Name.SUMMARY)
+                    .forEach(block -> summaries.addAll(block.lines()));
+                game.answer(List.of("WAIT"), 0);
+                game.play();
+            }
+        } finally {
+            game.close();
+        }
+        return summaries;
+    }
+
+    @Test
+    void twoHundredGamesArePlayedByOneJvmEachWithFreshClasses() {
+        String scene = scene(3, "");
+        List<String> first = play(scene, 200);
+        for (int game = 2; game < 200; game++) {
+            assertEquals(first.size(), play(scene, 200).size());
+        }
+        List<String> last = play(scene, 200);
+        assertTrue(first.get(0).endsWith(" remembered 1 game 1"), first.toString());
+        assertEquals(first.get(0).replace("game 1", "game 200"), last.get(0));
+        assertEquals("\u00e4 true", last.get(2));
+    }
+
+    @Test
+    void reusedClassesRememberAndOneJvmPlaysOneLevel() {
+        String reused = ", \"reuse\": \"classes\", \"leagueLevel\": ";
+        play(scene(2, reused + 1), 200);
+        List<String> second = play(scene(2, reused + 1), 200);
+        assertTrue(second.get(0).endsWith(" remembered 9 game 2"), second.toString());
+        assertEquals("level 1", second.get(1));
+        List<String> other = play(scene(2, reused + 2), 200);
+        assertTrue(other.get(0).endsWith(" remembered 1 game 1"), other.toString());
+        assertEquals("level 2", other.get(1));
+    }
+
+    @Test
+    void aFaultIsTheRefereesAndTheNextGameIsPlayedByANewJvm() {
+        String scene = scene(2, ", \"limitMs\": 3000");
+        play(scene, 200);
+        assertFault("exited with status 7 before answering; its stderr: noise of the referee | leaving", scene,
+            101);
+        assertTrue(play(scene, 200).get(0).endsWith(" game 1"));
+        assertFault("failed: java.lang.reflect.InvocationTargetException", scene, 102);
+        assertFault("said nothing for 3000 ms", scene, 103);
+        assertTrue(play(scene, 200).get(0).endsWith(" game 1"));
+    }
+
+    private static void assertFault(String expected, String scene, long seed) {
+        String message = assertThrows(RefereeFault.class, () -> play(scene, seed)).getMessage();
+        assertTrue(message.contains(expected), message);
+    }
+
+    @Test
+    void whatIsAdoptedHasLevelsAndFreshClassesBecauseAStaticRemembers() {
+        List<String> told = new ArrayList<>();
+        String scene = Adoption.scene(folder, null, "small", Isolation::usual, told::add);
+        assertEquals(List.of("players: [2, 3], multi; the scene has 2",
+            "league levels: 1, 2, 3, 4; the scene has 4",
+            "deterministic: games played again were the same in every line",
+            "classes kept from game to game: SUMMARY differ, so each game gets fresh ones"), told);
+        assertFalse(scene.contains("reuse"), scene);
+        assertEquals("level 4", play(scene, 5).get(1));
+    }
+
+    @Test
+    void theCommandWritesTheSceneAndSaysWhatIsMissing() throws IOException {
+        Path scene = folder.resolve("made");
+        Cli cli = Cli.run("adopt", folder.toString(), "--as", "../" + scene);
+        cli.assertRefused("--as: found '../");
+        Cli.run("adopt", folder.resolve("nothing").toString()).assertRefused("found no such file, expected the folder "
+            + "of a project on the SDK or its jar");
+        Files.delete(folder.resolve("lib/core.jar"));
+        Cli.run("adopt", folder.toString()).assertRefused("found neither a pom.xml nor target/classes with jars");
+        assertEquals(ExitStatus.UNUSABLE, cli.status());
+    }
+
+    @Test
+    void anotherClassPathIsOtherRules() throws IOException {
+        String before = JarFolder.digestOf(new GuestType(false).open(SceneReader.read(scene(2, ""), "test")));
+        Files.writeString(folder.resolve("target/classes/more.txt"), "more");
+        String after = JarFolder.digestOf(new GuestType(false).open(SceneReader.read(scene(2, ""), "test")));
+        assertTrue(before.startsWith("sha256:"), before);
+        assertFalse(before.equals(after), after);
+    }
+}
