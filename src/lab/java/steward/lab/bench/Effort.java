@@ -2,7 +2,7 @@ package steward.lab.bench;
 
 /** Amount of measuring. */
 public enum Effort {
-    /** Half a minute: for ratios that differ much. */
+    /** Minutes in all: for ratios that differ much. */
     QUICK(50, 1500, 5, 20),
     /** Minutes. */
     NORMAL(3000, 9000, 7, 200),

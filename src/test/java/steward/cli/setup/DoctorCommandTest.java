@@ -27,8 +27,8 @@ class DoctorCommandTest {
             assertFalse(item.get("detail").stringValue().isEmpty(), item.toString());
         });
         assertTrue(names.containsAll(List.of("JDK", "fused multiply-add", "processors", "setsid", "sandbox light",
-            "sandbox strict", "launcher", "resident referee", "control groups", "browser", "python3", "g++", "node", "javac",
-            "temporary folder")), names.toString());
+            "sandbox strict", "launcher", "resident referee", "control groups", "browser", "python3", "g++", "node",
+            "javac", "temporary folder")), names.toString());
         assertTrue(doctor.get("items").get(0).get("detail").stringValue().contains(Runtime.version().toString()));
     }
 

@@ -16,9 +16,9 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
 /**
- * Games under one of the tools of others, in a folder of its own, in which two compiled bots are. CPU time is counted by
- * Linux, in ticks of 10 ms: that of programs that this JVM has started and that have ended, with what they started in
- * turn; and that of the resident referee, which is nobody's child.
+ * Games under one of the tools of others, in a folder of its own, in which two compiled bots are. CPU time is counted
+ * by Linux, in ticks of 10 ms: that of programs that this JVM has started and that have ended, with what they started
+ * in turn; and that of the resident referee, which is nobody's child.
  */
 final class ToolGames implements AutoCloseable {
 
@@ -101,8 +101,9 @@ final class ToolGames implements AutoCloseable {
 
     /** Returns the CPU time of a game, in nanoseconds. */
     double nanos(Referee referee, int games, int seed) throws IOException, InterruptedException {
-        String call = tool == Tool.BRUTALTESTER ? "java -jar cg-brutaltester.jar" + (referee == Referee.IN_GO ? " -o" : "")
-            + " -r '" + referee.referee + "' -p1 ./mine -p2 ./other -n " + games + " -i " + seed
+        String call = tool == Tool.BRUTALTESTER ? "java -jar cg-brutaltester.jar"
+            + (referee == Referee.IN_GO ? " -o" : "") + " -r '" + referee.referee
+            + "' -p1 ./mine -p2 ./other -n " + games + " -i " + seed
             : "rm -f psyleague.games && sed -i 's,^cmd_play_game = .*,cmd_play_game = \"" + referee.play
             + " ./mine ./other\",' psyleague.cfg && ./psyleague run --silent --games " + games
             + " >/dev/null && cat psyleague.games";

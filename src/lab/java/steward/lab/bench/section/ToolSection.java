@@ -20,6 +20,9 @@ import steward.lab.bench.Section;
 final class ToolSection implements Section {
 
     private static final double NANOS = 1e9;
+    /** Games of a run; cg-brutaltester plays each seed from both sides. */
+    private static final int GAMES = 30;
+    private static final int QUICK_GAMES = 4;
 
     private final MatchFixture fixture;
     private final Path tools;
@@ -39,8 +42,9 @@ final class ToolSection implements Section {
         return "Games of two bots of `steward new cpp` under the tools of others, by the CPU time of everything"
             + " together: the tool, the referee, the bots, and the resident referee. Compared with the tool and the"
             + " referee in Go of robostac/coders-strike-back-referee, which has the old mode of cg-brutaltester (for"
-            + " psyleague, by a script in Python of 30 lines). A run is of many games; the start of a resident is part"
-            + " of the first run that it serves.";
+            + " psyleague, by a script in Python of 30 lines). A run is of " + 2 * GAMES + " games under"
+            + " cg-brutaltester and of " + GAMES + " under psyleague; the start of a resident is part of the first"
+            + " run that it serves.";
     }
 
     @Override
@@ -63,7 +67,7 @@ final class ToolSection implements Section {
         for (ToolGames.Tool tool : ToolGames.Tool.values()) {
             List<Path> absent = tool.files(tools).stream().filter(file -> !Files.exists(file)).toList();
             if (absent.isEmpty()) {
-                compare(tool, rounds(effort), effort == Effort.QUICK ? 4 : 30, about, rows);
+                compare(tool, rounds(effort), effort == Effort.QUICK ? QUICK_GAMES : GAMES, about, rows);
             } else {
                 missing.add(tool.word() + " is skipped: there is no " + absent.get(0));
             }

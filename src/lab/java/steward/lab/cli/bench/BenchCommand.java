@@ -61,7 +61,7 @@ public final class BenchCommand implements Callable<Integer> {
     private List<String> only = new ArrayList<>();
 
     @Option(names = "--quick",
-        description = "Measures rough figures, in about a minute; says which ratios are not comparable.")
+        description = "Measures rough figures, in about 3 minutes; says which ratios are not comparable.")
     private boolean quick;
 
     @Option(names = "--long", description = "Measures for tables that are kept, and a million bodies.")
@@ -78,8 +78,8 @@ public final class BenchCommand implements Callable<Integer> {
         description = "A crowd of so many; can be repeated (default: 100, 1000, 10000, 100000).")
     private List<Integer> bodies = new ArrayList<>();
 
-    @Option(names = "--tools", paramLabel = "DIR", description = "Measures games under tools of others too, which are in "
-        + "this folder: cg-brutaltester.jar, bin/psyleague and csbref, a referee in Go.")
+    @Option(names = "--tools", paramLabel = "DIR", description = "Measures games under tools of others too, which are "
+        + "in this folder: cg-brutaltester.jar, bin/psyleague and csbref, a referee in Go.")
     private String tools;
 
     @Option(names = "--out", paramLabel = "DIR", description = "Writes " + BenchFiles.CSV + " and " + BenchFiles.JSON

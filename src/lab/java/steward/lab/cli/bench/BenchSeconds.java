@@ -7,21 +7,21 @@ import steward.lab.bench.Effort;
 final class BenchSeconds {
 
     /**
-     * Measured once on two processors that did other work too; games, a league of a million games and the
-     * crowds of {@code --long} are estimates.
+     * Measured once on two processors that did other work too. Of {@code --quick}, all parts from pods to processes
+     * together; league, crowds, a league of a million games and the crowds of {@code --long} are estimates.
      */
     private static final Map<String, int[]> SECONDS = Map.ofEntries(
-        entry("pods", 4, 48, 104),
-        entry("games", 4, 10, 25),
-        entry("matches", 3, 23, 62),
-        entry("growth", 3, 36, 73),
-        entry("frames", 3, 19, 43),
-        entry("verify", 4, 26, 32),
-        entry("processes", 7, 20, 34),
+        entry("pods", 17, 48, 104),
+        entry("games", 17, 10, 25),
+        entry("matches", 13, 23, 62),
+        entry("growth", 13, 36, 73),
+        entry("frames", 13, 19, 43),
+        entry("verify", 17, 26, 32),
+        entry("processes", 30, 20, 34),
         entry("league", 26, 110, 110),
         entry("start", 4, 22, 42),
-        entry("tools", 12, 150, 300),
-        entry("crowds", 2, 46, 300));
+        entry("tools", 40, 250, 410),
+        entry("crowds", 8, 46, 300));
 
     private BenchSeconds() {
     }

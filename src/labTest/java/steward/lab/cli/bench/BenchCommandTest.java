@@ -121,6 +121,7 @@ class BenchCommandTest {
 
     @Test
     void theNamesThatAreCompletedAreThoseOfTheParts() {
-        assertEquals(BenchCommand.Parts.ALL, BenchSuite.all(1, 1, List.of(1), folder).stream().map(Section::name).toList());
+        assertEquals(BenchCommand.Parts.ALL,
+            BenchSuite.all(1, 1, List.of(1), folder).stream().map(Section::name).toList());
     }
 }
