@@ -160,7 +160,7 @@ public final class TurnLog implements TurnSink {
             n[i + 14], n[i + 15], n[i + 16], n[i + 17]);
     }
 
-    /** The time of the k-th impact within the turn, 0..1; unlike {@link #impact} this and the next three make no record. */
+    /** The time of the k-th impact within the turn, 0..1; unlike {@link #impact}, these four make no record. */
     @Internal
     public double impactTime(int k) {
         return impactTime[k];
