@@ -217,7 +217,8 @@ final class House {
     /** But for the browser, JVMs that time one kind of turns each, and the JDK's own program that makes keys. */
     ArchRule onlyBotsAreProcesses() {
         return noClasses().that()
-            .resideOutsideOfPackages(in("bot"), in("live"), in("lab.timing"), in("machines.token"))
+            .resideOutsideOfPackages(in("bot"), in("live"), in("lab.timing"), in("lab.bench.section"),
+                in("machines.token"))
             .should().dependOnClassesThat().haveFullyQualifiedName(ProcessBuilder.class.getName())
             .orShould().dependOnClassesThat().haveFullyQualifiedName(Process.class.getName());
     }

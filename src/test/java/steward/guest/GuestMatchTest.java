@@ -264,7 +264,8 @@ class GuestMatchTest {
             bot("never", 1, "0", 99, ":"), "--time-factor", "50", "--out", file.toString());
         assertEquals(ExitStatus.DONE, cli.status(), cli.err());
         assertTrue(cli.out().startsWith("one wins: the referee has ended the game, 2 turns (heap, "), cli.out());
-        assertTrue(Cli.run("replay", file.toString(), "--verify", "--run-referee").out().startsWith("verified"), cli.out());
+        assertTrue(Cli.run("replay", file.toString(), "--verify", "--run-referee").out().startsWith("verified"),
+            cli.out());
         assertTrue(Cli.run("replay", file.toString()).out().contains(" stones are left"), cli.out());
         String page = Files.readString(Path.of("docs/referees.md"));
         assertTrue(page.contains(Files.readString(Path.of("src/examples/referees/heap.py"))), page);

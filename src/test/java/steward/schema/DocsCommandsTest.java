@@ -93,7 +93,8 @@ class DocsCommandsTest {
 
     @Test
     void aSceneIsExplainedAndAnEnvironmentCanBeLeftBehind() throws IOException, InterruptedException {
-        assertContains("3 bumpers", shell.run(0, "docs/scenes.md", "steward explain walled-race"));
+        shell.run(0, "docs/scenes.md", "steward scene walled-race > my-scene.json");
+        assertContains("\"scene\":\"walled-race\"", shell.run(0, "docs/scenes.md", "steward explain my-scene.json"));
 
         // No interpreter here: where it is found through variables, as pyenv's may be, an empty environment hides it.
         shell.executable("mine", "test -z \"$AN_OPINION$A_PASSWORD\" || exit 3\nexit 4\n");

@@ -294,7 +294,7 @@ class TurnTruthTest {
             new Contacts(1).set(0, 0, Contacts.Meaning.ASK), List.of(), reaction, false);
     }
 
-    /** Three in a row that come to rest on each other: the oracle knows impacts only, and exact stands for the truth. */
+    /** Three in a row that come to rest on each other: the oracle knows only impacts, exact stands for the truth. */
     @Test
     void whereAHeapRestsExactIsTheTruth() {
         Bodies start = new Bodies(3);

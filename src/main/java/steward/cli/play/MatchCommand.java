@@ -68,8 +68,8 @@ public final class MatchCommand implements Callable<Integer> {
         description = "What bots without a prefix speak: json or codingame (default: ${DEFAULT-VALUE}).")
     private String protocol;
 
-    @Option(names = "--league-level", paramLabel = "N", description = "By the rules of this league of the site, 1 for "
-        + "the lowest (default: the scene's).")
+    @Option(names = "--league-level", paramLabel = "N", description = "Plays by the rules of this league of the "
+        + "site, 1 for the lowest (default: the scene's).")
     private Integer level;
 
     @Mixin

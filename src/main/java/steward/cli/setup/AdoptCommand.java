@@ -26,8 +26,8 @@ import steward.guest.RefereeFault;
     + "CodinGame's SDK, builds it with its Maven if need be, and plays trial games with idle bots.",
     footer = {"", "Examples:", "  steward adopt SpringChallenge2021",
         "  steward adopt SpringChallenge2023 --as ants --engine 4.3.0",
-        "", "Exit status: 0 written; 1 no trial game came to its end; 2 the project cannot be built, or the call",
-        "is wrong."})
+        "", "Exit status: 0 written; 1 no trial game came to its end; 2 the project cannot be",
+        "built, or the call is wrong."})
 public final class AdoptCommand implements Callable<Integer> {
 
     private final Streams streams;
@@ -36,7 +36,7 @@ public final class AdoptCommand implements Callable<Integer> {
         description = "The folder of the project, or a jar with all in it.")
     private String project;
 
-    @Option(names = "--as", paramLabel = "NAME", description = "Name of the scene; it is written into NAME.json "
+    @Option(names = "--as", paramLabel = "NAME", description = "The name of the scene; it is written into NAME.json "
         + "(default: that of the project in lower case).")
     private String name;
 

@@ -170,8 +170,9 @@ public final class TournamentCommand implements Callable<Integer> {
             + "interrupted, the same command goes on.").write(into.resolve(INDEX));
         long total = total(league, bots, empty.players());
         streams.err().println("Everybody meets everybody: " + TextFormat.count(total, "game") + " in all");
-        int status = run(new RunCommand(json ? streams.withoutOutput() : streams, new NoServing()), league.path().toString(), "--games", "" + total,
-            "--pause-after", "0", "--threads", "" + threads.count(streams));
+        int status = run(new RunCommand(json ? streams.withoutOutput() : streams, new NoServing()),
+            league.path().toString(), "--games", "" + total, "--pause-after", "0", "--threads",
+            "" + threads.count(streams));
         finish(league, into, entries);
         return status;
     }

@@ -73,7 +73,8 @@ class VerifyTest {
         assertEquals(5, Cli.run("league", "table", league.toString(), "--json").done().json().get("games").intValue());
         Files.copy(copy, league.resolve("league.db"), StandardCopyOption.REPLACE_EXISTING);
         assertEquals(1, Cli.run("league", "verify", league.toString()).status());
-        JsonNode aside = Cli.run("league", "verify", league.toString(), "--drop", "--json").done().json().get("setAside");
+        JsonNode aside = Cli.run("league", "verify", league.toString(), "--drop", "--json").done().json()
+            .get("setAside");
         assertEquals(1, aside.get("games").intValue());
         assertEquals(league.resolve("league.db.before-drop-2").toString(), aside.get("copy").stringValue());
     }
