@@ -47,7 +47,8 @@ class HelpTest {
     @ValueSource(strings = {"league run", "league sprt", "league table", "league games", "league worker"})
     void longListsOfOptionsHaveHeadings(String command) {
         List<String> plain = Cli.run((command + " --help").split(" ")).out().lines()
-            .takeWhile(line -> !line.endsWith(":")).filter(line -> line.matches(" +-.*") && !line.matches(" +-[hV], .*")).toList();
+            .takeWhile(line -> !line.endsWith(":"))
+            .filter(line -> line.matches(" +-.*") && !line.matches(" +-[hV], .*")).toList();
         assertTrue(plain.size() <= 12 || command.equals("referee"), () -> String.join("\n", plain));
     }
 
