@@ -81,7 +81,7 @@ class GameInvariantsTest {
             assertTrue(k == 0 || bodies.id(k) != bodies.id(k - 1), place + ": ids");
         }
         double time = 0;
-        for (int k = 0; k < game.log().impacts(); k++) {
+        for (int k = 0; k < game.log().kept(); k++) {
             Impact impact = game.log().impact(k);
             assertTrue(impact.time() >= time && impact.time() <= 1, place + ": impact at " + impact.time()
                 + " after " + time);
