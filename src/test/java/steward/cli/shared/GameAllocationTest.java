@@ -26,7 +26,7 @@ class GameAllocationTest {
     private static final int LEAST_TURNS = 20;
     private static final int MOST_TURNS = 400;
     /** Turns of a scene without players: heaps of hundreds take long. */
-    private static final int MOST_TURNS_ALONE = 40;
+    private static final int MOST_TURNS_ALONE = 100;
     /** Of so many turns in the second half of a game, one may be the first with so many impacts, events or things. */
     private static final int TURNS_PER_GROWTH = 20;
     /** In a heap that grows to the end of the game there are more contacts, and more lists that get longer. */
