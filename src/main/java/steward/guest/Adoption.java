@@ -115,8 +115,8 @@ public final class Adoption {
             + "seed, so that no replay can be verified" : undetermined.isEmpty()
             ? "deterministic: games played again were the same in every line"
             : "deterministic but for " + names(undetermined) + ", which are not recorded");
+        series(program(level, true));                       // what it leaves in static fields shows in the next
         List<Map<Name, Long>> kept = series(program(level, true));
-        kept = series(program(level, true));
         Set<Name> mixed = differences(first, kept);
         mixed.removeAll(undetermined);
         reuse = mixed.isEmpty() && fixed.isEmpty();

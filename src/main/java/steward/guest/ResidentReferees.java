@@ -16,7 +16,7 @@ final class ResidentReferees {
 
     private final Deque<Idle> idle = new ArrayDeque<>();
 
-    /** Those of this JVM. */
+    /** The residents of this JVM. */
     static ResidentReferees shared() {
         return SHARED;
     }

@@ -201,7 +201,7 @@ public final class PodRace extends AbstractGame {
         return -1;
     }
 
-    /** Does so by the kernel. */
+    /** The turn by the kernel; see {@link #move}. */
     private int moveQuickly() {
         unread = -1;
         unlogged = true;

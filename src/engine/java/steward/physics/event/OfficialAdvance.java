@@ -43,7 +43,7 @@ public final class OfficialAdvance implements Advance {
     private final double window = law.batchWindow();
     private final Collision collision = Collision.of(law, Arithmetic.OFFICIAL, new Wall[0]);
     private final PhysicsParts parts;
-    /** Made when they are first needed. */
+    /** Parts of the general way, made when they are first needed. */
     private Standstill standstill;
     private EventAdvance general;
 

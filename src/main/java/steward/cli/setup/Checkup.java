@@ -84,7 +84,7 @@ final class Checkup {
             ? "not on the class path: run the installed program" : String.join(", ", builtin));
     }
 
-    /** Whether the clients of a resident referee are compiled, and the residents that run. */
+    /** Rows of the resident referees: their clients, if compiled, and each that runs. */
     private void resident() {
         String launcher = System.getProperty("steward.launcher");
         boolean compiled = launcher != null
