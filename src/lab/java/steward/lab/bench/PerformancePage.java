@@ -1,7 +1,10 @@
 package steward.lab.bench;
 
+import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.stream.Collectors;
 
 /** The measured table as a page. */
@@ -47,12 +50,32 @@ final class PerformancePage {
     private static void growth(StringBuilder page, List<Row> rows) {
         StringBuilder said = new StringBuilder();
         between(said, rows, "crowds", "queue, ", "bodies", "an impact");
+        memory(said, rows);
         between(said, rows, "growth", "", "players, or in matches of other lengths", "a turn");
         rows.stream().filter(row -> row.section().equals("matches") && row.name().endsWith(" threads"))
             .reduce((one, other) -> other).ifPresent(row -> said.append("- With cores: ").append(row.name())
                 .append(" play ").append(ratio(row.ratio())).append(" times the matches of one, and the same ones.\n"));
         if (said.length() > 0) {
             page.append("\n## How cost grows\n\n").append(said);
+        }
+    }
+
+    /** Sentence on the limit that memory sets: what crowds take beyond a small one, in lines read from memory. */
+    private static void memory(StringBuilder said, List<Row> rows) {
+        Map<String, Double> nanos = new HashMap<>();
+        rows.stream().filter(row -> row.section().equals("crowds")).forEach(row -> nanos.put(row.name(), row.nanos()));
+        double small = nanos.getOrDefault("queue, 1000 bodies", Double.NaN);
+        List<String> parts = new ArrayList<>();
+        for (String bodies : List.of("100000 bodies", "1000000 bodies")) {
+            double lines = (nanos.getOrDefault("queue, " + bodies, Double.NaN) - small)
+                / nanos.getOrDefault("memory, " + bodies, Double.NaN);
+            if (!Double.isNaN(lines)) {
+                parts.add(String.format(Locale.ROOT, "%.0f lines (%s)", lines, bodies));
+            }
+        }
+        if (!parts.isEmpty()) {
+            said.append("- With memory: an impact takes longer than among 1000 bodies by as much as reading ")
+                .append(String.join(", ", parts)).append(" of 64 bytes one after the other.\n");
         }
     }
 

@@ -27,6 +27,9 @@ final class CrowdSection implements Section {
     /** Beyond these numbers of bodies the textbook's way and the scan of all pairs take too long to measure. */
     private static final int MOST_FOR_TEXTBOOK = 3000;
     private static final int MOST_FOR_PAIRS = 300;
+    /** Bytes of a line of the caches. */
+    private static final int LINE = 64;
+    private static final int LINES = 1_000_000;
     private static final double NANOS = 1e9;
     private static final long NANOS_PER_MS = 1_000_000;
 
@@ -48,7 +51,8 @@ final class CrowdSection implements Section {
     public String about() {
         return "Impacts per second of CPU time among equal elastic discs in a box, 10% of which they cover: a textbook"
             + " event queue that predicts anew against every other body, our scan of all pairs, and our queue with"
-            + " cells.";
+            + " cells. Beside them lines of 64 bytes, read one after the other at random places of as much memory as"
+            + " the queue has.";
     }
 
     @Override
@@ -104,6 +108,25 @@ final class CrowdSection implements Section {
         add(rows, "all pairs, " + bodies, Meter.median(pairs), base, "");
         add(rows, "queue, " + bodies, Meter.median(queue), base,
             String.format(Locale.ROOT, "%.0f bytes a body", (double) bytes / size));
+        double[] lines = new double[effort.rounds()];
+        for (int round = 0; round < lines.length; round++) {
+            lines[round] = lines(bytes);
+        }
+        rows.accept(new Row(name(), "memory, " + bodies, "lines", Meter.median(lines), Double.NaN, Double.NaN,
+            String.format(Locale.ROOT, "%.1f MB", bytes / 1e6)));
+    }
+
+    /** Lines of memory read per second, each at a place that the one before decides. */
+    private static double lines(long bytes) {
+        int count = (int) (bytes / LINE) + 1;
+        long[] memory = new long[count * (LINE / Long.BYTES)];
+        Meter meter = new Meter();
+        long start = meter.cpu(false);
+        long place = SEED;
+        for (int read = 0; read < LINES; read++) {
+            place = place * 0x5851f42d4c957f2dL + 0x14057b7ef767814fL + memory[(int) (place >>> 33) % count << 3];
+        }
+        return place == 0 ? Double.NaN : NANOS * LINES / (meter.cpu(false) - start);
     }
 
     private void add(Consumer<Row> rows, String name, double speed, double base, String note) {

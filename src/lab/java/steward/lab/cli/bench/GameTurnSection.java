@@ -21,6 +21,8 @@ import steward.scene.SceneFiles;
 final class GameTurnSection implements Section {
 
     private static final int GAMES = 8;
+    /** Turns of the one game of a scene without players, which may take milliseconds each. */
+    private static final int MOST_TURNS = 25;
     private static final long SEED = 1;
 
     private final List<String> scenes = SceneFiles.shipped().stream()
@@ -34,7 +36,8 @@ final class GameTurnSection implements Section {
     @Override
     public String about() {
         return "Turns of whole games in the scenes of the other games, by CPU time: the answers of seeded pilots, known"
-            + " beforehand, are read as JSON, and the turn is played. " + GAMES + " games each.";
+            + " beforehand, are read as JSON, and the turn is played. " + GAMES + " games each; " + MOST_TURNS
+            + " turns of one game where nobody plays.";
     }
 
     @Override
@@ -63,12 +66,13 @@ final class GameTurnSection implements Section {
         Answers(GameSetup setup) {
             this.setup = setup;
             Pilot pilot = setup.pilot(Pilot.Aim.WIN);
-            for (int number = 0; number < GAMES; number++) {
+            boolean played = setup.create(SEED).players() > 0;
+            for (int number = 0; number < (played ? GAMES : 1); number++) {
                 SplitMix64 random = new SplitMix64(SEED + number);
                 Game game = setup.create(SEED + number);
                 FrameCodec codec = setup.codec(game);
                 List<byte[][]> turns = new ArrayList<>();
-                while (!game.isOver()) {
+                while (!game.isOver() && (played || game.turn() < MOST_TURNS)) {
                     byte[][] lines = new byte[game.players()][];
                     for (int player = 0; player < lines.length; player++) {
                         lines[player] = game.isIn(player)
@@ -94,7 +98,7 @@ final class GameTurnSection implements Section {
         long play() {
             long found = 0;
             long turns = 0;
-            for (int number = 0; number < GAMES; number++) {
+            for (int number = 0; number < answers.size(); number++) {
                 Game game = setup.create(SEED + number);
                 FrameCodec codec = setup.codec(game);
                 for (byte[][] lines : answers.get(number)) {

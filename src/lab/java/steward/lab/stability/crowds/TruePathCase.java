@@ -29,7 +29,7 @@ public final class TruePathCase implements StabilityCase {
     /** Name of the case. */
     public static final String NAME = "true path";
 
-    private static final int[] COUNTS = {3, 10, 30};
+    private static final int[] COUNTS = {3, 10, 30, 100};
     private static final double COVERAGE = 0.2;
     /** Impacts at times that differ by more than this part of a turn are not the same. */
     private static final double SAME_TIME = 1e-4;
@@ -59,7 +59,7 @@ public final class TruePathCase implements StabilityCase {
 
     @Override
     public String demand() {
-        return "3, 10 and 30 discs in a box: impacts "
+        return "3, 10, 30 and 100 discs in a box: impacts "
             + "until one is not the true one (another pair, or off by 1e-4 turns), "
             + "the mean of several gases; at least 15 for each disc on every event rung, more no "
             + "arithmetic can promise";
@@ -70,7 +70,7 @@ public final class TruePathCase implements StabilityCase {
         StringBuilder text = new StringBuilder();
         boolean met = true;
         for (int count : COUNTS) {
-            int gases = size.pick(count > 10 ? 0 : 2, count > 10 ? 2 : 10, count > 10 ? 10 : 100);
+            int gases = count > 30 ? size.pick(0, 1, 4) : count > 10 ? size.pick(0, 2, 10) : size.pick(2, 10, 100);
             double impacts = 0;
             for (int seed = 1; seed <= gases; seed++) {
                 impacts += truePath(rung, new Gas(seed, count, COVERAGE)) / (double) gases;
