@@ -3,7 +3,9 @@ package steward.replay;
 import java.io.IOException;
 import java.io.InterruptedIOException;
 import java.io.OutputStream;
+import java.util.ArrayDeque;
 import java.util.Arrays;
+import java.util.Deque;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import java.util.concurrent.locks.ReentrantLock;
@@ -20,6 +22,9 @@ import java.util.concurrent.locks.ReentrantLock;
 public final class WriteBehind extends OutputStream {
 
     private static final int CAPACITY = 1 << 16;
+    /** Buffers that wait for the next streams, at most. */
+    private static final int MOST_KEPT = 16;
+    private static final byte[] NOTHING = {};
     private static final int PAUSE_MICROS = 500;
     /** How long the thread looks for work before it sleeps, in pauses. */
     private static final int IDLE_PAUSES = 20;
@@ -29,9 +34,9 @@ public final class WriteBehind extends OutputStream {
     private final OutputStream file;
     /** Held while writing to the file. */
     private final ReentrantLock writing = new ReentrantLock();
-    private byte[] waiting = new byte[1 << 13];
+    private byte[] waiting = Writer.shared().buffer();
     private int count;
-    private byte[] spare = new byte[1 << 13];
+    private byte[] spare = Writer.shared().buffer();
     private volatile IOException problem;
     private boolean closed;
 
@@ -86,7 +91,15 @@ public final class WriteBehind extends OutputStream {
             flush();
         } finally {
             Writer.shared().remove(this);
+            giveBack();
         }
+    }
+
+    private synchronized void giveBack() {
+        Writer.shared().keep(waiting);
+        Writer.shared().keep(spare);
+        waiting = NOTHING;
+        spare = NOTHING;
     }
 
     private void check() throws IOException {
@@ -151,9 +164,10 @@ public final class WriteBehind extends OutputStream {
         }
     }
 
-    /** The thread, and the streams whose buffers it writes. */
+    /** The thread, the streams whose buffers it writes, and buffers of streams that were closed. */
     private static final class Writer implements Runnable {
 
+        private final Deque<byte[]> buffers = new ArrayDeque<>();
         private volatile WriteBehind[] open = {};
         private volatile boolean asleep;
         private volatile Thread thread;
@@ -174,6 +188,16 @@ public final class WriteBehind extends OutputStream {
 
         static Writer shared() {
             return Shared.INSTANCE;
+        }
+
+        synchronized byte[] buffer() {
+            return buffers.isEmpty() ? new byte[1 << 13] : buffers.pop();
+        }
+
+        synchronized void keep(byte[] buffer) {
+            if (buffer.length > 0 && buffer.length <= CAPACITY && buffers.size() < MOST_KEPT) {
+                buffers.push(buffer);
+            }
         }
 
         synchronized void add(WriteBehind stream) {

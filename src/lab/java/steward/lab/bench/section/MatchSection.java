@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import steward.bot.Bot;
 import steward.bot.InProcessPlayer;
 import steward.lab.bench.Contender;
 import steward.lab.bench.Effort;
@@ -48,23 +49,27 @@ final class MatchSection implements Section {
     @Override
     public String about() {
         return "Whole matches on the official scene between two bots inside the JVM, by CPU time of the whole JVM;"
-            + " replays go to a file. Bots either read and write lines of JSON, or look at the game itself. Then "
-            + games + " matches on several threads, by the wall clock.";
+            + " replays go to a file, or are written and thrown away. Bots either read and write lines of JSON, or look"
+            + " at the game itself; the bots alone read the lines of matches that were played before. Then " + games
+            + " matches on several threads, by the wall clock.";
     }
 
     @Override
     public int steps(Effort effort) {
-        return 4 * (1 + effort.rounds()) + 32 - Integer.numberOfLeadingZeros(threads);
+        return 6 * (1 + effort.rounds()) + 32 - Integer.numberOfLeadingZeros(threads);
     }
 
     @Override
     public void run(Effort effort, Consumer<String> about, Consumer<Row> rows) throws Exception {
         Path file = Files.createTempFile("steward-bench", ".jsonl");
+        List<Told> told = told();
         try {
             List<Contender> contenders = List.of(
                 new Contender("lines, with replay", true, () -> play(this::lines, file)),
                 new Contender("lines", true, () -> play(this::lines, null)),
+                new Contender("lines, the bots alone", true, () -> answer(told)),
                 new Contender("direct, with replay", true, () -> play(this::direct, file)),
+                new Contender("direct, with replay, no file", true, this::playIntoNothing),
                 new Contender("direct", true, () -> play(this::direct, null)));
             new Meter().compare(name(), "matches", contenders, effort, about,
                 row -> rows.accept(withTurns(row)));
@@ -107,6 +112,55 @@ final class MatchSection implements Section {
         }
         try (OutputStream out = new WriteBehind(Files.newOutputStream(file))) {
             match(seats.get(), seed, new ReplayWriter(out, header(fixture, seed)));
+        }
+        return 1;
+    }
+
+    private long playIntoNothing() {
+        long seed = next++ % SEEDS;
+        match(direct(), seed, new ReplayWriter(OutputStream.nullOutputStream(), header(fixture, seed)));
+        return 1;
+    }
+
+    /** A bot that keeps the lines that it is told, and asks another for the answers. */
+    private record Told(Bot bot, List<String> lines) implements Bot {
+
+        @Override
+        public void setup(String line) {
+            lines.add(line);
+            bot.setup(line);
+        }
+
+        @Override
+        public String turn(String line) {
+            lines.add(line);
+            return bot.turn(line);
+        }
+    }
+
+    /** Bots that were told the lines of every match, two after the other for each. */
+    private List<Told> told() {
+        List<Told> told = new ArrayList<>();
+        for (int seed = 0; seed < SEEDS; seed++) {
+            List<Seat> seats = names(fixture).stream().map(name -> {
+                told.add(new Told(fixture.lines().get(), new ArrayList<>()));
+                return new Seat(new InProcessPlayer(name, told.get(told.size() - 1)), Protocol.JSON);
+            }).toList();
+            match(seats, seed, NO_LISTENER);
+        }
+        return told;
+    }
+
+    /** Lets the bots of the next match alone answer what they were told in it. */
+    private long answer(List<Told> told) {
+        int players = fixture.setup().scene().players();
+        int match = (int) (next++ % SEEDS);
+        for (Told each : told.subList(players * match, players * (match + 1))) {
+            Bot bot = fixture.lines().get();
+            bot.setup(each.lines().get(0));
+            for (String line : each.lines().subList(1, each.lines().size())) {
+                bot.turn(line);
+            }
         }
         return 1;
     }

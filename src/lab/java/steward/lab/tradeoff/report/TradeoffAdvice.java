@@ -29,6 +29,8 @@ final class TradeoffAdvice {
         "bowl", "bowl", GRAZING, "graze");
     /** A share of impacts. */
     private static final double RARELY = 0.001;
+    /** Of rungs that cost less than this, in turns of {@code double}, the range over JVMs is of no interest. */
+    private static final double LEAST_COST = 0.1;
 
     private final TradeoffResult result;
 
@@ -179,14 +181,15 @@ final class TradeoffAdvice {
         }
     }
 
-    /** Holds if a ratio has a range. */
+    /** Holds if a ratio has a range; of rungs that cost next to nothing it says nothing. */
     private void states(List<String> all) {
-        TradeoffRow widest = result.rows().stream().filter(row -> row.jvms() > 1)
+        TradeoffRow widest = result.rows().stream().filter(row -> row.jvms() > 1 && row.costRatio() >= LEAST_COST)
             .max(Comparator.comparingDouble(row -> row.ratioHigh() / row.ratioLow())).orElse(null);
         if (widest != null && widest.ratioHigh() > widest.ratioLow()) {
             all.add(String.format(Locale.ROOT, "**A price is a range**: the compiler settles in one of several states, "
-                + "and a rung that does more may for once cost less. Over %d JVMs the widest range is that of `%s` on "
-                + "%s, from %.2f to %.2f times `double`. Measure on your machine before you count on less.",
+                + "and a rung that does more may for once cost less. Over %d JVMs the widest range of a rung that "
+                + "costs at least a tenth of `double` is that of `%s` on %s, from %.2f to %.2f times `double`. Measure "
+                + "on your machine before you count on less.",
                 widest.jvms(), shortName(widest), widest.scene(), widest.ratioLow(), widest.ratioHigh()));
         }
     }

@@ -32,8 +32,8 @@ class BenchCommandTest {
         assertEquals(0, cli.status(), cli.err());
         List<String> csv = Files.readAllLines(folder.resolve("out/bench.csv"));
         JsonNode rows = JsonMapper.shared().readTree(Files.readString(folder.resolve("out/bench.json"))).get("rows");
-        assertEquals(7, rows.size());
-        assertEquals(8, csv.size());
+        assertEquals(8, rows.size());
+        assertEquals(9, csv.size());
         String page = Files.readString(folder.resolve("out/performance.md"));
         for (int k = 0; k < rows.size(); k++) {
             String name = rows.get(k).get("name").stringValue();
