@@ -125,7 +125,8 @@ class PublishedTradeoffTest {
         rows.add(2, beaten("step/4"));
         String page = TradeoffPage.text(new TradeoffResult("m", "2030-01-02", rows, List.of()));
         assertTrue(page.contains("**`step/2` and more** are never on the front"), page);
-        assertTrue(page.contains("Over 3 JVMs the widest range of a rung that costs at least a tenth of `double` is that of "), page);
+        assertTrue(page.contains("Over 3 JVMs the widest range of a rung that costs at least a tenth of `double` is"
+            + " that of "), page);
     }
 
     private static TradeoffRow beaten(String rung) {
