@@ -7,12 +7,14 @@ import java.util.EnumSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import steward.bot.isolation.Isolation;
 import steward.guest.Block.Name;
+import tools.jackson.core.io.JsonStringEncoder;
 
 /**
  * Adoption of a published referee: trial games with idle bots show which numbers of players and league levels there
@@ -31,6 +33,8 @@ public final class Adoption {
     private final Supplier<Isolation> isolation;
     private final Consumer<String> told;
     private final Set<Name> undetermined = EnumSet.noneOf(Name.class);
+    /** Games with fresh classes by the levels that differ. */
+    private final Map<Integer, List<Map<Name, Long>>> fresh = new TreeMap<>();
     private int players;
     private int level;
     private boolean reuse;
@@ -70,7 +74,7 @@ public final class Adoption {
         RefereeFault fault = null;
         for (int number = project.fewestPlayers(); number <= project.mostPlayers(); number++) {
             try {
-                play(program(project.levels(), false), number, 1);
+                play(program(project.levels(), null), number, 1);
                 numbers.add(number);
             } catch (RefereeFault problem) {
                 fault = problem;
@@ -88,11 +92,12 @@ public final class Adoption {
         List<String> rules = new ArrayList<>();
         List<List<Map<Name, Long>>> games = new ArrayList<>();
         for (int next = 1; next <= project.levels() + MORE_LEVELS; next++) {
-            List<Map<Name, Long>> played = series(program(next, false));
+            List<Map<Name, Long>> played = series(program(next, null));
             int same = games.indexOf(played);
             games.add(played);
             if (same < 0) {
                 level = next;
+                fresh.put(next, played);
             }
             if (same < 0 || next <= project.levels()) {
                 rules.add(next + (same < 0 ? "" : " (as " + (same + 1) + ")"));
@@ -102,9 +107,9 @@ public final class Adoption {
     }
 
     private void findDifferences() {
-        List<Map<Name, Long>> first = series(program(level, false));
+        List<Map<Name, Long>> first = fresh.get(level);
         ResidentReferees.shared().close();
-        List<Map<Name, Long>> second = series(program(level, false));
+        List<Map<Name, Long>> second = series(program(level, null));
         ResidentReferees.shared().close();
         Set<Name> differing = differences(first, second);
         String fixed = differing.stream().filter(name -> !GuestProgram.FOR_PEOPLE.contains(name)).map(Name::name)
@@ -115,13 +120,27 @@ public final class Adoption {
             + "seed, so that no replay can be verified" : undetermined.isEmpty()
             ? "deterministic: games played again were the same in every line"
             : "deterministic but for " + names(undetermined) + ", which are not recorded");
-        series(program(level, true));                       // what it leaves in static fields shows in the next
-        List<Map<Name, Long>> kept = series(program(level, true));
-        Set<Name> mixed = differences(first, kept);
+        series(program(level, "one level"));                // what it leaves in static fields shows in the next
+        Set<Name> kept = differences(first, series(program(level, "one level")));
+        kept.removeAll(undetermined);
+        reuse = kept.isEmpty() && fixed.isEmpty();
+        Set<Name> mixed = reuse ? mixed() : Set.of();
+        told.accept("classes kept from game to game: " + (!reuse ? names(kept) + " differ, so each game gets fresh ones"
+            : "the same games, so the scene reuses them" + (mixed.isEmpty() ? "" : "; one JVM one level, since "
+                + names(mixed) + " differ where levels are mixed")));
+    }
+
+    /** What differs where one JVM with kept classes plays all levels in turn. */
+    private Set<Name> mixed() {
+        Set<Name> mixed = new TreeSet<>();
+        for (int game = 0; game < SEEDS.length; game++) {
+            for (int each : fresh.keySet()) {
+                mixed.addAll(differences(List.of(fresh.get(each).get(game)),
+                    List.of(play(program(each, "all levels"), players, SEEDS[game]))));
+            }
+        }
         mixed.removeAll(undetermined);
-        reuse = mixed.isEmpty() && fixed.isEmpty();
-        told.accept("classes kept from game to game: " + (reuse ? "the same games, so the scene reuses them"
-            : names(mixed) + " differ, so each game gets fresh ones"));
+        return mixed;
     }
 
     private static String names(Set<Name> names) {
@@ -140,7 +159,7 @@ public final class Adoption {
         return found;
     }
 
-    private GuestProgram program(int ofLevel, boolean kept) {
+    private GuestProgram program(int ofLevel, String kept) {
         Map<String, String> system = Map.of("game.mode", project.solo() ? "solo" : "multi", GuestProgram.LEVEL,
             Integer.toString(ofLevel));
         return new GuestProgram(List.of(), project.classPath(), GuestProgram.SDK_MAIN, kept, system, project.testIn(),
@@ -193,11 +212,12 @@ public final class Adoption {
             .toString();
     }
 
-    private static String array(List<String> words, String before) {
+    /** An array of texts in JSON, with a text before each but the first. */
+    static String array(List<String> words, String before) {
         return words.stream().map(Adoption::quoted).collect(Collectors.joining("," + before, "[", "]"));
     }
 
     private static String quoted(String word) {
-        return '"' + word.replace("\\", "\\\\").replace("\"", "\\\"") + '"';
+        return '"' + String.valueOf(JsonStringEncoder.getInstance().quoteAsCharArray(word)) + '"';
     }
 }

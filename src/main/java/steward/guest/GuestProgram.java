@@ -23,14 +23,14 @@ import steward.scene.json.Block;
  * @param command      the program and its arguments; empty with a class path
  * @param classPath    folders and jars of a referee made with an SDK, the project itself first; empty with a command
  * @param main         its main class
- * @param reuse        whether games use the classes of those before, and not fresh ones
+ * @param reuse        name of the JVMs whose games use the classes of those before; {@code null} for fresh ones
  * @param system       system properties of a referee on a class path: its mode and level
  * @param testIn       lines of the block INIT in place of the seed, in a game for one
  * @param properties   lines {@code key=value} of the block INIT behind that of the seed, in the order of the keys
  * @param limitMs      how long the referee may take each time that it speaks, its start included
  * @param undetermined blocks that are not the same when a game is played again; they are not recorded
  */
-record GuestProgram(List<String> command, List<String> classPath, String main, boolean reuse,
+record GuestProgram(List<String> command, List<String> classPath, String main, String reuse,
                     Map<String, String> system, List<String> testIn, Map<String, String> properties, int limitMs,
                     Set<Name> undetermined) {
 
@@ -59,14 +59,16 @@ record GuestProgram(List<String> command, List<String> classPath, String main, b
         List<String> classPath = resident ? words(block, "classPath") : List.of();
         Map<String, String> system = new TreeMap<>();
         String main = null;
-        boolean reuse = false;
+        String reuse = null;
         if (resident) {
             main = block.contains("main") ? block.text("main") : SDK_MAIN;
-            reuse = block.choice("reuse", Map.of("classes", true, "nothing", false), false);
+            boolean kept = block.choice("reuse", Map.of("classes", true, "nothing", false), false);
             system.put("game.mode", block.choice("mode", Map.of("multi", "multi", "solo", "solo"), "multi"));
             if (block.contains("leagueLevel")) {
                 system.put(LEVEL, Integer.toString(block.integer("leagueLevel", 1, MOST_LEVEL)));
             }
+            // One JVM plays one level where classes stay: levels are often kept in static fields.
+            reuse = kept ? "level " + system.get(LEVEL) : null;
         }
         int limitMs = block.integer("limitMs", 1, MOST_LIMIT_MS, USUAL_LIMIT_MS);
         return new GuestProgram(command, classPath, main, reuse, system,
@@ -140,11 +142,11 @@ record GuestProgram(List<String> command, List<String> classPath, String main, b
         }
         words.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
         words.addAll(JVM_OPTIONS);
-        // One JVM plays one level where classes stay: levels are often kept in static fields.
-        if (reuse && system.containsKey(LEVEL)) {
-            words.add("-D" + LEVEL + "=" + system.get(LEVEL));
+        if (reuse != null) {
+            words.add("-Dsteward.reuse=" + reuse);
         }
-        words.addAll(List.of("-cp", hostPath(), RefereeHost.class.getName(), main, reuse ? "classes" : "fresh"));
+        words.addAll(List.of("-cp", hostPath(), RefereeHost.class.getName(), main,
+            reuse == null ? "fresh" : "classes"));
         classPath.forEach(entry -> words.add(Path.of(entry).toAbsolutePath().toString()));
         return words;
     }

@@ -1,5 +1,6 @@
 package steward.guest;
 
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -26,7 +27,7 @@ public final class GuestType implements GameType {
 
     private final boolean trusted;
 
-    /** @param trusted whether programs are run that replays name */
+    /** @param trusted whether programs are run that replays or leagues of others name */
     public GuestType(boolean trusted) {
         this.trusted = trusted;
     }
@@ -41,11 +42,12 @@ public final class GuestType implements GameType {
         return ID;
     }
 
-    /** The level of a referee on a class path; what a command plays is up to it. */
     @Override
     public String inLeague(Scene scene, int league) {
-        return scene.root().block(SceneReader.REFEREE).contains("classPath")
-            ? scene.root().json(SceneReader.REFEREE, Map.of("leagueLevel", Integer.toString(league))) : scene.json();
+        if (!scene.root().block(SceneReader.REFEREE).contains("classPath")) {
+            throw scene.root().error("referee", "a command", "a classPath with a league level");
+        }
+        return scene.root().json(SceneReader.REFEREE, Map.of("leagueLevel", Integer.toString(league)));
     }
 
     @Override
@@ -70,6 +72,23 @@ public final class GuestType implements GameType {
         @Override
         public GameSetup isolatedBy(Supplier<Isolation> other) {
             return new Setup(scene, program, plan, files, other);
+        }
+
+        @Override
+        public List<String> words() {
+            return isOnClassPath() ? program.classPath().stream().map(entry -> Path.of(entry).toString()).toList()
+                : program.command();
+        }
+
+        @Override
+        public boolean isOnClassPath() {
+            return program.isResident();
+        }
+
+        @Override
+        public String sceneWith(List<String> words) {
+            return scene.root().json(SceneReader.REFEREE, Map.of(isOnClassPath() ? "classPath" : "command",
+                Adoption.array(words, " ")));
         }
 
         @Override

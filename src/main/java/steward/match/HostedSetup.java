@@ -1,5 +1,6 @@
 package steward.match;
 
+import java.util.List;
 import java.util.function.Supplier;
 import steward.bot.isolation.Isolation;
 import steward.game.GameSetup;
@@ -9,6 +10,15 @@ public interface HostedSetup extends GameSetup {
 
     /** Returns this setup with a referee that is kept apart as bots are. */
     GameSetup isolatedBy(Supplier<Isolation> isolation);
+
+    /** Returns the class path of the referee, or the words of its command. */
+    List<String> words();
+
+    /** True if the referee is on a class path. */
+    boolean isOnClassPath();
+
+    /** Returns the scene as JSON with other words of its referee. */
+    String sceneWith(List<String> words);
 
     @Override
     default boolean isHosted() {

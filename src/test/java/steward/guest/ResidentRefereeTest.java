@@ -4,18 +4,12 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
-import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.jar.JarEntry;
-import java.util.jar.JarOutputStream;
-import javax.tools.JavaCompiler;
-import javax.tools.ToolProvider;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
@@ -33,33 +27,13 @@ import steward.scene.SceneReader;
 @Timeout(120)
 class ResidentRefereeTest {
 
-    private static final Path SOURCES = Path.of("src/test/resources/referees/sdk");
-    private static final String MAIN = "com/codingame/gameengine/core/RefereeMain";
-
     @TempDir
     private Path folder;
+    private StandInProject project;
 
-    /** A project as its author leaves it: the contest in target/classes, the SDK's jar in lib. */
     @BeforeEach
     void compile() throws IOException {
-        JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
-        assumeTrue(compiler != null, "skipped: this is no JDK");
-        Path classes = Files.createDirectories(folder.resolve("target/classes"));
-        Path sdk = Files.createDirectories(folder.resolve("sdk"));
-        assertEquals(0, compiler.run(null, null, null, "-d", sdk.toString(),
-            SOURCES.resolve(MAIN + ".java").toString()));
-        assertEquals(0, compiler.run(null, null, null, "-d", classes.toString(),
-            SOURCES.resolve("Referee.java").toString()));
-        Files.createDirectories(folder.resolve("lib"));
-        try (OutputStream file = Files.newOutputStream(folder.resolve("lib/core.jar"));
-                JarOutputStream jar = new JarOutputStream(file)) {
-            jar.putNextEntry(new JarEntry(MAIN + ".class"));
-            jar.write(Files.readAllBytes(sdk.resolve(MAIN + ".class")));
-        }
-        for (int level = 1; level <= 2; level++) {
-            Files.createDirectories(folder.resolve("config/level" + level));
-        }
-        Files.writeString(folder.resolve("config/config.ini"), "min_players=2\nmax_players=3\ntype=multi");
+        project = StandInProject.compiled(folder);
     }
 
     @AfterEach
@@ -68,10 +42,7 @@ class ResidentRefereeTest {
     }
 
     private String scene(int players, String more) {
-        return """
-            {"name": "small", "game": "guest", "players": %d,
-             "referee": {"classPath": ["%s", "%s"]%s}}""".formatted(players, folder.resolve("target/classes"),
-            folder.resolve("lib/core.jar"), more);
+        return project.scene(players, more);
     }
 
     /** The summaries of a game in which all answer. */
@@ -143,6 +114,30 @@ class ResidentRefereeTest {
             "classes kept from game to game: SUMMARY differ, so each game gets fresh ones"), told);
         assertFalse(scene.contains("reuse"), scene);
         assertEquals("level 4", play(scene, 5).get(1));
+    }
+
+    /** The level is read once, into a static field: a check at one level finds nothing of it. */
+    @Test
+    void aStaticThatKeepsTheLevelIsFoundByMixingLevels() throws IOException {
+        StandInProject.compiled(folder, Files.writeString(Files.createDirectories(folder.resolve("source"))
+            .resolve("Referee.java"), """
+            public class Referee {
+                private static final int LEVEL = Integer.getInteger("league.level");
+
+                public static String turn(int turn, long seed, int games) {
+                    return "rules of level " + Math.min(LEVEL, 2) + ", chance " + seed;
+                }
+            }
+            """));
+        List<String> told = new ArrayList<>();
+        String scene = Adoption.scene(folder, null, "small", Isolation::usual, told::add);
+        assertEquals("classes kept from game to game: the same games, so the scene reuses them; one JVM one level, "
+            + "since SUMMARY differ where levels are mixed", told.get(3));
+        assertTrue(scene.contains("\"reuse\": \"classes\""), scene);
+        for (int level : new int[] {1, 2, 1}) {
+            List<String> summaries = play(scene.replaceFirst("\"leagueLevel\": \\d", "\"leagueLevel\": " + level), 5);
+            assertEquals("rules of level " + level + ", chance 5", summaries.get(0));
+        }
     }
 
     @Test

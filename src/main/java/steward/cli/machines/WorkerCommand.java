@@ -76,6 +76,10 @@ public final class WorkerCommand implements Callable<Integer> {
         + "steward/bundles in the user's cache folder).")
     private String bundles;
 
+    @Option(names = "--guests", description = "Takes leagues whose scene has a referee of its own: it is fetched and "
+        + "run here, kept apart as bots are.")
+    private boolean guests;
+
     @Option(names = "--platform", paramLabel = "PLATFORM", description = "Takes bots and commands that are for this "
         + "platform, such as linux-aarch64 (default: that of this machine).")
     private String platform;
@@ -113,7 +117,7 @@ public final class WorkerCommand implements Callable<Integer> {
         Worker worker = new Worker(new Worker.Options(found.getHostString(), found.getPort(), token,
             threads.count(streams), games == null ? Long.MAX_VALUE : games, nanos, isolation, folder(),
             platform == null ? Platform.here() : platform, ProgramVersion.text(),
-            RunCommand.machine(isolation.get().level().word()), null), Games.types(),
+            RunCommand.machine(isolation.get().level().word()), null), Games.types(guests),
             what -> log.err().println("steward: " + TextFormat.plain(what)));
         watch(worker, idleNanos, stopFile == null ? null : OutputFiles.path(stopFile));
         return play(worker);

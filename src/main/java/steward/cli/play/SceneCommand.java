@@ -16,6 +16,7 @@ import steward.cli.shared.Games;
 import steward.cli.streams.Json;
 import steward.cli.streams.Streams;
 import steward.game.GameType;
+import steward.guest.GuestType;
 import steward.json.JsonObject;
 import steward.scene.Scene;
 import steward.scene.SceneFiles;
@@ -34,7 +35,8 @@ public final class SceneCommand implements Callable<Integer> {
         description = "One of ${COMPLETION-CANDIDATES}.")
     private String name;
 
-    @Option(names = "--schema", description = "Prints the JSON Schema (2020-12) of scenes instead.")
+    @Option(names = "--schema", description = "Prints the JSON Schema (2020-12) of scenes instead; after guest, "
+        + "of those with a referee of their own.")
     private boolean schema;
 
     @Option(names = "--json", description = "Prints all names in one JSON object; see below.")
@@ -56,7 +58,7 @@ public final class SceneCommand implements Callable<Integer> {
                 out.writeStringProperty("about", about(each));
             }));
         } else if (schema) {
-            String game = name == null ? Games.types().types().get(0).id()
+            String game = name == null ? Games.types().types().get(0).id() : name.equals(GuestType.ID) ? name
                 : Games.types().open(SceneFiles.shipped(name).text(), name).scene().gameId();
             streams.out().print(schema(game));
         } else if (name != null) {

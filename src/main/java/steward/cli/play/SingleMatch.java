@@ -99,7 +99,7 @@ record SingleMatch(Streams streams, Contest contest, Verbosity report, boolean s
                 MatchText.print(text(), piped ? streams.errColour() : streams.outColour(), contest.sceneName(), seed,
                     result, failures);
                 if (file != null) {
-                    MatchText.printReplay(text(), file);
+                    MatchText.printReplay(text(), file, contest.setup().scene().gameId());
                 }
             }
         }

@@ -128,7 +128,7 @@ final class FeedReport {
                 + outcome.reason() + "; ahead then: " + String.join(", ", outcome.ahead())));
         }
         if (!StandardFiles.is(file)) {
-            MatchText.printReplay(text, Path.of(file));
+            MatchText.printReplay(text, Path.of(file), header.game());
         }
     }
 

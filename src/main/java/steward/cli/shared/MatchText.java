@@ -6,6 +6,7 @@ import java.util.List;
 import steward.bot.command.CommandLine;
 import steward.cli.streams.Colour;
 import steward.contest.Failure;
+import steward.guest.GuestType;
 import steward.match.MatchResult;
 import steward.match.MatchResult.PlayerResult;
 import steward.text.TextFormat;
@@ -77,13 +78,14 @@ public final class MatchText {
         }
     }
 
-    /** Where the replay is, and what to do with it. */
-    public static void printReplay(PrintStream out, Path file) {
+    /** Where the replay is, and what to do with it. @param game that was played */
+    public static void printReplay(PrintStream out, Path file, String game) {
         String command = "  steward replay " + CommandLine.quote(List.of(file.toString()));
         out.println();
         out.println(TextFormat.plain("Replay: " + file));
         out.println(TextFormat.plain(command) + "            turn by turn");
-        out.println(TextFormat.plain(command) + " --verify   plays it again and compares every turn");
+        out.println(TextFormat.plain(command) + (game.equals(GuestType.ID) ? " --verify --run-referee" : " --verify")
+            + "   plays it again and compares every turn");
     }
 
     private static void table(PrintStream out, List<PlayerResult> players) {

@@ -12,6 +12,7 @@ import java.util.HexFormat;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.stream.Stream;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
 import steward.bot.command.BotCommand;
@@ -20,6 +21,7 @@ import steward.files.OutputFiles;
 import steward.league.BotIdentity;
 import steward.league.LeagueBot;
 import steward.machines.wire.HeaderText;
+import steward.match.HostedSetup;
 
 /**
  * A bot's files, packed: a ZIP archive whose first entry, {@value #LIST}, has the command and says which of its words
@@ -68,7 +70,7 @@ public record Bundle(String hash, byte[] bytes) {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         try (ZipOutputStream zip = new ZipOutputStream(bytes)) {
             entry(zip, LIST, list.text().getBytes(StandardCharsets.UTF_8));
-            for (Path file : files) {
+            for (Path file : files.stream().filter(file -> !Files.isDirectory(file)).toList()) {
                 if (Files.size(file) + bytes.size() > LARGEST) {
                     throw tooLarge(bot, file, Files.size(file) + bytes.size());
                 }
@@ -79,6 +81,22 @@ public record Bundle(String hash, byte[] bytes) {
                 + OutputFiles.reason(files.iterator().next(), problem));
         }
         return new Bundle(hash(bytes.toByteArray()), bytes.toByteArray());
+    }
+
+    /** Packs a guest's referee as a bot: all files of its class path, or those that its command names. */
+    public static Bundle of(HostedSetup setup) {
+        List<String> files = new ArrayList<>();
+        for (String entry : setup.isOnClassPath() ? setup.words() : List.<String>of()) {
+            try (Stream<Path> all = Files.walk(Path.of(entry))) {
+                // A folder is listed too: the class path names it.
+                all.filter(file -> Files.isRegularFile(file) || file.toString().equals(entry)).sorted()
+                    .forEach(file -> files.add(file.toString()));
+            } catch (IOException problem) {
+                throw new InputException("referee.classPath: cannot be read: " + problem.getMessage());
+            }
+        }
+        return of(new LeagueBot("referee", new BotCommand(null, BotCommand.Prefix.CODINGAME, setup.words()).toString(),
+            files.isEmpty() ? null : files, false, false));
     }
 
     private static List<Path> files(LeagueBot bot) {

@@ -30,18 +30,12 @@ import steward.scene.json.SceneException;
  *
  * @param folder  of the files
  * @param command as it is to be started here
- * @param words   the program and its arguments
  */
-public record UnpackedBundle(Path folder, BotCommand command, List<String> words) {
+public record UnpackedBundle(Path folder, BotCommand command) {
 
     /** Bytes that a bundle may have at most when it is unpacked. */
     static final long LARGEST_UNPACKED = 1L << 30;
     private static final long TRIAL_MS = 10_000;
-
-    /** Copies the words. */
-    public UnpackedBundle {
-        words = List.copyOf(words);
-    }
 
     /** Test for programs that can be started in a folder of their own by {@code env -C}. */
     private static final class Change {
@@ -63,7 +57,7 @@ public record UnpackedBundle(Path folder, BotCommand command, List<String> words
      * @param parent where bundles are
      * @param hash   that its bytes have to have
      * @param here   the platform that its command is to be for
-     * @throws InputException if it is not what it should be, its bot cannot be started here, or the disk is full
+     * @throws InputException if it is not what it should be, or the disk is full
      */
     public static UnpackedBundle of(Path parent, String hash, byte[] bytes, String here) {
         if (!Bundle.hash(bytes).equals(hash)) {
@@ -189,21 +183,29 @@ public record UnpackedBundle(Path folder, BotCommand command, List<String> words
             throw list.error("command", problem.getMessage(), "a program and its arguments");
         }
         list.done();
-        List<String> words = typed.words().stream().map(word -> places.getOrDefault(word, word)).toList();
-        BotCommand here = new BotCommand(typed.name(), typed.prefix(), words);
+        return new UnpackedBundle(folder, new BotCommand(typed.name(), typed.prefix(),
+            typed.words().stream().map(word -> places.getOrDefault(word, word)).toList()));
+    }
+
+    /**
+     * Returns the program and its arguments.
+     *
+     * @throws InputException if it cannot be started here
+     */
+    public List<String> words() {
         List<String> resolved;
         try {
-            resolved = here.resolve();
+            resolved = command.resolve();
         } catch (IllegalArgumentException problem) {
             throw new InputException(problem.getMessage());
         }
-        if (here.prefix() == BotCommand.Prefix.BUILTIN || !Change.POSSIBLE) {
-            return new UnpackedBundle(folder, here, resolved);
+        if (command.prefix() == BotCommand.Prefix.BUILTIN || !Change.POSSIBLE) {
+            return resolved;
         }
         List<String> inFolder = new ArrayList<>(List.of("env", "-C",
             folder.resolve(Bundle.HERE).toAbsolutePath().toString()));
         inFolder.addAll(resolved);
-        return new UnpackedBundle(folder, here, inFolder);
+        return inFolder;
     }
 
     private static void remove(Path folder) {

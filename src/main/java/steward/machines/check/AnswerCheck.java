@@ -59,13 +59,15 @@ public final class AnswerCheck {
     public Otherwise difference(RecordedMatch match, int player, Entrant entrant) {
         Player bot = contest.player(entrant);
         Otherwise[] found = {null};
+        Resimulation again = again(match);
         ScheduledFuture<?> end = CLOCK.schedule(bot::close, PATIENCE_S, TimeUnit.SECONDS);
         try {
-            new Feed(match, again(match), player, entrant.protocol(), bot).run(lastRepeatable(match, player),
+            new Feed(match, again, player, entrant.protocol(), bot).run(lastRepeatable(match, player),
                 turn -> { }, turn -> found[0] = found[0] == null ? difference(turn) : found[0]);
         } finally {
             end.cancel(false);
             bot.close();
+            again.game().close();
         }
         return found[0];
     }

@@ -27,6 +27,6 @@ public final class GameJar {
     /** Returns the line that both sides print if the worker has another jar, or none. */
     public static String missing(String found, String expected) {
         return "found " + (NONE.equals(found) ? "no jar" : "the jar " + found) + " of the league's game, expected "
-            + expected + " in the worker's folder of games (--games-path)";
+            + expected + " in the worker's folder of games (--games-path), or of bundles (--bundles) for a guest";
     }
 }

@@ -97,8 +97,9 @@ public final class TranscriptCheck {
 
     private Playing playing(String source, byte[] gzip, ExpectedGame expected, ByteArrayOutputStream replay,
                             List<RecordedTurn> turns) throws DisprovedException {
+        Resimulation again = new Resimulation(contest.setup(), expected.seed());
         try {
-            Playing playing = new Playing(source, GzipText.bytes(gzip), expected, replay, turns);
+            Playing playing = new Playing(source, GzipText.bytes(gzip), expected, again, replay, turns);
             playing.play();
             return playing;
         } catch (ReplayException | SceneException | ArithmeticException problem) {
@@ -107,6 +108,8 @@ public final class TranscriptCheck {
             throw new DisprovedException(source + ": found no JSON: " + JsonProblem.message(problem));
         } catch (IOException | UncheckedIOException problem) {
             throw new DisprovedException(source + ": cannot be unpacked: " + problem.getMessage());
+        } finally {
+            again.game().close();
         }
     }
 
@@ -135,12 +138,12 @@ public final class TranscriptCheck {
         private int number = 1;
 
         /** @param replay and {@code turns} are filled, unless {@code null} */
-        Playing(String source, byte[] text, ExpectedGame expected, ByteArrayOutputStream replay,
+        Playing(String source, byte[] text, ExpectedGame expected, Resimulation again, ByteArrayOutputStream replay,
                 List<RecordedTurn> turns) {
             this.source = source;
             this.text = text;
             this.expected = expected;
-            again = new Resimulation(contest.setup(), expected.seed());
+            this.again = again;
             game = again.game();
             states = new StatesHash(game);
             this.turns = turns;
@@ -292,7 +295,8 @@ public final class TranscriptCheck {
 
         /** Refuses a missed deadline that the worker's own measurement does not allow. */
         private void checkLate(int player, String fault, long time) throws DisprovedException {
-            long limit = contest.time().limit(asked[player] - 1);
+            int ownMs = game.limitMs(player);
+            long limit = ownMs > 0 ? contest.time().scaled(ownMs) : contest.time().limit(asked[player] - 1);
             if (FaultMessages.isTime(fault) && contest.time().basis() == TimeBasis.WALL && time < limit) {
                 throw new DisprovedException(source + ":" + number + ": faults[" + player + "]: found '" + fault
                     + "' after " + time / 1000 + " us, expected a late answer only after " + limit / 1000 + " us");

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.concurrent.ConcurrentHashMap;
+import steward.game.GameSetup;
 import steward.league.play.Roster.Member;
 import steward.machines.bundle.Bundle;
 import steward.machines.bundle.LongScene;
@@ -13,14 +14,16 @@ import steward.machines.wire.HeaderText;
 import steward.machines.wire.LeagueWord;
 import steward.machines.wire.WireMessage;
 import steward.machines.wire.WorkerWord;
+import steward.match.HostedSetup;
 
-/** Bundles of the bots that were offered to workers, and a long scene. Thread-safe. */
+/** Bundles of the bots that were offered to workers, and a long scene or the files of a guest. Thread-safe. */
 final class OfferedBundles {
 
     private final Map<String, Bundle> byHash = new ConcurrentHashMap<>();
     private final Map<String, Bundle> byStamp = new ConcurrentHashMap<>();
-    /** A long scene, or {@code null}. */
+    /** A long scene, or the referee of the scene; {@code null} if there is neither. */
     private volatile Bundle scene;
+    private volatile boolean ofReferee;
 
     /** Returns a bot as jobs name it. */
     GameJob.Seat seat(Member member) {
@@ -29,17 +32,19 @@ final class OfferedBundles {
         return new GameJob.Seat(member.entrant().name(), bundle.hash(), bundle.bytes().length);
     }
 
-    /** Offers the scene, if it is a long one. Call once, before workers come. */
-    void offerScene(String json) {
-        scene = LongScene.of(json);
+    /** Offers the scene if it is a long one, or its referee if it has one. Call once, before workers come. */
+    void offerScene(GameSetup setup) {
+        ofReferee = setup.isHosted();
+        scene = ofReferee ? Bundle.of((HostedSetup) setup) : LongScene.of(setup.scene().json());
         if (scene != null) {
             byHash.put(scene.hash(), scene);
         }
     }
 
-    /** Returns the message with a welcome: a long scene is named in it, to be fetched. */
+    /** Returns the message with a welcome: a long scene or a referee is named in it, to be fetched. */
     byte[] greeting(LeagueWord.Welcome welcome) {
-        return (scene == null ? welcome : welcome.withSceneIn(scene.hash(), scene.bytes().length)).bytes();
+        return (scene == null ? welcome : welcome.with(ofReferee ? welcome.scene() : null, scene.hash(),
+            scene.bytes().length)).bytes();
     }
 
     private static String key(Member member) {

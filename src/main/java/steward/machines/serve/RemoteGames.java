@@ -35,7 +35,6 @@ import steward.machines.token.WorkerList;
 import steward.machines.wire.GameJob;
 import steward.machines.wire.LeagueWord;
 import steward.machines.wire.WorkerWord;
-import steward.scene.RungLaw;
 import steward.scene.json.SceneException;
 import steward.text.TextFormat;
 
@@ -117,7 +116,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
         version = service.version();
         rules = RulesFingerprint.of(contest.setup());
         jar = JarFolder.digestOf(contest.setup());
-        bundles.offerScene(contest.setup().scene().json());
+        bundles.offerScene(contest.setup());
         reported = new ReportedGames(folder, season, contest, types, teller);
         door = new WorkerDoor(folder, teller);
         speed = service.scaled() ? MachineSpeed.measure() : 0;
@@ -302,7 +301,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
             }
             return attempts;
         } catch (DisprovedException wrong) {
-            if (wrong.isComputed()) {
+            if (wrong.isComputed() && !contest.setup().isHosted()) {
                 caught(state, wrong.getMessage());
             } else {
                 unplayed(state, shown(wrong.getMessage()));
@@ -434,10 +433,11 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
     }
 
     private void hello(WorkerState state, WorkerWord.Hello hello) {
-        RungLaw law = contest.setup().plan().law();
-        String theirs = law.keyAmong(hello.bits());
-        if (!theirs.equals(law.key())) {
-            String why = state.apart(shown(hello.version()), shown(theirs), version, law.key());
+        String ours = contest.setup().plan().law().key();
+        String theirs = contest.setup().plan().law().keyAmong(hello.bits());
+        String why = !theirs.equals(ours) ? state.apart(shown(hello.version()), shown(theirs), version, ours)
+            : contest.setup().isHosted() && !hello.guests() ? state.withoutGuests() : null;
+        if (why != null) {
             say(why);
             broker.tell(state.name, new LeagueWord.Refused(why).bytes());
             return;

@@ -58,6 +58,12 @@ final class WorkerState {
             + " (results " + ourResults + ") in the league, expected versions that compute the same";
     }
 
+    /** Describes a worker that takes no guests, where the scene has a referee of its own. */
+    String withoutGuests() {
+        return "worker " + name + " plays nothing: the scene has a referee of its own, and the worker runs none "
+            + "without --guests";
+    }
+
     /** Returns how the texts begin that say where its games were played. */
     static String machine(String name) {
         return "worker " + name + ": ";

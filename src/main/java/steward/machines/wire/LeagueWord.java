@@ -20,8 +20,8 @@ public interface LeagueWord {
      * @param hiccups what becomes of games lost on time on a starved machine
      * @param hold    which bots are stopped while others are asked
      * @param scene   as JSON; {@code null} if it is to be fetched, as a bundle is
-     * @param bundle  hash of a scene that is to be fetched, or {@code null}
-     * @param size    of its bytes, or 0
+     * @param bundle  hash of a scene that is to be fetched, or beside a scene of its referee's files; or {@code null}
+     * @param size    of the bundle's bytes, or 0
      */
     record Welcome(String version, String rules, String jar, double factor, TimeBasis basis, Hiccups hiccups,
                    HoldPolicy hold, String scene, String bundle, int size)
@@ -33,14 +33,9 @@ public interface LeagueWord {
             this(version, rules, jar, factor, basis, hiccups, hold, scene, null, 0);
         }
 
-        /** Returns the welcome without the scene, which is to be fetched. */
-        public Welcome withSceneIn(String hash, int bytes) {
-            return new Welcome(version, rules, jar, factor, basis, hiccups, hold, null, hash, bytes);
-        }
-
-        /** Returns the welcome with a scene that was fetched. */
-        public Welcome with(String fetched) {
-            return new Welcome(version, rules, jar, factor, basis, hiccups, hold, fetched);
+        /** Returns the welcome with this scene, or none, and a bundle to be fetched. */
+        public Welcome with(String text, String hash, int bytes) {
+            return new Welcome(version, rules, jar, factor, basis, hiccups, hold, text, hash, bytes);
         }
 
         /** Returns the encoded message. */
@@ -48,8 +43,10 @@ public interface LeagueWord {
             HeaderText header = new HeaderText().put("type", "welcome").put("version", version).put("rules", rules)
                 .put("jar", jar).put("factor", Double.toString(factor)).put("basis", basis.word())
                 .put("hiccups", hiccups.word()).put("hold", hold.word());
-            return scene == null ? WireMessage.bytes(header.put("bundle", bundle).put("size", size))
-                : WireMessage.bytes(header, scene.getBytes(StandardCharsets.UTF_8));
+            if (bundle != null) {
+                header.put("bundle", bundle).put("size", size);
+            }
+            return WireMessage.bytes(header, (scene == null ? "" : scene).getBytes(StandardCharsets.UTF_8));
         }
     }
 
@@ -116,7 +113,8 @@ public interface LeagueWord {
             header.error("hold", header.shown("hold"), "burners, always or never"));
         boolean fetched = header.has("bundle");
         return new Welcome(header.text("version"), header.text("rules"), header.has("jar") ? header.text("jar") : null,
-            factor, basis, hiccups, hold, fetched ? null : new String(scene, StandardCharsets.UTF_8),
+            factor, basis, hiccups, hold, fetched && scene.length == 0 ? null : new String(scene,
+            StandardCharsets.UTF_8),
             fetched ? header.text("bundle") : null, fetched ? header.integer("size", 1, most) : 0);
     }
 }

@@ -22,8 +22,10 @@ public interface WorkerWord {
      * @param machine what it plays on
      * @param slots   games at the same time
      * @param speed   of its machine, 0 if it does not say
+     * @param guests  whether it runs the referees of its leagues
      */
-    record Hello(String version, String bits, String machine, int slots, int speed) implements WorkerWord {
+    record Hello(String version, String bits, String machine, int slots, int speed, boolean guests)
+        implements WorkerWord {
     }
 
     /**
@@ -121,7 +123,7 @@ public interface WorkerWord {
         WorkerWord word = switch (type) {
             case "hello" -> new Hello(header.text("version"), header.text("bits"), header.text("machine"),
                 header.integer("slots", 1, MOST_SLOTS),
-                header.has("speed") ? header.integer("speed", 1, Integer.MAX_VALUE) : 0);
+                header.has("speed") ? header.integer("speed", 1, Integer.MAX_VALUE) : 0, header.flag("guests", false));
             case "fetch" -> new Fetch(header.text("bundle"), header.integer("from", 0, most));
             case "result" -> result(header, message.payload());
             case "unfit" -> new Unfit(header.text("bundle"), header.text("reason"));

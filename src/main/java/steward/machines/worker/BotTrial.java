@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.util.Collections;
 import java.util.List;
+import java.util.stream.IntStream;
 import steward.bot.FaultMessages;
 import steward.contest.Contest;
 import steward.contest.Contest.Entrant;
@@ -27,8 +28,10 @@ final class BotTrial {
             contest.between(all).play(0, 0, null, new MatchListener() {
                 @Override
                 public void commands(Turn turn) {
-                    String fault = turn.fault(0);
-                    String wrote = turn.stderr(0);
+                    // A guest's referee asks whom it likes first.
+                    int failed = IntStream.range(0, all.size()).filter(k -> turn.fault(k) != null).findAny().orElse(0);
+                    String fault = turn.fault(failed);
+                    String wrote = turn.stderr(failed);
                     found[0] = fault == null || FaultMessages.isTime(fault) ? null
                         : fault + (wrote == null || wrote.isBlank() ? "" : "; it wrote: " + wrote.strip());
                     throw new UncheckedIOException(new IOException("the trial is over"));

@@ -191,15 +191,17 @@ final class JobPlay {
             return known;
         }
         UnpackedBundle unpacked;
+        List<String> words;
         try {
             unpacked = UnpackedBundle.of(folder, seat.bundle(), fetcher.fetch(seat.bundle(), seat.size()),
                 platform);
+            words = unpacked.words();
         } catch (InputException problem) {
             throw new UnfitException(seat.bundle(), seat.name() + ": " + problem.getMessage());
         }
         Protocol protocol = unpacked.command().prefix() == BotCommand.Prefix.CODINGAME ? Protocol.CODINGAME
             : Protocol.JSON;
-        Entrant entrant = new Entrant(seat.name(), unpacked.command().toString(), protocol, unpacked.words());
+        Entrant entrant = new Entrant(seat.name(), unpacked.command().toString(), protocol, words);
         String problem = BotTrial.problem(contest, entrant);
         if (problem != null) {
             throw new UnfitException(seat.bundle(), seat.name() + " does not run here: " + problem);

@@ -21,6 +21,7 @@ import steward.machines.broker.BrokerClient;
 import steward.machines.broker.BrokerClient.BrokenException;
 import steward.machines.bundle.Bundle;
 import steward.machines.bundle.LongScene;
+import steward.machines.bundle.UnpackedBundle;
 import steward.machines.check.MachineSpeed;
 import steward.machines.token.WorkerToken;
 import steward.machines.wire.GameJob;
@@ -28,7 +29,10 @@ import steward.machines.wire.HeaderText;
 import steward.machines.wire.LeagueWord;
 import steward.machines.wire.WireMessage;
 import steward.machines.wire.WorkerWord;
+import steward.match.HostedSetup;
 import steward.scene.RungLaw;
+import steward.scene.Scene;
+import steward.scene.SceneReader;
 import steward.scene.json.SceneException;
 
 /**
@@ -44,6 +48,7 @@ public final class Worker {
 
     private final Options options;
     private final GameTypes types;
+    private final boolean runsReferees;
     private final Consumer<String> teller;
     private final long end;
     private final int speed = MachineSpeed.measure();
@@ -98,6 +103,7 @@ public final class Worker {
     public Worker(Options options, GameTypes types, Consumer<String> teller) {
         this.options = options;
         this.types = types;
+        runsReferees = types.hosted() != null && types.hosted().isTrusted();
         this.teller = teller;
         end = options.nanos() == Long.MAX_VALUE ? Long.MAX_VALUE : System.nanoTime() + options.nanos();
     }
@@ -156,7 +162,7 @@ public final class Worker {
     private void session(BrokerClient client) throws BrokenException, InterruptedException {
         client.say(WireMessage.bytes(new HeaderText().put("type", "hello").put("version", options.version())
             .put("bits", RungLaw.keys()).put("machine", options.machine()).put("slots", options.slots())
-            .put("speed", speed)));
+            .put("speed", speed).put("guests", runsReferees)));
         JobPlay jobs = welcome(client);
         wait = SHORTEST_WAIT_MS;
         for (String bundle : unfit.keySet()) {
@@ -210,12 +216,30 @@ public final class Worker {
         throw new BrokenException(options.host() + ":" + options.port() + ": the league does not answer", false);
     }
 
+    /** The scene of a league, with the files of its own referee as they are here. */
+    private String scene(BrokerClient client, LeagueWord.Welcome welcome) throws BrokenException {
+        String text = welcome.scene() != null ? welcome.scene()
+            : LongScene.text(welcome.bundle(), fetch(client, welcome.bundle(), welcome.size()));
+        Scene scene = SceneReader.read(text, "the league's scene");
+        if (types.hosted() == null || !types.hosted().id().equals(scene.gameId())) {
+            return text;
+        }
+        UnpackedBundle files = !runsReferees || welcome.scene() == null || welcome.bundle() == null ? null
+            : UnpackedBundle.of(options.folder(), welcome.bundle(), fetch(client, welcome.bundle(), welcome.size()),
+                options.platform());
+        HostedSetup setup = (HostedSetup) types.open(scene);
+        if (files == null || setup.isOnClassPath() && !files.command().words().stream()
+                .allMatch(entry -> Path.of(entry).startsWith(files.folder().toAbsolutePath()))) {
+            throw new RefusedException("the league's scene has a referee of its own, expected --guests here, and its "
+                + "files from the league");
+        }
+        return setup.sceneWith(files.command().words());
+    }
+
     private JobPlay jobs(BrokerClient client, LeagueWord.Welcome welcome) throws BrokenException {
         try {
-            LeagueWord.Welcome whole = welcome.scene() != null ? welcome : welcome.with(LongScene.text(welcome.bundle(),
-                fetch(client, welcome.bundle(), welcome.size())));
-            return new JobPlay(whole, types, options.isolation(), options.folder(), options.platform(),
-                options.version(), options.starter());
+            return new JobPlay(welcome.with(scene(client, welcome), null, 0), types, options.isolation(),
+                options.folder(), options.platform(), options.version(), options.starter());
         } catch (SceneException problem) {
             throw new InputException(problem.getMessage());
         } catch (JobPlay.OtherRulesException problem) {

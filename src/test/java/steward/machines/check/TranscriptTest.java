@@ -16,6 +16,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Set;
 import java.util.SplittableRandom;
+import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -24,6 +25,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import steward.bot.Bot;
 import steward.bot.InProcessPlayer;
+import steward.bot.command.ProgramFinder;
 import steward.bot.isolation.Isolation;
 import steward.cli.ShellBots;
 import steward.cli.TextShellBots;
@@ -31,6 +33,7 @@ import steward.cli.shared.Games;
 import steward.contest.Contest;
 import steward.game.Pilot;
 import steward.game.pokerchiprace.PokerChipRace;
+import steward.guest.StandInProject;
 import steward.match.MatchResult;
 import steward.match.Protocol;
 import steward.replay.ReplayReader;
@@ -164,6 +167,30 @@ class TranscriptTest {
         assertTrue(outcome.nanos() >= 100_000_000, outcome::toString);
         assertTrue(game.disproof("\"answerNanos\":[", "\"answerNanos\":[99999999,").contains("faults[0]: found 'no "
             + "answer within 100 ms (waited "), "an earlier time");
+    }
+
+    /** The limit is that of each question, and a referee that plays a transcript again does not stay. */
+    @Test
+    @Tag("process")
+    void aGuestsDeadlinesAreThoseOfItsQuestionsAndItsRefereeEnds(@TempDir Path folder) throws Exception {
+        assumeTrue(ProgramFinder.find("python3") != null, "skipped: there is no python3");
+        Path referee = Files.copy(Path.of("src/test/resources/referees/standin.py"), folder.resolve("standin.py"));
+        String bot = StandInProject.bot(folder, "one", "1");
+        PlayedGame game = PlayedGame.of(Contest.of(Games.open(Files.writeString(folder.resolve("s.json"), """
+            {"name": "s", "game": "guest", "players": 2, "referee": {"command": ["python3", "%s", "good"]}}"""
+            .formatted(referee)).toString()), List.of(bot, "two=codingame:sleep 5"), Protocol.JSON, 0.1)
+            .isolatedBy(() -> Isolation.OFF), 3);
+        CheckedGame outcome = game.check();
+        assertTrue(outcome.seats().get(1).fault().startsWith("no answer within 300 ms"), outcome::toString);
+        assertEquals(10, outcome.seats().get(0).score());
+        assertTrue(game.disproof("\"answerNanos\":[", "\"answerNanos\":[1,1,").contains("faults[1]: found 'no answer "
+            + "within 300 ms (waited "), "an earlier time");
+        assertTrue(game.disproof("\n[", "\n[{},").contains("cannot be played again: turn "));
+        List<ProcessHandle> left = ProcessHandle.allProcesses().filter(process -> process.info().commandLine()
+            .orElse("").contains(referee.toString())).toList();
+        for (ProcessHandle process : left) {
+            process.onExit().get(10, TimeUnit.SECONDS);
+        }
     }
 
     @Test

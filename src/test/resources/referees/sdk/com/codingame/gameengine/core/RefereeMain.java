@@ -4,9 +4,13 @@ import java.io.InputStream;
 import java.io.PrintStream;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Random;
 import java.util.Scanner;
 
-/** A stand-in for the SDK: it speaks its blocks and calls a class Referee of the project, loaded beside it. */
+/**
+ * A stand-in for the SDK: it speaks its blocks and calls a class Referee of the project, loaded beside it. Scores are
+ * the numbers that bots say, and chance that follows from the seed.
+ */
 public class RefereeMain {
 
     private static boolean inProduction = false;
@@ -20,7 +24,7 @@ public class RefereeMain {
         System.setProperty("games", Integer.toString(games));
         System.out.println("noise of the referee");
         Class<?> referee = Class.forName("Referee");
-        int sum = 0;
+        int[] sums = new Random(Long.parseLong(seed)).ints(players, 0, 9).toArray();
         for (int turn = 0; turn < 4; turn++) {
             for (int player = 0; player < players; player++) {
                 hear(in);
@@ -31,13 +35,15 @@ public class RefereeMain {
                 say(out, "NEXT_PLAYER_INPUT", "turn " + turn);
                 say(out, "NEXT_PLAYER_INFO", "" + player, "1", "1000");
                 out.flush();
-                sum += hear(in).size();
+                List<String> answer = hear(in);
+                String word = answer.get(answer.size() - 1);
+                sums[player] += word.matches("\\d") ? Integer.parseInt(word) : 0;
             }
         }
         hear(in);
         List<String> scores = new ArrayList<>();
         for (int player = 0; player < players; player++) {
-            scores.add(player + " " + (sum + player));
+            scores.add(player + " " + sums[player]);
         }
         say(out, "SCORES", scores.toArray(new String[0]));
         out.flush();

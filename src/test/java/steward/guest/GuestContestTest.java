@@ -1,0 +1,138 @@
+package steward.guest;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import steward.bot.isolation.Isolation;
+import steward.cli.Cli;
+
+/** Commands that play many games of a scene with a referee of its own, or one by other rules. */
+@Tag("process")
+@Tag("slow")
+@Timeout(120)
+class GuestContestTest {
+
+    @TempDir
+    private static Path project;
+    private static String scene;
+
+    @TempDir
+    private Path folder;
+
+    @BeforeAll
+    static void compile() throws IOException {
+        scene = Files.writeString(project.resolve("small.json"), StandInProject.compiled(project).scene(2,
+            ", \"leagueLevel\": 1")).toString();
+    }
+
+    @AfterAll
+    static void end() {
+        StandInProject.end();
+    }
+
+    private String bot(String name, String word) throws IOException {
+        return StandInProject.bot(folder, name, word);
+    }
+
+    private static String done(String... words) {
+        return Cli.run(words).done().out();
+    }
+
+    @Test
+    void aLeagueLevelIsThatOfTheReferee() throws IOException {
+        for (int level = 1; level <= 2; level++) {
+            Path file = folder.resolve(level + ".jsonl");
+            done("match", "--scene", scene, "--bot", bot("one", "1"), "--bot", bot("two", "2"), "--seed", "5",
+                "--league-level", Integer.toString(level), "--out", file.toString());
+            String replay = Files.readString(file);
+            assertTrue(replay.contains("\"leagueLevel\":" + level + "}"), replay);
+            assertTrue(replay.contains("\"level " + level + "\""), replay);
+            assertEquals("verified: states of 8 of 8 turns and the result\n", done("replay", file.toString(),
+                "--verify", "--run-referee"));
+        }
+        String command = Files.writeString(folder.resolve("s.json"), """
+            {"name": "s", "game": "guest", "players": 2, "referee": {"command": ["sh"]}}""").toString();
+        Cli.run("match", "--scene", command, "--bot", bot("one", "1"), "--bot", bot("two", "2"), "--league-level", "2")
+            .assertRefused("referee: found a command, expected a classPath with a league level");
+    }
+
+    @Test
+    void aGameForOneIsAdoptedAndPlayed() throws IOException {
+        StandInProject.compiled(folder);
+        Files.writeString(folder.resolve("config/config.ini"), "type=opti");
+        Files.writeString(folder.resolve("config/test1.json"), "{\"title\": \"one\", \"testIn\": \"7\"}");
+        List<String> told = new ArrayList<>();
+        String solo = Files.writeString(folder.resolve("solo.json"), Adoption.scene(folder, null, "solo",
+            Isolation::usual, told::add)).toString();
+        assertEquals("players: [1], solo; the scene has 1", told.get(0));
+        assertTrue(Files.readString(Path.of(solo)).contains("\"testIn\": [\"7\"]"), told.toString());
+        Path file = folder.resolve("x.jsonl");
+        String said = done("match", "--scene", solo, "--bot", bot("one", "1"), "--out", file.toString());
+        assertTrue(said.startsWith("one: the referee has ended the game, score "), said);
+        assertTrue(said.contains(", 4 turns (solo, ") && said.contains(" --verify --run-referee   plays it"), said);
+        assertTrue(done("replay", file.toString(), "--verify", "--run-referee").startsWith("verified"), said);
+        String league = folder.resolve("league").toString();
+        done("league", "init", league, "--scene", solo);
+        done("league", "add", league, bot("one", "1"));
+        done("league", "add", league, bot("two", "2"));
+        assertTrue(done("league", "run", league, "--games", "4").contains("games of solo"));
+    }
+
+    @Test
+    void aTestEndsWhenTheBetterBotIsFound() throws IOException {
+        String said = done("sprt", "--scene", scene, "--bot", bot("new", "3"), "--bot", bot("old", "1"), "--seed",
+            "1", "--elo1", "200", "--games", "60", "--quiet");
+        assertTrue(said.contains("H1 is accepted: new is better"), said);
+    }
+
+    @Test
+    void aSearchFindsTheBetterChoice() throws IOException {
+        String said = done("tune", "--scene", scene, "--bot", bot("mine", "{word:1|4}"), "--against", bot("other",
+            "2"), "--games", "16", "--seeds", "1", "--test-games", "0", "--seed", "1");
+        assertTrue(said.contains("word 4"), said);
+    }
+
+    @Test
+    void aLeagueIsPlayedAndItsRowsCanBeUsed() throws IOException {
+        String league = folder.resolve("league").toString();
+        done("league", "init", league, "--scene", scene, "--keep", "all", "--seed", "5");
+        done("league", "add", league, bot("low", "1"));
+        done("league", "add", league, bot("high", "5"));
+        String table = done("league", "run", league, "--games", "8");
+        assertTrue(table.startsWith("8 games of small\n") && table.contains("1 high"), table);
+        assertEquals("Every row can be used: 8 games\n", done("league", "verify", league));
+        try (Stream<Path> files = Files.walk(folder.resolve("league/replays"))) {
+            List<Path> replays = files.filter(Files::isRegularFile).toList();
+            assertEquals(8, replays.size());
+            assertTrue(done("replay", replays.get(0).toString(), "--verify", "--run-referee").startsWith("verified"));
+        }
+    }
+
+    @Test
+    void programsOfAFolderMeet() throws IOException {
+        Path programs = Files.createDirectories(folder.resolve("submissions"));
+        for (int word = 1; word <= 2; word++) {
+            Files.writeString(programs.resolve("p" + word + ".py"), """
+                import sys
+                for line in sys.stdin:
+                    print(%d, flush=True)
+                """.formatted(word * 4));
+        }
+        String said = done("tournament", programs.toString(), "--scene", scene, "--games", "4");
+        assertTrue(said.contains("1 p2"), said);
+        assertFalse(said.contains("failed:"), said);
+    }
+}
