@@ -36,8 +36,13 @@ record GuestProgram(List<String> command, List<String> classPath, String main, S
 
     static final String SDK_MAIN = "com.codingame.gameengine.core.RefereeMain";
 
-    /** Guice needs the package open on 17, identity hashes decide results of some, and blocks are UTF-8. */
+    /**
+     * Guice needs the package open on 17, identity hashes decide results of some, and blocks are UTF-8. The second
+     * compiler costs more than it saves: fresh classes are gone before it is done, and kept ones had not repaid it
+     * after 900 games.
+     */
     private static final List<String> JVM_OPTIONS = List.of("-XX:+UseSerialGC", "-Xshare:auto",
+        "-XX:TieredStopAtLevel=1",
         "-XX:+UnlockExperimentalVMOptions", "-XX:hashCode=2", "-Dfile.encoding=UTF-8",
         "--add-opens", "java.base/java.lang=ALL-UNNAMED");
     static final String LEVEL = "league.level";

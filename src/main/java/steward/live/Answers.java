@@ -1,6 +1,7 @@
 package steward.live;
 
 import java.nio.charset.StandardCharsets;
+import java.util.Map;
 
 /** Answers of the server as bytes; each ends with its connection. */
 final class Answers {
@@ -14,6 +15,11 @@ final class Answers {
     /** Figures for Prometheus, in its text format. */
     static final String FIGURES = "text/plain; version=0.0.4; charset=utf-8";
     static final String EVENTS = "text/event-stream";
+
+    /** Types of files by the ends of their names; others are bytes. */
+    private static final Map<String, String> TYPES = Map.of("js", "text/javascript; charset=utf-8", "html", HTML,
+        "css", "text/css; charset=utf-8", "json", "application/json", "fnt", "text/xml", "png", "image/png",
+        "jpg", "image/jpeg", "svg", "image/svg+xml");
 
     private Answers() {
     }
@@ -39,6 +45,16 @@ final class Answers {
             + "Referrer-Policy: no-referrer\r\nCross-Origin-Resource-Policy: same-origin\r\n"
             + (status == WRONG_METHOD ? "Allow: GET\r\n" : "")
             + (length < 0 ? "" : "Content-Length: " + length + "\r\n") + "\r\n");
+    }
+
+    /** The head of a file for a sandboxed frame of a page of this server: the frame may load from here alone. */
+    static byte[] openHead(String path, int length) {
+        return bytes("HTTP/1.1 200 OK\r\nContent-Type: "
+            + TYPES.getOrDefault(path.substring(path.lastIndexOf('.') + 1), "application/octet-stream")
+            + "\r\nConnection: close\r\nCache-Control: no-store\r\nX-Content-Type-Options: nosniff\r\n"
+            + "Access-Control-Allow-Origin: *\r\nContent-Security-Policy: frame-ancestors 'self'; default-src 'self'"
+            + " 'unsafe-inline' 'unsafe-eval' data: blob:\r\nReferrer-Policy: no-referrer\r\nContent-Length: "
+            + length + "\r\n\r\n");
     }
 
     /** The whole answer to a request that is not granted. */

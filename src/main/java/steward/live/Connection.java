@@ -103,9 +103,9 @@ final class Connection {
     }
 
     /** Answers with a page that was made. */
-    void answerPage(long now, String type, byte[] bytes) {
+    void answerPage(long now, byte[] head, byte[] bytes) {
         page = bytes;
-        answer(now, Answers.head(Answers.OK, type, bytes.length), bytes);
+        answer(now, head, bytes);
     }
 
     /** Follows a feed from its beginning. */

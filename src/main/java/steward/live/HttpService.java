@@ -235,7 +235,9 @@ final class HttpService implements AutoCloseable {
                     next.connection().answer(System.nanoTime(), Answers.refusal(Answers.NOT_FOUND,
                         "There is nothing here; the page is at /."));
                 } else {
-                    next.connection().answerPage(System.nanoTime(), Answers.type(next.path()), page);
+                    next.connection().answerPage(System.nanoTime(), site.isOpen()
+                        ? Answers.openHead(next.path(), page.length)
+                        : Answers.head(Answers.OK, Answers.type(next.path()), page.length), page);
                 }
             });
             selector.wakeup();

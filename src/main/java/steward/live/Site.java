@@ -19,6 +19,11 @@ interface Site {
      */
     byte[] page(String path);
 
+    /** True if the other pages are files for a sandboxed frame, which has no origin. */
+    default boolean isOpen() {
+        return false;
+    }
+
     /** Called when a page that was made has been sent to the last byte. */
     default void sent(byte[] page) {
     }

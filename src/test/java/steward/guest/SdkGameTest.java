@@ -20,15 +20,17 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import steward.bot.isolation.Isolation;
 import steward.scene.SceneReader;
 
 /**
- * A small game of ours on CodinGame's SDK, whose jars are in the folder {@code -Psteward.sdk}; without one this is
- * skipped, since the SDK is not ours to bring.
+ * A small game of ours on CodinGame's SDK, played by {@code ./gradlew sdkTest -Psteward.sdk=FOLDER}: the SDK's jars are
+ * not ours to bring.
  */
+@Tag("sdk")
 @Tag("process")
-@Tag("slow")
 @Timeout(300)
 class SdkGameTest {
 
@@ -40,8 +42,7 @@ class SdkGameTest {
 
     @BeforeEach
     void compile() throws IOException {
-        Path sdk = Path.of(System.getProperty("steward.sdk", "../shared/sdk"));
-        assumeTrue(Files.isDirectory(sdk), () -> "skipped: no folder " + sdk + " (set -Psteward.sdk)");
+        Path sdk = Path.of(System.getProperty("steward.sdk"));
         List<Path> files;
         try (Stream<Path> all = Files.list(sdk)) {
             files = all.filter(file -> file.toString().endsWith(".jar")).sorted().map(Path::toAbsolutePath).toList();
@@ -108,6 +109,16 @@ class SdkGameTest {
     }
 
     @Test
+    void twoHundredGamesWithKeptClassesAreRememberedByOneJvm() {
+        String scene = scene(2, ", \"leagueLevel\": 1, \"reuse\": \"classes\"");
+        for (int game = 1; game < 200; game++) {
+            play(scene, game % 100);
+        }
+        List<String> last = play(scene, 5);
+        assertTrue(last.contains("SUMMARY [turn 1, remembered 200]"), last.toString());
+    }
+
+    @Test
     void levelsAndSeedsAreOtherGames() {
         List<String> one = play(scene(2, ", \"leagueLevel\": 1"), 5);
         assertTrue(!one.equals(play(scene(2, ", \"leagueLevel\": 2"), 5)), one.toString());
@@ -123,14 +134,20 @@ class SdkGameTest {
         assertTrue(!scene.contains("reuse"), scene);
     }
 
-    @Test
-    void faultsAreTheReferees() {
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+        101 | exited with status 7
+        102 | failed:
+        103 | said nothing for 5000 ms
+        104 | said SCORES before it asked anybody
+        105 | asked more than 20000 times
+        106 | said nothing for 5000 ms
+        107 | 16 MiB
+        """)
+    void aFaultIsTheRefereesAndTheNextGameIsPlayed(long seed, String fault) {
         String scene = scene(2, ", \"leagueLevel\": 1, \"limitMs\": 5000");
-        for (String fault : List.of("101 exited with status 7", "102 failed: ", "103 said nothing for 5000 ms")) {
-            long seed = Long.parseLong(fault.substring(0, 3));
-            String message = assertThrows(RefereeFault.class, () -> play(scene, seed)).getMessage();
-            assertTrue(message.contains(fault.substring(4)), message);
-            play(scene, 5);
-        }
+        String message = assertThrows(RefereeFault.class, () -> play(scene, seed)).getMessage();
+        assertTrue(message.contains(fault), message);
+        play(scene, 5);
     }
 }

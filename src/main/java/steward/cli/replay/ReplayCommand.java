@@ -59,6 +59,7 @@ import steward.text.NearestName;
         "  steward replay match.jsonl --verify --signed-by mine.key.pub",
         "  steward replay match.jsonl --verify --signed-by a.pub --require strict",
         "  steward replay match.jsonl --view match.html --open",
+        "  steward replay match.jsonl --viewer --open",
         "  steward replay match.jsonl --frames --player 1 | ./mybot",
         "", "Exit status: 0 done; 1 not verified: something differs from what the rules",
         "give, or is missing, or is signed by another key or none; 2 the file or the",
@@ -137,6 +138,11 @@ public final class ReplayCommand implements Callable<Integer> {
     private boolean open;
 
     @OptionSection("Pages and pictures")
+    @Option(names = "--viewer", description = "Shows the match of a referee made with CodinGame's SDK in the SDK's own "
+        + "viewer, from the jars that the replay names, to browsers on this machine, until Enter.")
+    private boolean viewer;
+
+    @OptionSection("Pages and pictures")
     @Option(names = "--site", paramLabel = "URL", description = "With --view: the address the page will have; title, "
         + "description and picture of previews of links are written for it.")
     private String site;
@@ -172,6 +178,12 @@ public final class ReplayCommand implements Callable<Integer> {
         boolean piped = StandardFiles.is(file);
         if (moving()) {
             return movingPicture(piped);
+        }
+        if (viewer) {
+            try (ReplayReader replay = piped ? StandardFiles.openReplay(streams) : open(OutputFiles.path(file))) {
+                new SdkViewer(replay).serve(streams, open);
+                return ExitStatus.DONE;
+            }
         }
         if (view != null || open || picture != null) {
             return view(piped ? null : OutputFiles.path(file), piped ? StandardFiles.readAll(streams) : null);
@@ -253,6 +265,8 @@ public final class ReplayCommand implements Callable<Integer> {
             && (turn == null || picture != null && view == null && !open),
             "--view and --open take the whole match, expected no --verify, --frames, --impacts, --turn, --from or --to "
             + "with them");
+        check.that(!viewer || !verify && !frames && !impacts && !range && turn == null && !json && !map && view == null
+            && picture == null && !quiet, "--viewer takes the whole match, expected nothing else but --open with it");
         check.that(!open || !StandardFiles.is(view), "--open: found --view - with it, expected a file for the page");
         check.that(!map || !verify && !frames && !impacts && !range && turn == null && !json && view == null && !open,
             "--map draws the end of the match, expected nothing else with it");

@@ -76,4 +76,9 @@ public final class Sections {
     public static Section tools(MatchFixture fixture, Path tools) {
         return new ToolSection(fixture, tools);
     }
+
+    /** @param sdk the folder with the jars of CodinGame's SDK */
+    public static Section referees(MatchFixture fixture, Path sdk, int threads) {
+        return new RefereeSection(fixture, sdk, threads);
+    }
 }

@@ -82,6 +82,10 @@ public final class BenchCommand implements Callable<Integer> {
         + "in this folder: cg-brutaltester.jar, bin/psyleague and csbref, a referee in Go.")
     private String tools;
 
+    @Option(names = "--sdk", paramLabel = "DIR", description = "Measures referees made with CodinGame's SDK too, whose "
+        + "jars are in this folder.")
+    private String sdk;
+
     @Option(names = "--out", paramLabel = "DIR", description = "Writes " + BenchFiles.CSV + " and " + BenchFiles.JSON
         + " into a folder, row by row, and in the end " + BenchFiles.PAGE + ".")
     private String out;
@@ -92,14 +96,15 @@ public final class BenchCommand implements Callable<Integer> {
     @Mixin
     private final TableFolder tables = new TableFolder();
 
-    /** The part that is measured only where its tools are. */
+    /** The parts that are measured only where their folder is named. */
     private static final String TOOLS = "tools";
+    private static final String REFEREES = "referees";
 
     /** The names of the parts. */
     static final class Parts implements Iterable<String> {
 
         static final List<String> ALL = List.of("pods", "games", "matches", "growth", "frames", "verify", "processes",
-            "league", "start", TOOLS, "crowds");
+            "league", "start", TOOLS, REFEREES, "crowds");
 
         @Override
         public Iterator<String> iterator() {
@@ -118,12 +123,8 @@ public final class BenchCommand implements Callable<Integer> {
         check.games(games);
         check.threads(threads);
         List<Section> sections = check.chosen("--only", only, sections(), Section::name, ", ");
-        if (tools == null) {
-            check.that(!only.contains(TOOLS), "--only tools: expected --tools with it");
-            sections = sections.stream().filter(section -> !section.name().equals(TOOLS)).toList();
-        } else {
-            check.that(Files.isDirectory(OutputFiles.path(tools)), "--tools: found no folder '" + tools + "'");
-        }
+        sections = where("--tools", tools, TOOLS, sections);
+        sections = where("--sdk", sdk, REFEREES, sections);
         if (out == null) {
             try (Interruption interruption = new Interruption(streams, () -> stopped("what was measured is above"))) {
                 int status = measure(sections, null);
@@ -145,6 +146,16 @@ public final class BenchCommand implements Callable<Integer> {
         }
     }
 
+    /** Leaves a part out whose folder is not named; it is an error to ask for it by name. */
+    private List<Section> where(String option, String folder, String part, List<Section> sections) {
+        if (folder != null) {
+            check.that(Files.isDirectory(OutputFiles.path(folder)), option + ": found no folder '" + folder + "'");
+            return sections;
+        }
+        check.that(!only.contains(part), "--only " + part + ": expected " + option + " with it");
+        return sections.stream().filter(section -> !section.name().equals(part)).toList();
+    }
+
     private List<Section> sections() {
         bodies.forEach(count -> check.range("--bodies", count, 1, MOST_BODIES));
         List<Integer> crowds = new ArrayList<>(!bodies.isEmpty() ? bodies : quick ? QUICK_BODIES : BODIES);
@@ -153,7 +164,8 @@ public final class BenchCommand implements Callable<Integer> {
         }
         try {
             return BenchSuite.all(threads == null ? Runtime.getRuntime().availableProcessors() : threads,
-                games == null ? quick ? 200 : 2000 : games, crowds, Path.of(tools == null ? "" : tools));
+                games == null ? quick ? 200 : 2000 : games, crowds, Path.of(tools == null ? "" : tools),
+                Path.of(sdk == null ? "" : sdk));
         } catch (IllegalArgumentException problem) {
             throw new InputException("--bodies: " + problem.getMessage());
         }

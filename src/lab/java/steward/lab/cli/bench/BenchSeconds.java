@@ -21,6 +21,7 @@ final class BenchSeconds {
         entry("league", 26, 110, 110),
         entry("start", 4, 22, 42),
         entry("tools", 40, 250, 410),
+        entry("referees", 60, 110, 160),
         entry("crowds", 8, 46, 300));
 
     private BenchSeconds() {

@@ -42,8 +42,9 @@ final class BenchSuite {
      * All sections, in the order of the table.
      *
      * @param tools a folder of tools of others
+     * @param sdk   a folder with the jars of CodinGame's SDK
      */
-    static List<Section> all(int threads, int games, List<Integer> bodies, Path tools) {
+    static List<Section> all(int threads, int games, List<Integer> bodies, Path tools, Path sdk) {
         MatchFixture fixture = fixture();
         List<Section> sections = new ArrayList<>();
         sections.add(new PodTurnSection((PodRaceType.PodRaceSetup) fixture.setup(), threads));
@@ -59,6 +60,7 @@ final class BenchSuite {
         sections.add(Sections.leagues(fixture, threads));
         sections.add(Sections.start(fixture));
         sections.add(Sections.tools(fixture, tools));
+        sections.add(Sections.referees(fixture, sdk, threads));
         sections.add(Sections.crowds(bodies));
         return sections;
     }

@@ -1,0 +1,166 @@
+package steward.lab.bench.section;
+
+import java.io.File;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
+import java.util.function.Consumer;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import javax.tools.JavaCompiler;
+import javax.tools.ToolProvider;
+import steward.contest.Contest;
+import steward.contest.KeptReplays;
+import steward.contest.Series;
+import steward.contest.SeriesPlay;
+import steward.game.GameSetup;
+import steward.lab.bench.Effort;
+import steward.lab.bench.Meter;
+import steward.lab.bench.Row;
+import steward.lab.bench.Section;
+import steward.match.Protocol;
+
+/** Bench section on referees made with CodinGame's SDK: games of a small one, in residents and in a JVM a game. */
+final class RefereeSection implements Section {
+
+    private static final List<String> SOURCES = List.of("Player.java", "Referee.java");
+    private static final String MAIN = "com.codingame.gameengine.core.RefereeMain";
+    private static final String BOT = "sh -c 'while read -r line; do echo \"$line\"; done'";
+    private static final double NANOS = 1e9;
+
+    private final MatchFixture fixture;
+    private final Path sdk;
+    private final int threads;
+
+    /** Ways to run a referee, and games of a round: about ten seconds of each. */
+    private enum Way {
+        COLD("a JVM a game", 12), FRESH("resident, fresh classes", 120), KEPT("resident, classes kept", 400);
+
+        private final String words;
+        private final int games;
+
+        Way(String words, int games) {
+            this.words = words;
+            this.games = games;
+        }
+    }
+
+    RefereeSection(MatchFixture fixture, Path sdk, int threads) {
+        this.fixture = fixture;
+        this.sdk = sdk;
+        this.threads = threads;
+    }
+
+    @Override
+    public String name() {
+        return "referees";
+    }
+
+    @Override
+    public String about() {
+        return "Games of 100 turns on CodinGame's SDK between two shells that answer at once, by the wall clock: with"
+            + " the SDK's own main class in a JVM for each game, and in resident referees after a round of warm-up."
+            + " All are kept apart as bots are.";
+    }
+
+    @Override
+    public int steps(Effort effort) {
+        return Way.values().length * (1 + rounds(effort));
+    }
+
+    private static int rounds(Effort effort) {
+        return effort == Effort.QUICK ? 1 : effort == Effort.NORMAL ? 3 : 5;
+    }
+
+    @Override
+    public boolean isRough(Effort effort) {
+        return effort == Effort.QUICK;
+    }
+
+    @Override
+    public void run(Effort effort, Consumer<String> about, Consumer<Row> rows) throws Exception {
+        Path folder = Files.createTempDirectory("steward-bench");
+        try {
+            List<String> classPath = compile(folder);
+            double first = Double.NaN;
+            for (Way way : Way.values()) {
+                GameSetup setup = fixture.types().open(scene(way, classPath), "bench");
+                double[] speeds = new double[rounds(effort)];
+                for (int round = -1; round < speeds.length; round++) {
+                    about.accept(way.words);
+                    double speed = speed(setup, way.games);
+                    speeds[Math.max(0, round)] = speed;
+                }
+                double median = Meter.median(speeds);
+                first = way == Way.COLD ? median : first;
+                rows.accept(new Row(name(), way.words, "games", median, median / first, Double.NaN,
+                    String.format(Locale.ROOT, "%d threads", threads)));
+            }
+        } finally {
+            try (Stream<Path> files = Files.walk(folder)) {
+                files.sorted(Comparator.reverseOrder()).map(Path::toFile).forEach(File::delete);
+            }
+        }
+    }
+
+    /** Compiles the referee and returns its class path. */
+    private List<String> compile(Path folder) throws IOException {
+        JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
+        if (compiler == null) {
+            throw new IOException("found a Java without a compiler, expected a JDK");
+        }
+        List<String> classPath = new ArrayList<>(List.of(folder.toString()));
+        try (Stream<Path> files = Files.list(sdk)) {
+            files.filter(file -> file.toString().endsWith(".jar")).sorted()
+                .forEach(file -> classPath.add(file.toAbsolutePath().toString()));
+        }
+        List<String> words = new ArrayList<>(List.of("-proc:none", "-d", folder.toString(), "-cp",
+            String.join(File.pathSeparator, classPath)));
+        for (String source : SOURCES) {
+            try (InputStream text = RefereeSection.class.getResourceAsStream("referee/" + source)) {
+                Files.copy(text, folder.resolve(source));
+            }
+            words.add(folder.resolve(source).toString());
+        }
+        if (compiler.run(null, null, null, words.toArray(new String[0])) != 0) {
+            throw new IOException(sdk + ": found no jars that the referee compiles with, expected those of the SDK");
+        }
+        return classPath;
+    }
+
+    private static String scene(Way way, List<String> classPath) {
+        String referee = way == Way.COLD
+            ? "\"command\": " + array(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-Dgame.mode=multi", "--add-opens", "java.base/java.lang=ALL-UNNAMED", "-cp",
+                String.join(File.pathSeparator, classPath), MAIN))
+            : "\"classPath\": " + array(classPath) + ", \"reuse\": \"" + (way == Way.KEPT ? "classes" : "nothing") + "\"";
+        return "{\"name\": \"bench\", \"game\": \"guest\", \"players\": 2, \"referee\": {" + referee + "}}";
+    }
+
+    private static String array(List<String> words) {
+        return words.stream().map(word -> '"' + word.replace("\\", "\\\\").replace("\"", "\\\"") + '"')
+            .collect(Collectors.joining(", ", "[", "]"));
+    }
+
+    private double speed(GameSetup setup, int games) throws InterruptedException, IOException {
+        Contest contest = Contest.of(setup, List.of("one=" + BOT, "other=" + BOT), Protocol.CODINGAME, 1);
+        SeriesPlay play = new SeriesPlay(new Series(contest, 1, games, false, null, KeptReplays.NONE), false);
+        int[] played = new int[1];
+        String[] problem = new String[1];
+        long began = System.nanoTime();
+        play.play(threads, (Series.Played game) -> {
+            played[0] += game.result() == null ? 0 : 1;
+            problem[0] = game.failure() == null ? problem[0] : game.failure();
+        });
+        double nanos = System.nanoTime() - began;
+        if (played[0] != games) {
+            throw new IOException(played[0] + " games of " + games + " have a result: " + problem[0]);
+        }
+        return games * NANOS / nanos;
+    }
+}
