@@ -138,7 +138,8 @@ final class RefereeSection implements Section {
             ? "\"command\": " + array(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
                 "-Dgame.mode=multi", "--add-opens", "java.base/java.lang=ALL-UNNAMED", "-cp",
                 String.join(File.pathSeparator, classPath), MAIN))
-            : "\"classPath\": " + array(classPath) + ", \"reuse\": \"" + (way == Way.KEPT ? "classes" : "nothing") + "\"";
+            : "\"classPath\": " + array(classPath) + ", \"reuse\": \"" + (way == Way.KEPT ? "classes" : "nothing")
+                + "\"";
         return "{\"name\": \"bench\", \"game\": \"guest\", \"players\": 2, \"referee\": {" + referee + "}}";
     }
 
