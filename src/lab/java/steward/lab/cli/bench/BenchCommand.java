@@ -61,7 +61,7 @@ public final class BenchCommand implements Callable<Integer> {
     private List<String> only = new ArrayList<>();
 
     @Option(names = "--quick",
-        description = "Measures rough figures, in about 3 minutes; says which ratios are not comparable.")
+        description = "Measures rough figures, in about a minute; says which ratios are not comparable.")
     private boolean quick;
 
     @Option(names = "--long", description = "Measures for tables that are kept, and a million bodies.")
