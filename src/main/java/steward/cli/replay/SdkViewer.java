@@ -42,8 +42,8 @@ final class SdkViewer {
     private static final Pattern IMPORT = Pattern.compile("(?m)^\\s*import\\b[^'\"]*['\"]\\./([^'\"]+)['\"]");
     private static final Pattern IMAGE = Pattern.compile("(?i).*\\.(png|jpe?g|svg)");
     /** A grey square: the viewer wants a picture of each player. */
-    private static final String AVATAR = "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6fptVAAAACklEQVR4"
-        + "nGNoAAAAggCBd81ytgAAAABJRU5ErkJggg==";
+    private static final String AVATAR = "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6fptVAAAACklE"
+        + "QVR4nGNoAAAAggCBd81ytgAAAABJRU5ErkJggg==";
 
     private final RecordedMatch match;
     private final byte[] start;
@@ -56,7 +56,8 @@ final class SdkViewer {
         JsonNode entries = JSON.readTree(match.header().scene()).path("referee").path("classPath");
         entries.forEach(entry -> classPath.add(Path.of(entry.asString())));
         for (String needed : List.of("player.js", "player.html", "core/Drawer.js", "config.js")) {
-            require(needed, entries.isEmpty() ? "the match is of no referee on a class path" : "its class path has none");
+            require(needed,
+                entries.isEmpty() ? "the match is of no referee on a class path" : "its class path has none");
         }
         Matcher imported = IMPORT.matcher(new String(file("config.js"), StandardCharsets.UTF_8));
         while (imported.find()) {
