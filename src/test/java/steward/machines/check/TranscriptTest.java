@@ -183,8 +183,8 @@ class TranscriptTest {
         CheckedGame outcome = game.check();
         assertTrue(outcome.seats().get(1).fault().startsWith("no answer within 300 ms"), outcome::toString);
         assertEquals(10, outcome.seats().get(0).score());
-        assertTrue(game.disproof("\"answerNanos\":[", "\"answerNanos\":[1,1,").contains("faults[1]: found 'no answer "
-            + "within 300 ms (waited "), "an earlier time");
+        assertTrue(game.disproof("\"answerNanos\":[", "\"answerNanos\":[1000000,1000000,").contains("faults[1]: found "
+            + "'no answer within 300 ms (waited "), "an earlier time");
         assertTrue(game.disproof("\n[", "\n[{},").contains("cannot be played again: turn "));
         List<ProcessHandle> left = ProcessHandle.allProcesses().filter(process -> process.info().commandLine()
             .orElse("").contains(referee.toString())).toList();
