@@ -112,7 +112,8 @@ class BenchCommandTest {
     @Test
     void everyPartIsThere() {
         Map<String, Integer> names = new java.util.TreeMap<>();
-        BenchSuite.all(1, 1, List.of(10), folder, folder).forEach(section -> names.merge(section.name(), 1, Integer::sum));
+        BenchSuite.all(1, 1, List.of(10), folder, folder)
+            .forEach(section -> names.merge(section.name(), 1, Integer::sum));
 
         assertTrue(names.keySet().containsAll(List.of("pods", "games", "matches", "growth", "frames", "verify",
             "processes", "start", "crowds")), names::toString);
