@@ -135,7 +135,7 @@ static int addPlace(void) {
     static const char *const status[] = {"Umask:", "Uid:", "Gid:", "Groups:", "SigBlk:", "SigIgn:", "Cap", "NoNewPrivs:",
         "Seccomp", "Cpus_allowed:", "Mems_allowed:", NULL};
     static const char *const namespaces[] = {"cgroup", "ipc", "mnt", "net", "pid", "user", "uts", NULL};
-    static const char *const ofShells[] = {"_=", "SHLVL=", "OLDPWD=", NULL};       /* they change them at each call */
+    static const char *const ofShells[] = {"_=", "SHLVL=", "PWD=", "OLDPWD=", NULL}; /* they change them at each call */
     char current[PATH_MAX], path[64];
     struct stat place;
     if (!addInstallation() || !getcwd(current, sizeof current) || stat(".", &place)) {

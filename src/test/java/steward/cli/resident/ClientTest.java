@@ -214,14 +214,18 @@ class ClientTest {
         assertEquals(1, said.status());
     }
 
-    /** As the launcher does: a shell writes the environment of its programs in an order of its own. */
+    /** As the launcher does: a shell writes the environment in an order of its own, and a wrong PWD anew. */
     @Test
     void aResidentThatAShellHasStartedIsFound() throws IOException, InterruptedException {
         List<String> words = new ArrayList<>(List.of("sh", "-c", "exec \"$@\"", "sh"));
         words.addAll(home.builder("lib/steward-resident", "resident", "--idle", "60s").command());
-        Process resident = home.builder("lib").command(words).start();
+        ProcessBuilder shell = home.builder("lib").command(words);
+        ProcessBuilder client = home.builder(match(REFEREE, bots.driver(), 1));
+        shell.environment().put("PWD", "/");
+        client.environment().put("PWD", "/");
+        Process resident = shell.start();
         resident.inputReader(StandardCharsets.UTF_8).readLine();
-        assertEquals(0, home.call(match(REFEREE, bots.driver(), 1)).status());
+        assertEquals(0, ClientHome.end(client.start()).status());
         assertEquals(List.of(resident.pid()), home.residents().stream().map(ProcessHandle::pid).toList());
     }
 
