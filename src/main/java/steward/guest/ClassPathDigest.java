@@ -3,6 +3,7 @@ package steward.guest;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.FileVisitOption;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.security.MessageDigest;
@@ -34,7 +35,7 @@ final class ClassPathDigest {
             MessageDigest digest = MessageDigest.getInstance("SHA-256");
             for (String entry : classPath) {
                 Path root = Path.of(entry);
-                try (Stream<Path> files = Files.walk(root)) {
+                try (Stream<Path> files = Files.walk(root, FileVisitOption.FOLLOW_LINKS)) {
                     for (Path file : files.filter(Files::isRegularFile).sorted().toList()) {
                         digest.update(root.relativize(file).toString().getBytes(StandardCharsets.UTF_8));
                         digest.update(Files.readAllBytes(file));
@@ -42,6 +43,9 @@ final class ClassPathDigest {
                 }
             }
             return "sha256:" + HexFormat.of().formatHex(digest.digest());
+        } catch (UncheckedIOException problem) {       // of a folder below
+            throw new UncheckedIOException("referee.classPath: cannot be read: " + problem.getMessage(),
+                problem.getCause());
         } catch (IOException problem) {
             throw new UncheckedIOException("referee.classPath: cannot be read: " + problem.getMessage(), problem);
         } catch (NoSuchAlgorithmException impossible) {

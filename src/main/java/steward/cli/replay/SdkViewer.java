@@ -24,6 +24,7 @@ import steward.live.FileServer;
 import steward.replay.RecordedMatch;
 import steward.replay.RecordedTurn;
 import steward.replay.ReplayReader;
+import tools.jackson.core.JacksonException;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.ArrayNode;
@@ -41,6 +42,7 @@ final class SdkViewer {
     private static final String ASSETS = "assets/";
     private static final Pattern IMPORT = Pattern.compile("(?m)^\\s*import\\b[^'\"]*['\"]\\./([^'\"]+)['\"]");
     private static final Pattern IMAGE = Pattern.compile("(?i).*\\.(png|jpe?g|svg)");
+    private static final Pattern PLAYER = Pattern.compile("\\d{1,2}");
     /** A grey square: the viewer wants a picture of each player. */
     private static final String AVATAR = "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6fptVAAAACklE"
         + "QVR4nGNoAAAAggCBd81ytgAAAABJRU5ErkJggg==";
@@ -54,7 +56,7 @@ final class SdkViewer {
         match = RecordedMatch.read(replay);
         start = replay.start();
         JsonNode entries = JSON.readTree(match.header().scene()).path("referee").path("classPath");
-        entries.forEach(entry -> classPath.add(Path.of(entry.asString())));
+        entries.forEach(entry -> classPath.add(Path.of(entry.asString()).normalize()));
         for (String needed : List.of("player.js", "player.html", "core/Drawer.js", "config.js")) {
             require(needed,
                 entries.isEmpty() ? "the match is of no referee on a class path" : "its class path has none");
@@ -98,11 +100,12 @@ final class SdkViewer {
     }
 
     private byte[] find(String name) {
-        try {
-            for (Path entry : classPath) {
+        for (Path entry : classPath) {
+            try {
                 if (Files.isDirectory(entry)) {
-                    Path file = entry.resolve(name).normalize();
-                    if (file.startsWith(entry.resolve(VIEW)) && Files.isRegularFile(file)) {
+                    Path file = entry.resolve(name);
+                    if (Files.isRegularFile(file)
+                        && file.toRealPath().startsWith(entry.resolve(VIEW).toRealPath())) {
                         return Files.readAllBytes(file);
                     }
                 } else if (Files.isRegularFile(entry)) {
@@ -112,11 +115,15 @@ final class SdkViewer {
                         }
                     }
                 }
+            } catch (IOException problem) {
+                throw unreadable(entry, problem);
             }
-            return null;
-        } catch (IOException problem) {
-            throw new UncheckedIOException(problem);
         }
+        return null;
+    }
+
+    private static InputException unreadable(Path entry, Exception problem) {
+        return new InputException("--viewer: cannot read " + entry + " of the class path: " + problem.getMessage());
     }
 
     /** Images by name, sheets of sprites, and fonts; the images of sheets come with these. */
@@ -128,7 +135,7 @@ final class SdkViewer {
         Set<String> names = names();
         Set<String> ofSheets = new TreeSet<>();
         for (String name : names) {
-            JsonNode sheet = name.endsWith(".json") ? JSON.readTree(file(ASSETS + name)) : JSON.nullNode();
+            JsonNode sheet = name.endsWith(".json") ? json(file(ASSETS + name)) : JSON.nullNode();
             if (sheet.has("frames")) {
                 sprites.add(name);
                 ofSheets.add(Path.of(name).resolveSibling(sheet.path("meta").path("image").asString("")).toString());
@@ -139,6 +146,15 @@ final class SdkViewer {
         names.stream().filter(name -> IMAGE.matcher(name).matches() && !ofSheets.contains(name))
             .forEach(name -> images.put(name, name));
         return assets;
+    }
+
+    /** A file that is no JSON is no sheet of sprites. */
+    private static JsonNode json(byte[] bytes) {
+        try {
+            return JSON.readTree(bytes);
+        } catch (JacksonException other) {
+            return JSON.nullNode();
+        }
     }
 
     private Set<String> names() {
@@ -157,8 +173,8 @@ final class SdkViewer {
                             .forEach(each -> names.add(each.getName().substring(start.length())));
                     }
                 }
-            } catch (IOException problem) {
-                throw new UncheckedIOException(problem);
+            } catch (IOException | UncheckedIOException problem) {
+                throw unreadable(entry, problem);
             }
         }
         return names;
@@ -206,16 +222,18 @@ final class SdkViewer {
                 case "SUMMARY" -> put(frame, "gameSummary", text);
                 case "TOOLTIP" -> {
                     for (int k = 0; k + 1 < lines.size(); k += 2) {
-                        tooltips.add(JSON.createObjectNode().put("text", lines.get(k))
-                            .put("event", Integer.parseInt(lines.get(k + 1).trim())).put("turn", frames.size() - 1)
-                            .toString());
+                        if (PLAYER.matcher(lines.get(k + 1).trim()).matches()) {
+                            tooltips.add(JSON.createObjectNode().put("text", lines.get(k))
+                                .put("event", Integer.parseInt(lines.get(k + 1).trim())).put("turn", frames.size() - 1)
+                                .toString());
+                        }
                     }
                 }
                 default -> { }
             }
         }
         int asked = state.path("asked").asInt(-1);
-        if (answered != null && frame != null && asked >= 0) {
+        if (answered != null && frame != null && asked >= 0 && asked < answered.stderr().length) {
             List<String> output = new ArrayList<>();
             JSON.readTree(answered.commands()).path(asked).path("lines").forEach(line -> output.add(line.asString()));
             put(frame.put("agentId", asked), "stdout", String.join("\n", output));

@@ -2,7 +2,9 @@ package steward.machines.bundle;
 
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.FileVisitOption;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.security.MessageDigest;
@@ -87,11 +89,11 @@ public record Bundle(String hash, byte[] bytes) {
     public static Bundle of(HostedSetup setup) {
         List<String> files = new ArrayList<>();
         for (String entry : setup.isOnClassPath() ? setup.words() : List.<String>of()) {
-            try (Stream<Path> all = Files.walk(Path.of(entry))) {
+            try (Stream<Path> all = Files.walk(Path.of(entry), FileVisitOption.FOLLOW_LINKS)) {
                 // A folder is listed too: the class path names it.
                 all.filter(file -> Files.isRegularFile(file) || file.toString().equals(entry)).sorted()
                     .forEach(file -> files.add(file.toString()));
-            } catch (IOException problem) {
+            } catch (IOException | UncheckedIOException problem) {
                 throw new InputException("referee.classPath: cannot be read: " + problem.getMessage());
             }
         }

@@ -49,7 +49,10 @@ class SdkViewerTest {
         put("target/classes/view/assets/sheet.json", "{\"frames\": {}, \"meta\": {\"image\": \"sheet.png\"}}");
         put("target/classes/view/assets/sheet.png", "sheet");
         put("target/classes/view/assets/letters.fnt", "font");
+        put("target/classes/view/assets/broken.json", "{bad");
         put("target/classes/secret.txt", "secret");
+        Files.createSymbolicLink(folder.resolve("target/classes/view/leak.txt"),
+            folder.resolve("target/classes/secret.txt"));
         replay = folder.resolve("match.jsonl");
         Files.writeString(replay, """
             {"type":"steward-replay","format":3,"angles":"correctly-rounded","game":"guest","seed":"3","players":[\
@@ -61,9 +64,11 @@ class SdkViewerTest {
             {"block":"SUMMARY","lines":["$1 begins"]},{"block":"VIEW","lines":["INTERMEDIATE_FRAME 1"]}]},\
             "hash":"0000000000000001"},"headerHash":"0000000000000001"}
             {"type":"turn","turn":1,"commands":[null,{"lines":["WAIT","AND SEE"]}],"outcome":{"state":{"bodies":[],\
-            "said":[{"block":"VIEW","lines":["KEY_FRAME 2","{}"]},{"block":"TOOLTIP","lines":["late","1"]}]},\
+            "said":[{"block":"VIEW","lines":["KEY_FRAME 2","{}"]},\
+            {"block":"TOOLTIP","lines":["late","1","odd","none"]}]},\
             "hash":"0000000000000002"},"stderr":[null,"thinking"],"turnHash":"0000000000000002"}
-            """.replace("CLASSES", folder.resolve("target/classes").toString()).replace("JAR", jar.toString()));
+            """.replace("CLASSES", folder.resolve("target/../target/classes").toString())
+            .replace("JAR", jar.toString()));
     }
 
     private void put(String name, String text) throws IOException {
@@ -94,6 +99,7 @@ class SdkViewerTest {
                 assertEquals(404, get(server, "nothing.js").statusCode());
                 assertEquals(404, get(server, "%2e%2e/secret.txt").statusCode());
                 assertEquals(404, get(server, "../secret.txt").statusCode());
+                assertEquals(404, get(server, "leak.txt").statusCode());
             }
         }
     }
@@ -124,6 +130,9 @@ class SdkViewerTest {
         Files.delete(folder.resolve(GRAPHICS));
         Cli.run("replay", replay.toString(), "--viewer").assertRefused("--viewer: found no view/graphics/View.js, "
             + "config.js imports it: the project's graphics are not compiled");
+        Files.writeString(folder.resolve("player.jar"), "no jar");
+        Cli.run("replay", replay.toString(), "--viewer").assertRefused("--viewer: cannot read "
+            + folder.resolve("player.jar") + " of the class path: zip END header not found");
         Files.writeString(replay, Files.readString(replay).replace("classPath", "command"));
         Cli.run("replay", replay.toString(), "--viewer").assertRefused("--viewer: found no view/player.js, the match "
             + "is of no referee on a class path");

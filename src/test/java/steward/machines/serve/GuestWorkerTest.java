@@ -145,7 +145,7 @@ class GuestWorkerTest extends ServedLeague {
         Cli.league(folder, "run", "TMP/many", "--games", "6").assertRefused("the game's jar is another one");
     }
 
-    /** What differs when it is played again may be the referee's chance: nobody is convicted of it. */
+    /** A difference when it is played again may be the referee's chance: nobody is convicted of it. */
     @Test
     void aRefereeThatIsNotDeterministicConvictsNobody() throws Exception {
         scene("chance");
