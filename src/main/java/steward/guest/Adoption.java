@@ -130,7 +130,7 @@ public final class Adoption {
                 + names(mixed) + " differ where levels are mixed")));
     }
 
-    /** What differs where one JVM with kept classes plays all levels in turn. */
+    /** Blocks that differ where one JVM with kept classes plays all levels in turn. */
     private Set<Name> mixed() {
         Set<Name> mixed = new TreeSet<>();
         for (int game = 0; game < SEEDS.length; game++) {
