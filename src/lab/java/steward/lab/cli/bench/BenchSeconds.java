@@ -12,8 +12,8 @@ final class BenchSeconds {
      */
     private static final Map<String, int[]> SECONDS = Map.ofEntries(
         entry("pods", 17, 48, 104),
-        entry("games", 17, 10, 25),
-        entry("matches", 13, 23, 62),
+        entry("games", 11, 63, 138),
+        entry("matches", 6, 44, 82),
         entry("growth", 13, 36, 73),
         entry("frames", 13, 19, 43),
         entry("verify", 17, 26, 32),
