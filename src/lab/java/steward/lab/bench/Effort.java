@@ -36,6 +36,11 @@ public enum Effort {
         return rounds;
     }
 
+    /** Returns how many measurements the median is taken of where each takes many seconds. */
+    public int fewRounds() {
+        return this == QUICK ? 1 : this == NORMAL ? 3 : 5;
+    }
+
     /** Returns the CPU time of one measurement, in milliseconds. */
     long roundMs() {
         return roundMs;

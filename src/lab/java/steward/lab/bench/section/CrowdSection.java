@@ -126,7 +126,8 @@ final class CrowdSection implements Section {
         for (int read = 0; read < LINES; read++) {
             place = place * 0x5851f42d4c957f2dL + 0x14057b7ef767814fL + memory[(int) (place >>> 33) % count << 3];
         }
-        return place == 0 ? Double.NaN : NANOS * LINES / (meter.cpu(false) - start);
+        double nanos = meter.cpu(false) - start;
+        return place == 0 ? Double.NaN : NANOS * LINES / nanos;   // a place that nobody uses would not be computed
     }
 
     private void add(Consumer<Row> rows, String name, double speed, double base, String note) {

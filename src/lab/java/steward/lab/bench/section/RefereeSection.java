@@ -3,14 +3,15 @@ package steward.lab.bench.section;
 import java.io.File;
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.function.Consumer;
-import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.tools.JavaCompiler;
 import javax.tools.ToolProvider;
@@ -24,6 +25,7 @@ import steward.lab.bench.Meter;
 import steward.lab.bench.Row;
 import steward.lab.bench.Section;
 import steward.match.Protocol;
+import tools.jackson.databind.json.JsonMapper;
 
 /** Bench section on referees made with CodinGame's SDK: games of a small one, in residents and in a JVM a game. */
 final class RefereeSection implements Section {
@@ -70,11 +72,7 @@ final class RefereeSection implements Section {
 
     @Override
     public int steps(Effort effort) {
-        return Way.values().length * (1 + rounds(effort));
-    }
-
-    private static int rounds(Effort effort) {
-        return effort == Effort.QUICK ? 1 : effort == Effort.NORMAL ? 3 : 5;
+        return Way.values().length * (1 + effort.fewRounds());
     }
 
     @Override
@@ -90,7 +88,7 @@ final class RefereeSection implements Section {
             double first = Double.NaN;
             for (Way way : Way.values()) {
                 GameSetup setup = fixture.types().open(scene(way, classPath), "bench");
-                double[] speeds = new double[rounds(effort)];
+                double[] speeds = new double[effort.fewRounds()];
                 for (int round = -1; round < speeds.length; round++) {
                     about.accept(way.words);
                     double speed = speed(setup, way.games);
@@ -127,25 +125,21 @@ final class RefereeSection implements Section {
             }
             words.add(folder.resolve(source).toString());
         }
-        if (compiler.run(null, null, null, words.toArray(new String[0])) != 0) {
+        OutputStream nothing = OutputStream.nullOutputStream();   // of jars that are not the SDK's it says a page
+        if (compiler.run(null, nothing, nothing, words.toArray(new String[0])) != 0) {
             throw new IOException(sdk + ": found no jars that the referee compiles with, expected those of the SDK");
         }
         return classPath;
     }
 
     private static String scene(Way way, List<String> classPath) {
-        String referee = way == Way.COLD
-            ? "\"command\": " + array(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+        Map<String, Object> referee = way == Way.COLD
+            ? Map.of("command", List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
                 "-Dgame.mode=multi", "--add-opens", "java.base/java.lang=ALL-UNNAMED", "-cp",
                 String.join(File.pathSeparator, classPath), MAIN))
-            : "\"classPath\": " + array(classPath) + ", \"reuse\": \"" + (way == Way.KEPT ? "classes" : "nothing")
-                + "\"";
-        return "{\"name\": \"bench\", \"game\": \"guest\", \"players\": 2, \"referee\": {" + referee + "}}";
-    }
-
-    private static String array(List<String> words) {
-        return words.stream().map(word -> '"' + word.replace("\\", "\\\\").replace("\"", "\\\"") + '"')
-            .collect(Collectors.joining(", ", "[", "]"));
+            : Map.of("classPath", classPath, "reuse", way == Way.KEPT ? "classes" : "nothing");
+        return JsonMapper.shared().writeValueAsString(
+            Map.of("name", "bench", "game", "guest", "players", 2, "referee", referee));
     }
 
     private double speed(GameSetup setup, int games) throws InterruptedException, IOException {

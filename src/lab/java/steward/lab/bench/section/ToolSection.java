@@ -49,11 +49,7 @@ final class ToolSection implements Section {
 
     @Override
     public int steps(Effort effort) {
-        return 2 * rounds(effort) * ToolGames.Referee.values().length;
-    }
-
-    private static int rounds(Effort effort) {
-        return effort == Effort.QUICK ? 1 : effort == Effort.NORMAL ? 3 : 5;
+        return 2 * effort.fewRounds() * ToolGames.Referee.values().length;
     }
 
     @Override
@@ -67,7 +63,7 @@ final class ToolSection implements Section {
         for (ToolGames.Tool tool : ToolGames.Tool.values()) {
             List<Path> absent = tool.files(tools).stream().filter(file -> !Files.exists(file)).toList();
             if (absent.isEmpty()) {
-                compare(tool, rounds(effort), effort == Effort.QUICK ? QUICK_GAMES : GAMES, about, rows);
+                compare(tool, effort.fewRounds(), effort == Effort.QUICK ? QUICK_GAMES : GAMES, about, rows);
             } else {
                 missing.add(tool.word() + " is skipped: there is no " + absent.get(0));
             }
