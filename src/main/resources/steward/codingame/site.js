@@ -29,5 +29,6 @@
   };
   globalThis.print = console.log;
   globalThis.printErr = console.error;
+  process.argv[1] = require('path').resolve(process.argv[1]);   // a plain name would be one of a module
   require('module').runMain();
 }

@@ -48,12 +48,15 @@ class SiteJavaScriptTest {
         assumeTrue(ProgramFinder.find("node") != null, "there is no node");
         Path bot = Files.writeString(folder.resolve("bot.js"),
             "print(require.main === module, process.argv[2], readline(), readline()); while (true) print(readline());");
-        Process node = new ProcessBuilder(SiteJavaScript.words(List.of("node", bot.toString(), "7"))).start();
-        node.getOutputStream().write("one\r\ntwo\nthree\n".getBytes(StandardCharsets.UTF_8));
-        node.getOutputStream().close();
-        assertEquals("true 7 one two\nthree\n",
-            new String(node.getInputStream().readAllBytes(), StandardCharsets.UTF_8));
-        assertEquals(0, node.waitFor());
+        for (String file : List.of(bot.toString(), "bot.js", "./bot.js")) {
+            Process node = new ProcessBuilder(SiteJavaScript.words(List.of("node", file, "7")))
+                .directory(folder.toFile()).start();
+            node.getOutputStream().write("one\r\ntwo\nthree\n".getBytes(StandardCharsets.UTF_8));
+            node.getOutputStream().close();
+            assertEquals("true 7 one two\nthree\n",
+                new String(node.getInputStream().readAllBytes(), StandardCharsets.UTF_8));
+            assertEquals(0, node.waitFor());
+        }
     }
 
     @Test
