@@ -2,6 +2,7 @@ package steward.replay;
 
 import java.util.Arrays;
 import steward.json.JsonNumbers;
+import steward.text.TextFormat;
 import tools.jackson.core.JsonParser;
 import tools.jackson.core.JsonToken;
 import tools.jackson.core.ObjectReadContext;
@@ -99,7 +100,11 @@ public record RecordedTurn(int number, byte[] commands, String[] faults, String 
         return -1;
     }
 
-    /** Returns how long the player took, in nanoseconds; 0 if that was not recorded. */
+    /**
+     * Returns how long the player took, in nanoseconds; 0 if that was not recorded.
+     *
+     * @throws ReplayException if a whole number beyond 64 bits was
+     */
     public long nanos(int player) {
         if (times == null) {
             return 0;
@@ -114,7 +119,14 @@ public record RecordedTurn(int number, byte[] commands, String[] faults, String 
             for (int k = 0; k < player && token != JsonToken.END_ARRAY; k++) {
                 token = in.nextToken();
             }
-            return token == JsonToken.VALUE_NUMBER_INT ? in.getLongValue() : 0;
+            if (token != JsonToken.VALUE_NUMBER_INT) {
+                return 0;
+            }
+            if (in.getNumberType() == JsonParser.NumberType.BIG_INTEGER) {
+                throw new ReplayException(where + ": times: answerNanos[" + player + "]: found "
+                    + TextFormat.beginning(in.getString(), 40) + ", expected a whole number below 2^63");
+            }
+            return in.getLongValue();
         }
     }
 

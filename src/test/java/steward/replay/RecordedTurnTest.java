@@ -2,6 +2,7 @@ package steward.replay;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.charset.StandardCharsets;
@@ -46,5 +47,16 @@ class RecordedTurnTest {
         assertFalse(has(turn("[12.0,[3]]"), 0, "12"));
         assertFalse(has(turn("[]"), 0, "12"));
         assertFalse(has(turn("[]"), 1, ""));
+    }
+
+    @Test
+    void timesAreOf64BitsOrRefusedByName() {
+        byte[] times = "{\"answerNanos\":[9223372036854775807,-9223372036854775809,1.5]}"
+            .getBytes(StandardCharsets.UTF_8);
+        RecordedTurn turn = new RecordedTurn(1, new byte[0], new String[3], null, null, null, null, times, "a:2");
+        assertEquals(Long.MAX_VALUE, turn.nanos(0));
+        assertEquals("a:2: times: answerNanos[1]: found -9223372036854775809, expected a whole number below 2^63",
+            assertThrows(ReplayException.class, () -> turn.nanos(1)).getMessage());
+        assertEquals(0, turn.nanos(2));
     }
 }
