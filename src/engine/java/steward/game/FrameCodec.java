@@ -7,7 +7,7 @@ import steward.json.JsonNumbers;
  * The {@code write} methods of all three add fields to an object that the caller has opened and closes; numbers go
  * through {@link JsonNumbers}.
  *
- * @param frames  what bots are sent and answer
+ * @param frames  what bots are sent and answer; {@code null} where they speak lines only
  * @param state   commands and states, as a replay keeps them
  * @param drawing what there is to draw
  */

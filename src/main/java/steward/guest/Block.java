@@ -1,9 +1,9 @@
 package steward.guest;
 
 import java.util.List;
-import java.util.Optional;
-import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /**
  * A block of lines, {@code [[NAME] n]} and n lines behind it: all that a referee and its host say to each other.
@@ -46,34 +46,18 @@ record Block(Name name, List<String> lines) {
         }
     }
 
-    private static final Pattern HEAD = Pattern.compile("\\[\\[([A-Z_]{1,30})\\] ?(\\d{1,9})\\]");
+    /** Head of a block as a referee writes it: its name and its number of lines. */
+    static final Pattern HEAD = Pattern.compile("\\[\\[(" + Stream.of(Name.values()).map(Name::name)
+        .collect(Collectors.joining("|")) + ")\\] ?(\\d{1,9})\\]");
 
     /** Copies the list. */
     Block {
         lines = List.copyOf(lines);
     }
 
-    /** Head of a block as a referee writes it; its number of lines is that of the match. */
-    record Head(Name name, int lines) {
-    }
-
-    /** The head that a line is, if it is one. */
-    static Optional<Head> head(String line) {
-        Matcher head = HEAD.matcher(line);
-        if (!head.matches()) {
-            return Optional.empty();
-        }
-        for (Name name : Name.values()) {
-            if (name.name().equals(head.group(1))) {
-                return Optional.of(new Head(name, Integer.parseInt(head.group(2))));
-            }
-        }
-        return Optional.empty();
-    }
-
-    /** Appends a block as a host says it. */
-    static void write(StringBuilder out, String name, List<String> lines) {
-        out.append("[[").append(name).append("] ").append(lines.size()).append("]\n");
-        lines.forEach(line -> out.append(line).append('\n'));
+    /** Returns a block as a host says it. */
+    static String text(String name, List<String> lines) {
+        return "[[" + name + "] " + lines.size() + "]\n" + lines.stream().map(line -> line + "\n")
+            .collect(Collectors.joining());
     }
 }

@@ -1,11 +1,13 @@
 package steward.guest;
 
 import java.io.ByteArrayOutputStream;
+import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.regex.Matcher;
 import steward.text.TextFormat;
 
 /** Reads what a referee says until its host speaks next. Bounded, so that a flood is a fault and fills no memory. */
@@ -32,36 +34,32 @@ final class BlockReader {
     /**
      * Returns all blocks up to the first that {@link Block.Name#isLast() ends} the referee's turn to speak.
      *
-     * @return {@code null} if the stream ends before
+     * @throws EOFException if the stream ends before
      * @throws RefereeFault if it says anything else than blocks, or too much
      */
     List<Block> next() throws IOException {
         List<Block> blocks = new ArrayList<>();
         read = 0;
         count = 0;
-        for (;;) {
+        Block.Name name;
+        do {
             String first = line();
-            if (first == null) {
-                return null;
+            Matcher head = Block.HEAD.matcher(first);
+            if (!head.matches()) {
+                throw new RefereeFault("said '" + TextFormat.plain(TextFormat.beginning(first, SHOWN))
+                    + "', expected a block such as [[VIEW] 3]");
             }
-            Block.Head head = Block.head(first).orElseThrow(() -> new RefereeFault("said '"
-                + TextFormat.plain(TextFormat.beginning(first, SHOWN)) + "', expected a block such as [[VIEW] 3]"));
+            name = Block.Name.valueOf(head.group(1));
             List<String> lines = new ArrayList<>();
-            for (int k = 0; k < head.lines(); k++) {
-                String next = line();
-                if (next == null) {
-                    return null;
-                }
-                lines.add(next);
+            for (int left = Integer.parseInt(head.group(2)); left > 0; left--) {
+                lines.add(line());
             }
-            blocks.add(new Block(head.name(), lines));
-            if (head.name().isLast()) {
-                return blocks;
-            }
-        }
+            blocks.add(new Block(name, lines));
+        } while (!name.isLast());
+        return blocks;
     }
 
-    /** The next line without its end, or {@code null} at the end of the stream. */
+    /** The next line without its end. */
     private String line() throws IOException {
         line.reset();
         if (++count > MOST_LINES) {
@@ -84,7 +82,7 @@ final class BlockReader {
                 throw new RefereeFault("said more than " + (MOST >> 20) + " MiB at a time");
             }
             if (to == 0) {
-                return null;
+                throw new EOFException();
             }
         }
     }

@@ -1,6 +1,7 @@
 package steward.guest;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.function.Supplier;
 import java.util.regex.Pattern;
@@ -23,6 +24,9 @@ import steward.text.TextFormat;
  */
 final class GuestGame extends AbstractGame {
 
+    /** Size of the field that is drawn. */
+    static final int WIDTH = 1600;
+    static final int HEIGHT = 900;
     /** Questions of a game at most, those of no lines included: a game that asks more does not end. */
     static final int MOST_QUESTIONS = 20_000;
     /** Characters that a referee may say in a game. */
@@ -34,6 +38,8 @@ final class GuestGame extends AbstractGame {
     private static final int MOST_LINES_SHOWN = 20;
     private static final int SHOWN = 300;
     private static final Pattern COLOUR = Pattern.compile("[\u00a4\u00a7][A-Za-z_]+[\u00a4\u00a7]");
+    /** Characters at which readers of some languages end a line. */
+    private static final Pattern ENDS = Pattern.compile("[\\n\\r\\x0b\\x0c\\x1c-\\x1e\\x85\\u2028\\u2029]");
     private static final Pattern PLAYER = Pattern.compile("\\$(\\d)");
 
     private final GuestProgram program;
@@ -44,8 +50,6 @@ final class GuestGame extends AbstractGame {
     private final StringBuilder[] pending;
     private final Bodies bodies = new Bodies(1);
     private final double[] scores;
-    private List<String> command;
-    private Isolation isolated;
     private RefereeProcess process;
     private boolean opened;
     private boolean closed;
@@ -65,9 +69,7 @@ final class GuestGame extends AbstractGame {
         this.isolation = isolation;
         scores = new double[players];
         pending = new StringBuilder[players];
-        for (int k = 0; k < players; k++) {
-            pending[k] = new StringBuilder();
-        }
+        Arrays.setAll(pending, k -> new StringBuilder());
     }
 
     private void open() {
@@ -78,8 +80,8 @@ final class GuestGame extends AbstractGame {
         if (program.missing() != null) {
             throw new RefereeFault("cannot be started: found no " + program.missing());
         }
-        command = program.words();
-        isolated = program.isolated(isolation.get());
+        List<String> command = program.words();
+        Isolation isolated = program.isolated(isolation.get());
         synchronized (this) {
             if (closed) {
                 throw new RefereeFault("was ended");
@@ -87,41 +89,37 @@ final class GuestGame extends AbstractGame {
             process = program.isResident() ? ResidentReferees.shared().take(command, isolated, program.limitMs())
                 : RefereeProcess.start(command, isolated, program.limitMs());
         }
-        StringBuilder begin = new StringBuilder();
-        program.begin(begin, players(), seed);
-        say(begin);
+        say(program.beginning(players(), seed));
     }
 
     @Override
     protected void playTurn() {
         open();
-        StringBuilder told = new StringBuilder();
-        if (answer == null) {
-            Block.write(told, "SET_PLAYER_TIMEOUT", List.of());
-        } else {
-            write(told, answer);
-        }
+        String told = told(answer);
         pending[player].setLength(0);
         answer = null;
         blocks.clear();
         say(told);
     }
 
-    private void write(StringBuilder told, List<String> output) {
+    /** Returns the block that tells an answer, or that there was none for {@code null}. */
+    private String told(List<String> output) {
+        if (output == null) {
+            return Block.text("SET_PLAYER_TIMEOUT", List.of());
+        }
         List<String> all = new ArrayList<>(output);
         if (monitored) {
             all.add(0, Long.toString(answerMs));
         }
-        Block.write(told, "SET_PLAYER_OUTPUT", all);
+        return Block.text("SET_PLAYER_OUTPUT", all);
     }
 
     /** Tells the referee this and listens until somebody has to be asked, or the game is over. */
-    private void say(StringBuilder first) {
-        StringBuilder told = first;
+    private void say(String first) {
+        String told = first;
         for (;;) {
-            hash(told.toString());
-            Block.write(told, "GET_GAME_INFO", List.of());
-            List<Block> answered = process.exchange(told.toString());
+            hash(told);
+            List<Block> answered = process.exchange(told + Block.text("GET_GAME_INFO", List.of()));
             answered.forEach(this::take);
             Block last = answered.get(answered.size() - 1);
             if (last.name() == Name.SCORES) {
@@ -132,13 +130,8 @@ final class GuestGame extends AbstractGame {
             if (lines > 0 && isIn(player)) {
                 return;
             }
-            told = new StringBuilder();
-            if (lines > 0) {
-                Block.write(told, "SET_PLAYER_TIMEOUT", List.of());
-            } else {
-                answerMs = 0;
-                write(told, List.of());
-            }
+            answerMs = 0;
+            told = told(lines > 0 ? null : List.of());
         }
     }
 
@@ -148,9 +141,7 @@ final class GuestGame extends AbstractGame {
             blocks.add(block);
             hash(block.name().name());
             block.lines().forEach(this::hash);
-            for (String line : block.lines()) {
-                length += line.length();
-            }
+            length += block.lines().stream().mapToInt(String::length).sum();
             if (length > MOST_SAID) {
                 throw process.fault("said more than " + MOST_SAID + " characters in a game");
             }
@@ -167,7 +158,7 @@ final class GuestGame extends AbstractGame {
     private void show(String line) {
         String text = PLAYER.matcher(COLOUR.matcher(line).replaceAll("")).replaceAll("player $1").strip();
         if (!text.isEmpty()) {
-            events.add(TurnEvent.Kind.MARK, 1, -1, GuestLines.WIDTH / 2.0, GuestLines.HEIGHT / 2.0,
+            events.add(TurnEvent.Kind.MARK, 1, -1, WIDTH / 2.0, HEIGHT / 2.0,
                 TextFormat.beginning(text, SHOWN), false);
         }
     }
@@ -205,11 +196,7 @@ final class GuestGame extends AbstractGame {
     }
 
     private static int number(String word) {
-        try {
-            return Integer.parseInt(word);
-        } catch (NumberFormatException none) {
-            return -1;
-        }
+        return word.matches("\\d{1,9}") ? Integer.parseInt(word) : -1;
     }
 
     private void finish(Block told) {
@@ -233,13 +220,14 @@ final class GuestGame extends AbstractGame {
         end("the referee has ended the game");
         RefereeProcess playing;
         synchronized (this) {
-            playing = closed ? null : process;
-            process = program.isResident() ? null : process;
+            playing = process;
+            process = null;                          // it may play another game, which close() must not end
         }
-        if (program.isResident() && playing != null) {
-            ResidentReferees.shared().giveBack(command, isolated, playing);
+        if (program.isResident()) {
+            ResidentReferees.shared().giveBack(playing);
+        } else {
+            playing.close();
         }
-        close();
     }
 
     @Override
@@ -279,6 +267,7 @@ final class GuestGame extends AbstractGame {
 
     /** The player that is asked, or -1 at the end. */
     int asked() {
+        open();
         return player;
     }
 
@@ -295,6 +284,18 @@ final class GuestGame extends AbstractGame {
     /** Time of that answer, in milliseconds. */
     long answerMs() {
         return answerMs;
+    }
+
+    /** Makes lines the answer of the player that is asked, unless they are refused; returns why, or {@code null}. */
+    String refusal(List<String> output, long ms) {
+        if (output.size() != lines) {
+            return "found " + output.size() + " lines, expected " + lines;
+        }
+        if (output.stream().anyMatch(line -> ENDS.matcher(line).find())) {
+            return "found an end of line within a line, expected none";
+        }
+        answer(output, ms);
+        return null;
     }
 
     /** Makes lines the answer of the player that is asked, or takes it back for {@code null}. */

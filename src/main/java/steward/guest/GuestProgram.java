@@ -1,6 +1,5 @@
 package steward.guest;
 
-import java.io.File;
 import java.net.URISyntaxException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -115,20 +114,21 @@ record GuestProgram(List<String> command, List<String> classPath, String main, S
         return !classPath.isEmpty();
     }
 
-    /** Says the blocks that begin a game. */
-    void begin(StringBuilder out, int players, long seed) {
-        if (isResident()) {
-            steward.guest.Block.write(out, "START", system.entrySet().stream()
-                .map(property -> property.getKey() + "=" + property.getValue()).toList());
-        }
+    /** Returns the blocks that begin a game. */
+    String beginning(int players, long seed) {
         List<String> lines = new ArrayList<>();
         lines.add(Integer.toString(players));
         if (testIn.isEmpty()) {
             lines.add("seed=" + seed);
         }
         lines.addAll(testIn);
-        properties.forEach((key, value) -> lines.add(key + "=" + value));
-        steward.guest.Block.write(out, "INIT", lines);
+        lines.addAll(assignments(properties));
+        return (isResident() ? steward.guest.Block.text("START", assignments(system)) : "")
+            + steward.guest.Block.text("INIT", lines);
+    }
+
+    private static List<String> assignments(Map<String, String> values) {
+        return values.entrySet().stream().map(value -> value.getKey() + "=" + value.getValue()).toList();
     }
 
     /** Name of a program or an entry of the class path that is not there, or {@code null}. */
@@ -159,7 +159,7 @@ record GuestProgram(List<String> command, List<String> classPath, String main, S
     /** Where the classes of this program are, of which the JVM needs one. */
     private static String hostPath() {
         try {
-            return new File(RefereeHost.class.getProtectionDomain().getCodeSource().getLocation().toURI()).getPath();
+            return Path.of(RefereeHost.class.getProtectionDomain().getCodeSource().getLocation().toURI()).toString();
         } catch (URISyntaxException impossible) {
             throw new IllegalStateException(impossible);
         }
@@ -167,7 +167,6 @@ record GuestProgram(List<String> command, List<String> classPath, String main, S
 
     /** Isolation of the referee: its class path is let through. */
     Isolation isolated(Isolation usual) {
-        return isResident() ? usual.showing(classPath.stream().map(entry -> Path.of(entry).toAbsolutePath()).toList())
-            : usual;
+        return usual.showing(classPath.stream().map(entry -> Path.of(entry).toAbsolutePath()).toList());
     }
 }

@@ -3,6 +3,7 @@ package steward.guest;
 import java.util.ArrayList;
 import java.util.List;
 import steward.game.StateCodec;
+import steward.json.JsonObject;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.JsonParser;
 import tools.jackson.core.JsonToken;
@@ -13,6 +14,7 @@ import tools.jackson.core.JsonToken;
  */
 record GuestState(GuestGame game) implements StateCodec {
 
+    private static final String LINES = "lines";
     private static final String EXPECTED = ", expected an object with the lines of an answer";
 
     @Override
@@ -21,53 +23,35 @@ record GuestState(GuestGame game) implements StateCodec {
         if (game.isMonitored()) {
             out.writeNumberProperty("ms", game.answerMs());
         }
-        writeLines(out, game.answer());
+        JsonObject.writeTexts(out, LINES, game.answer());
         out.writeEndObject();
-    }
-
-    private static void writeLines(JsonGenerator out, List<String> lines) {
-        out.writeArrayPropertyStart("lines");
-        lines.forEach(out::writeString);
-        out.writeEndArray();
     }
 
     @Override
     public String readCommand(JsonParser in, int player) {
         if (in.currentToken() != JsonToken.START_OBJECT) {
-            in.skipChildren();
             return "found no object" + EXPECTED;
         }
         long ms = 0;
         List<String> lines = null;
-        String wrong = null;
         while (in.nextToken() != JsonToken.END_OBJECT) {
             String name = in.currentName();
             JsonToken value = in.nextToken();
             if (name.equals("ms") && value == JsonToken.VALUE_NUMBER_INT && game.isMonitored()) {
                 ms = in.getLongValue();
-            } else if (name.equals("lines") && value == JsonToken.START_ARRAY) {
+            } else if (name.equals(LINES) && value == JsonToken.START_ARRAY) {
                 lines = new ArrayList<>();
                 while (in.nextToken() == JsonToken.VALUE_STRING) {
                     lines.add(in.getString());
                 }
-                wrong = in.currentToken() == JsonToken.END_ARRAY ? wrong : "found a line that is no text" + EXPECTED;
-                while (in.currentToken() != JsonToken.END_ARRAY) {
-                    in.skipChildren();
-                    in.nextToken();
+                if (in.currentToken() != JsonToken.END_ARRAY) {
+                    return "found a line that is no text" + EXPECTED;
                 }
             } else {
-                in.skipChildren();
-                wrong = "found the field \"" + name + "\"" + EXPECTED;
+                return "found the field \"" + name + "\"" + EXPECTED;
             }
         }
-        if (wrong == null && (lines == null || lines.size() != game.lines())) {
-            wrong = "found " + (lines == null ? "no" : lines.size()) + " lines, expected " + game.lines();
-        }
-        wrong = wrong == null ? GuestText.wrong(lines) : wrong;
-        if (wrong == null) {
-            game.answer(lines, ms);
-        }
-        return wrong;
+        return lines == null ? "found no lines, expected " + game.lines() : game.refusal(lines, ms);
     }
 
     @Override
@@ -77,19 +61,13 @@ record GuestState(GuestGame game) implements StateCodec {
 
     @Override
     public void writeState(JsonGenerator out) {
-        List<Block> blocks = game.blocks();
-        out.writeArrayPropertyStart("bodies");
-        out.writeEndArray();
+        JsonObject.writeTexts(out, "bodies", List.of());
         if (game.asked() >= 0) {
             out.writeNumberProperty("asked", game.asked());
         }
-        out.writeArrayPropertyStart("said");
-        for (Block block : blocks) {
-            out.writeStartObject();
+        JsonObject.writeAll(out, "said", game.blocks(), block -> {
             out.writeStringProperty("block", block.name().name());
-            writeLines(out, block.lines());
-            out.writeEndObject();
-        }
-        out.writeEndArray();
+            JsonObject.writeTexts(out, LINES, block.lines());
+        });
     }
 }

@@ -13,11 +13,14 @@ import steward.game.GameSetup;
 import steward.game.GameType;
 import steward.game.Pilot;
 import steward.game.TextCodec;
+import steward.json.DrawingJson;
+import steward.json.JsonObject;
 import steward.match.HostedSetup;
 import steward.physics.Contacts;
 import steward.scene.Plan;
 import steward.scene.Scene;
 import steward.scene.SceneReader;
+import tools.jackson.core.JsonGenerator;
 
 /** Type of the games whose referee is a program of its own. */
 public final class GuestType implements GameType {
@@ -113,8 +116,12 @@ public final class GuestType implements GameType {
 
         @Override
         public FrameCodec codec(Game game) {
-            GuestLines lines = new GuestLines((GuestGame) game);
-            return new FrameCodec(lines, new GuestState((GuestGame) game), lines);
+            return new FrameCodec(null, new GuestState((GuestGame) game), Setup::drawEmptyField);
+        }
+
+        private static void drawEmptyField(JsonGenerator out) {
+            DrawingJson.field(out, 0, 0, GuestGame.WIDTH, GuestGame.HEIGHT);
+            List.of("walls", "zones", "bodies").forEach(shapes -> JsonObject.writeTexts(out, shapes, List.of()));
         }
 
         @Override

@@ -1,16 +1,13 @@
 package steward.guest;
 
+import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.PrintStream;
 import java.lang.management.ManagementFactory;
-import java.lang.management.MemoryPoolMXBean;
-import java.lang.ref.WeakReference;
 import java.lang.reflect.Field;
 import java.lang.reflect.InvocationTargetException;
-import java.lang.reflect.Method;
-import java.net.MalformedURLException;
 import java.net.URL;
 import java.net.URLClassLoader;
 import java.nio.charset.StandardCharsets;
@@ -43,7 +40,6 @@ public final class RefereeHost {
     private final boolean reuse;
     private final List<URL> own = new ArrayList<>();
     private final ClassLoader libraries;
-    private final List<WeakReference<ClassLoader>> loaders = new ArrayList<>();
     private ClassLoader kept;
 
     private RefereeHost(String main, boolean reuse, List<String> classPath) throws IOException {
@@ -52,13 +48,9 @@ public final class RefereeHost {
         List<URL> shared = new ArrayList<>();
         for (String entry : classPath) {
             Path path = Path.of(entry);
-            (own.isEmpty() || isSdk(path) ? own : shared).add(url(path));
+            (own.isEmpty() || isSdk(path) ? own : shared).add(path.toUri().toURL());
         }
         libraries = new URLClassLoader(shared.toArray(new URL[0]), ClassLoader.getPlatformClassLoader());
-    }
-
-    private static URL url(Path path) throws MalformedURLException {
-        return path.toUri().toURL();
     }
 
     private static boolean isSdk(Path path) throws IOException {
@@ -103,15 +95,13 @@ public final class RefereeHost {
         ClassLoader loader = kept;
         if (loader == null) {
             loader = new URLClassLoader(own.toArray(new URL[0]), libraries);
-            loaders.add(new WeakReference<>(loader));
             kept = reuse ? loader : null;
         }
         Thread.currentThread().setContextClassLoader(loader);
         try {
             Class<?> referee = loader.loadClass(main);
             setInProduction(referee);
-            Method start = referee.getMethod("start", InputStream.class, PrintStream.class);
-            start.invoke(null, in, out);
+            referee.getMethod("start", InputStream.class, PrintStream.class).invoke(null, in, out);
         } catch (InvocationTargetException thrown) {
             fail(out, thrown.getCause());
         } catch (Throwable problem) {              // errors too: whatever a referee throws is told as its failure
@@ -130,7 +120,6 @@ public final class RefereeHost {
             field.set(null, true);
         } catch (ReflectiveOperationException none) {
             // A main class without it needs nothing.
-            return;
         }
     }
 
@@ -145,17 +134,12 @@ public final class RefereeHost {
             return false;
         }
         System.gc();
-        loaders.removeIf(loader -> loader.get() == null);
         return metaspace() > RECYCLE_ABOVE;
     }
 
     private static long metaspace() {
-        for (MemoryPoolMXBean pool : ManagementFactory.getMemoryPoolMXBeans()) {
-            if (pool.getName().equals("Metaspace")) {
-                return pool.getUsage().getUsed();
-            }
-        }
-        return 0;
+        return ManagementFactory.getMemoryPoolMXBeans().stream().filter(pool -> pool.getName().equals("Metaspace"))
+            .mapToLong(pool -> pool.getUsage().getUsed()).sum();
     }
 
     /** The input of one game: a reader gets a line at a time, so that it never takes lines of the next game. */
@@ -164,11 +148,7 @@ public final class RefereeHost {
         private static final String END = "[[END] 0]";
 
         private final InputStream in;
-        private final byte[] buffer = new byte[1 << 16];
-        private int from;
-        private int to;
-        private byte[] current = {};
-        private int at;
+        private ByteArrayInputStream current = new ByteArrayInputStream(new byte[0]);
         private boolean ended;
 
         Lines(InputStream in) {
@@ -178,24 +158,14 @@ public final class RefereeHost {
         /** The next line without its end, or {@code null}; END sets {@link #ended}. */
         String line() throws IOException {
             ByteArrayOutputStream line = new ByteArrayOutputStream();
-            for (;;) {
-                if (from == to) {
-                    from = 0;
-                    to = in.read(buffer);
-                    if (to <= 0) {
-                        to = 0;
-                        ended = true;
-                        return null;
-                    }
-                }
-                byte one = buffer[from++];
-                if (one == '\n') {
-                    String text = line.toString(StandardCharsets.UTF_8);
-                    ended |= text.equals(END);
-                    return text;
-                }
+            int one = in.read();
+            while (one >= 0 && one != '\n') {
                 line.write(one);
+                one = in.read();
             }
+            String text = one < 0 ? null : line.toString(StandardCharsets.UTF_8);
+            ended |= text == null || text.equals(END);
+            return text;
         }
 
         @Override
@@ -206,18 +176,14 @@ public final class RefereeHost {
 
         @Override
         public int read(byte[] target, int offset, int length) throws IOException {
-            if (at == current.length) {
+            if (current.available() == 0) {
                 String line = ended ? null : line();
                 if (line == null || ended) {
                     return -1;
                 }
-                current = (line + "\n").getBytes(StandardCharsets.UTF_8);
-                at = 0;
+                current = new ByteArrayInputStream((line + "\n").getBytes(StandardCharsets.UTF_8));
             }
-            int count = Math.min(length, current.length - at);
-            System.arraycopy(current, at, target, offset, count);
-            at += count;
-            return count;
+            return current.read(target, offset, length);
         }
     }
 }

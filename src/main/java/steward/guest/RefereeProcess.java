@@ -25,12 +25,16 @@ final class RefereeProcess {
     private static final int STDERR_LINES = 10;
     private static final int STDERR_WIDTH = 300;
 
+    private final List<String> command;
+    private final Isolation isolation;
     private final HostedProcess process;
     private final BlockReader reader;
     private final int limitMs;
     private volatile boolean closed;
 
-    private RefereeProcess(HostedProcess process, int limitMs) {
+    private RefereeProcess(List<String> command, Isolation isolation, HostedProcess process, int limitMs) {
+        this.command = command;
+        this.isolation = isolation;
         this.process = process;
         this.limitMs = limitMs;
         reader = new BlockReader(process.output());
@@ -40,10 +44,15 @@ final class RefereeProcess {
     static RefereeProcess start(List<String> command, Isolation isolation, int limitMs) {
         Launch launch = new Launch(command, isolation.withoutMemoryLimit().holding(HoldPolicy.NEVER), List.of());
         try {
-            return new RefereeProcess(HostedProcess.start(launch), limitMs);
+            return new RefereeProcess(command, isolation, HostedProcess.start(launch), limitMs);
         } catch (IOException problem) {
             throw new RefereeFault("cannot be started: " + problem.getMessage());
         }
+    }
+
+    /** True if it was started so. */
+    boolean isOf(List<String> otherCommand, Isolation otherIsolation) {
+        return command.equals(otherCommand) && isolation.equals(otherIsolation);
     }
 
     /** Says blocks and returns those of the answer. */
@@ -54,15 +63,11 @@ final class RefereeProcess {
                 process.input().flush();
             } catch (IOException gone) {
                 // It has ended or closed its input; what it said before counts, and reading shows the rest.
-                return reader.next();
             }
             return reader.next();
         });
         DaemonThreadPool.run(task);
         List<Block> answer = await(task);
-        if (answer == null) {
-            throw fault(closed ? "was ended" : process.ending());
-        }
         Block last = answer.get(answer.size() - 1);
         if (last.name() == Block.Name.FAIL) {
             throw fault("failed: " + String.join(" | ", last.lines()));
@@ -80,8 +85,8 @@ final class RefereeProcess {
                 Thread.currentThread().interrupt();
                 throw fault("was interrupted");
             } catch (ExecutionException failed) {
-                throw fault(failed.getCause() instanceof RefereeFault found
-                    ? found.getCause().getMessage() : process.ending());
+                throw fault(failed.getCause() instanceof RefereeFault found ? found.getCause().getMessage()
+                    : closed ? "was ended" : process.ending());
             }
         }
         throw fault("said nothing for " + limitMs + " ms that ends its turn to speak");

@@ -11,10 +11,7 @@ final class ResidentReferees {
     private static final ResidentReferees SHARED = new ResidentReferees();
     private static final int MOST = Math.max(2, Runtime.getRuntime().availableProcessors());
 
-    private record Idle(List<String> command, Isolation isolation, RefereeProcess process) {
-    }
-
-    private final Deque<Idle> idle = new ArrayDeque<>();
+    private final Deque<RefereeProcess> idle = new ArrayDeque<>();
 
     /** The residents of this JVM. */
     static ResidentReferees shared() {
@@ -24,10 +21,10 @@ final class ResidentReferees {
     /** A referee that plays one game, to be closed or given back. */
     RefereeProcess take(List<String> command, Isolation isolation, int limitMs) {
         synchronized (idle) {
-            for (Idle each : idle) {
-                if (each.command.equals(command) && each.isolation.equals(isolation)) {
+            for (RefereeProcess each : idle) {
+                if (each.isOf(command, isolation)) {
                     idle.remove(each);
-                    return each.process;
+                    return each;
                 }
             }
         }
@@ -35,12 +32,10 @@ final class ResidentReferees {
     }
 
     /** Takes a referee back whose game is over. If it is full, or others are idle already, one is ended. */
-    void giveBack(List<String> command, Isolation isolation, RefereeProcess process) {
-        StringBuilder end = new StringBuilder();
-        Block.write(end, "END", List.of());
+    void giveBack(RefereeProcess process) {
         List<Block> answer;
         try {
-            answer = process.exchange(end.toString());
+            answer = process.exchange(Block.text("END", List.of()));
         } catch (RefereeFault late) {
             return;                                  // it is ended; the game was over, and its result counts
         }
@@ -49,20 +44,20 @@ final class ResidentReferees {
             return;
         }
         process.forgetStderr();
-        Idle ended;
+        RefereeProcess ended;
         synchronized (idle) {
-            idle.addFirst(new Idle(command, isolation, process));
+            idle.addFirst(process);
             ended = idle.size() > MOST ? idle.removeLast() : null;
         }
         if (ended != null) {
-            ended.process.close();
+            ended.close();
         }
     }
 
     /** Ends all that are idle. */
     void close() {
         synchronized (idle) {
-            idle.forEach(each -> each.process.close());
+            idle.forEach(RefereeProcess::close);
             idle.clear();
         }
     }
