@@ -50,6 +50,10 @@ def misbehave():
         say("GARBAGE", "1")
     if mode == "noise":
         print("debug: 7 bodies")
+    if mode == "lines":
+        print("[[VIEW] 9999999999]")
+    if mode == "number":
+        say("NEXT_PLAYER_INFO", 0, 1, 9999999999)
     if mode == "huge":
         print("[[VIEW] 999999999]")
         while True:

@@ -114,6 +114,11 @@ record GuestProgram(List<String> command, List<String> classPath, String main, S
         return !classPath.isEmpty();
     }
 
+    /** Entries of the class path, or words of the command that are files. */
+    List<String> files() {
+        return isResident() ? classPath : command.stream().filter(word -> Files.isRegularFile(Path.of(word))).toList();
+    }
+
     /** Returns the blocks that begin a game. */
     String beginning(int players, long seed) {
         List<String> lines = new ArrayList<>();

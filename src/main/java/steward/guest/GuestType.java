@@ -61,10 +61,10 @@ public final class GuestType implements GameType {
         GuestProgram program = GuestProgram.read(scene.root());
         scene.root().done();
         return new Setup(scene, program, Plan.of(scene, new Contacts(1), 1, false, List.of()),
-            new ClassPathDigest(program.classPath()), Isolation::usual);
+            new RefereeDigest(program), Isolation::usual);
     }
 
-    private record Setup(Scene scene, GuestProgram program, Plan plan, ClassPathDigest files,
+    private record Setup(Scene scene, GuestProgram program, Plan plan, RefereeDigest files,
                          Supplier<Isolation> isolation) implements HostedSetup, Digested {
 
         @Override

@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.PrintStream;
 import java.lang.management.ManagementFactory;
+import java.lang.ref.WeakReference;
 import java.lang.reflect.Field;
 import java.lang.reflect.InvocationTargetException;
 import java.net.URL;
@@ -23,8 +24,8 @@ import java.util.jar.JarFile;
  * standard error.
  *
  * <p>A game begins with a block START, whose lines are system properties, and ends with END, which is answered by
- * READY: {@code go on}, or {@code recycle} once loaders that stay alive fill the metaspace. Each game has a loader of
- * its own for the SDK and the contest, unless classes are reused; other libraries are shared.
+ * READY: {@code go on}, or {@code recycle} once loaders that stay alive are many or fill the metaspace. Each game has
+ * a loader of its own for the SDK and the contest, unless classes are reused; other libraries are shared.
  *
  * <p>Arguments: the main class, {@code fresh} or {@code classes}, the entries of the class path.
  */
@@ -33,6 +34,8 @@ public final class RefereeHost {
     /** Metaspace in bytes above which a collection is asked for, and above which the JVM is recycled. */
     private static final long COLLECT_ABOVE = 96L << 20;
     private static final long RECYCLE_ABOVE = 192L << 20;
+    /** Loaders of earlier games that may stay alive. */
+    private static final int MOST_LOADERS = 40;
     /** The first entry is the project itself; of the others, those with such classes are the SDK. */
     private static final String SDK = "com/codingame/";
 
@@ -40,6 +43,7 @@ public final class RefereeHost {
     private final boolean reuse;
     private final List<URL> own = new ArrayList<>();
     private final ClassLoader libraries;
+    private final List<WeakReference<ClassLoader>> loaders = new ArrayList<>();
     private ClassLoader kept;
 
     private RefereeHost(String main, boolean reuse, List<String> classPath) throws IOException {
@@ -95,6 +99,7 @@ public final class RefereeHost {
         ClassLoader loader = kept;
         if (loader == null) {
             loader = new URLClassLoader(own.toArray(new URL[0]), libraries);
+            loaders.add(new WeakReference<>(loader));
             kept = reuse ? loader : null;
         }
         Thread.currentThread().setContextClassLoader(loader);
@@ -128,13 +133,14 @@ public final class RefereeHost {
         out.print("[[FAIL] 1]\n" + String.valueOf(problem).replaceAll("\\R", " ") + "\n");
     }
 
-    /** True if loaders of earlier games stay alive, also after a collection, and fill the metaspace. */
+    /** True if loaders of earlier games stay alive, also after a collection: too many, or they fill the metaspace. */
     private boolean isFull() {
-        if (metaspace() < COLLECT_ABOVE) {
+        if (metaspace() < COLLECT_ABOVE && loaders.size() < MOST_LOADERS) {
             return false;
         }
         System.gc();
-        return metaspace() > RECYCLE_ABOVE;
+        loaders.removeIf(loader -> loader.get() == null);
+        return metaspace() > RECYCLE_ABOVE || loaders.size() >= MOST_LOADERS;
     }
 
     private static long metaspace() {

@@ -53,7 +53,7 @@ public record Season(String key, String sceneName, String sceneKey, String limit
             return "the time limits are " + other.limits + ", were " + limits;
         }
         if (!jar().equals(other.jar())) {
-            return "the game's jar is another one";
+            return "the files of the game are others";
         }
         String rung = rules.substring(rules.indexOf(' ') + 1);
         return other.rules.endsWith(" " + rung) ? "the law of " + rung.replaceFirst(" .*", "") + " is another version"

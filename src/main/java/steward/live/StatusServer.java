@@ -19,10 +19,11 @@ public final class StatusServer implements AutoCloseable {
     private final Viewers viewers;
     private final Newest newest = new Newest();
 
-    private StatusServer(String host, int port, int most, byte[] page, Function<String, byte[]> pages)
+    private StatusServer(String host, int port, int most, byte[] page, Function<String, byte[]> pages, boolean open)
             throws IOException {
         viewers = new Viewers(most);
-        service = HttpService.start(host, port, new StatusSite(page, newest, pages), viewers, LiveServer.SILENT_NANOS);
+        service = HttpService.start(host, port, new StatusSite(page, newest, pages, open), viewers,
+            LiveServer.SILENT_NANOS);
     }
 
     /**
@@ -38,10 +39,19 @@ public final class StatusServer implements AutoCloseable {
      */
     public static StatusServer start(String host, int port, int most, byte[] page, Function<String, byte[]> pages)
             throws IOException {
-        return new StatusServer(host, port, most, page, pages);
+        return new StatusServer(host, port, most, page, pages, false);
     }
 
-    private record StatusSite(byte[] front, Feed feed, Function<String, byte[]> pages) implements Site {
+    /**
+     * Starts a server of a page and the files of a viewer that it shows in a sandboxed frame, on this machine and any
+     * port. The frame has no origin, so whatever asks may read the files, which may reach this server alone; the page
+     * is read by nobody else.
+     */
+    public static StatusServer ofViewer(byte[] page, Function<String, byte[]> files) throws IOException {
+        return new StatusServer(null, 0, 1, page, files, true);
+    }
+
+    private record StatusSite(byte[] front, Feed feed, Function<String, byte[]> pages, boolean isOpen) implements Site {
 
         @Override
         public byte[] page(String path) {

@@ -127,7 +127,7 @@ class OutsideGameTest {
         pack(others.resolve("sumo.jar"), folder.resolve("classes"), "changed");
         Cli ended = call(others, "league", "run", league, "--games", "8");
         assertEquals(ExitStatus.UNUSABLE, ended.status());
-        assertTrue(ended.err().contains("the game's jar is another one"), ended.err());
+        assertTrue(ended.err().contains("the files of the game are others"), ended.err());
     }
 
     @Test

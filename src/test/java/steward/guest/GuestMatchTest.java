@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
 import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
@@ -114,13 +115,21 @@ class GuestMatchTest {
     @Test
     void theFirstDifferenceIsNamed() throws IOException {
         Path file = folder.resolve("x.jsonl");
-        match(scene("good", 2, ""), "--out", file.toString());
+        Path script = Files.writeString(folder.resolve("referee.sh"), "exec python3 " + folder.resolve("standin.py")
+            + " good");
+        String scene = scene("good", 2, "");
+        Files.writeString(Path.of(scene), Files.readString(Path.of(scene)).replaceFirst("\\[.*]", "[\"sh\", \""
+            + script + "\"]"));
+        match(scene, "--out", file.toString());
         Files.writeString(folder.resolve("standin.py"), Files.readString(folder.resolve("standin.py"))
             .replace("f\"KEY_FRAME {turn}\"", "f\"KEY_FRAME {turn // 5 * 5}\""));
         Cli cli = Cli.run("replay", file.toString(), "--verify", "--run-referee");
         assertEquals(ExitStatus.FAILED, cli.status());
         assertTrue(cli.out().startsWith("differs: turn 2, "), cli.out());
         assertTrue(cli.out().contains("KEY_FRAME 1"), cli.out());
+        Files.writeString(script, " ", StandardOpenOption.APPEND);
+        Cli.run("replay", file.toString(), "--verify", "--run-referee").assertRefused(
+            "which is that of the referee's files here");
     }
 
     @Test
@@ -184,6 +193,8 @@ class GuestMatchTest {
         "errors   | exited with status 4 before answering; its stderr: e",
         "unknown  | said '[[GARBAGE] 1]', expected a block such as [[VIEW] 3]",
         "noise    | said 'debug: 7 bodies', expected a block",
+        "lines    | said '[[VIEW] 9999999999]', expected a block",
+        "number   | said NEXT_PLAYER_INFO [0, 1, 9999999999], expected a player 0..1",
         "huge     | said more than 16 MiB at a time",
         "nobody   | said NEXT_PLAYER_INFO [7, 1, 100], expected a player 0..1",
         "few      | said SCORES [0 1], expected a player and a score in each of 2 lines",

@@ -75,6 +75,27 @@ class ResidentRefereeTest {
         assertEquals("\u00e4 true", last.get(2));
     }
 
+    /** Classes that nothing can unload: the referee has put them where the whole JVM holds them. */
+    @Test
+    void aJvmWithFortyLoadersAliveIsStartedAnew() throws IOException {
+        StandInProject.compiled(folder, Files.writeString(Files.createDirectories(folder.resolve("source"))
+            .resolve("Referee.java"), """
+            public class Referee {
+                static {
+                    System.getProperties().put(new Object(), Referee.class);
+                }
+
+                public static String turn(int turn, long seed, int games) {
+                    return "game " + games;
+                }
+            }
+            """));
+        String scene = scene(2, "");
+        for (int game = 0; game < 90; game++) {
+            assertEquals("game " + (game % 40 + 1), play(scene, 200).get(0));
+        }
+    }
+
     @Test
     void reusedClassesRememberAndOneJvmPlaysOneLevel() {
         String reused = ", \"reuse\": \"classes\", \"leagueLevel\": ";

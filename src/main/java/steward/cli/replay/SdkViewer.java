@@ -4,14 +4,15 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.FileSystems;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.ProviderNotFoundException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.concurrent.ExecutionException;
-import java.util.jar.JarFile;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
@@ -20,7 +21,7 @@ import steward.cli.shared.Pages;
 import steward.cli.streams.EnterKey;
 import steward.cli.streams.Streams;
 import steward.files.InputException;
-import steward.live.FileServer;
+import steward.live.StatusServer;
 import steward.replay.RecordedMatch;
 import steward.replay.RecordedTurn;
 import steward.replay.ReplayReader;
@@ -38,7 +39,7 @@ import tools.jackson.databind.node.ObjectNode;
 final class SdkViewer {
 
     private static final JsonMapper JSON = new JsonMapper();
-    private static final String VIEW = "view/";
+    private static final String VIEW = "view";
     private static final String ASSETS = "assets/";
     private static final Pattern IMPORT = Pattern.compile("(?m)^\\s*import\\b[^'\"]*['\"]\\./([^'\"]+)['\"]");
     private static final Pattern IMAGE = Pattern.compile("(?i).*\\.(png|jpe?g|svg)");
@@ -49,14 +50,15 @@ final class SdkViewer {
 
     private final RecordedMatch match;
     private final byte[] start;
-    private final List<Path> classPath = new ArrayList<>();
+    /** Folders {@code view} in folders and jars. */
+    private final List<Path> roots = new ArrayList<>();
 
     /** @throws InputException if the match has no such viewer, or one that is not compiled */
     SdkViewer(ReplayReader replay) {
         match = RecordedMatch.read(replay);
         start = replay.start();
         JsonNode entries = JSON.readTree(match.header().scene()).path("referee").path("classPath");
-        entries.forEach(entry -> classPath.add(Path.of(entry.asString()).normalize()));
+        entries.forEach(entry -> addRoot(Path.of(entry.asString()).normalize()));
         for (String needed : List.of("player.js", "player.html", "core/Drawer.js", "config.js")) {
             require(needed,
                 entries.isEmpty() ? "the match is of no referee on a class path" : "its class path has none");
@@ -67,9 +69,20 @@ final class SdkViewer {
         }
     }
 
+    private void addRoot(Path entry) {
+        try {
+            Path root = Files.isRegularFile(entry) ? FileSystems.newFileSystem(entry).getPath("/") : entry;
+            if (Files.isDirectory(root.resolve(VIEW))) {
+                roots.add(root.resolve(VIEW));
+            }
+        } catch (IOException | ProviderNotFoundException problem) {
+            throw unreadable(entry, problem);
+        }
+    }
+
     /** Serves it until Enter, or the end of the input. */
     void serve(Streams streams, boolean open) throws InterruptedException {
-        try (FileServer server = FileServer.start(page(), this::file)) {
+        try (StatusServer server = StatusServer.ofViewer(page(), this::file)) {
             streams.out().println("Watch the match at");
             streams.out().println(server.address());
             streams.out().println("Enter ends.");
@@ -85,13 +98,13 @@ final class SdkViewer {
 
     private void require(String name, String why) {
         if (file(name) == null) {
-            throw new InputException("--viewer: found no " + VIEW + name + ", " + why);
+            throw new InputException("--viewer: found no view/" + name + ", " + why);
         }
     }
 
     /** Returns a file of the viewer, or {@code null}. */
     byte[] file(String name) {
-        byte[] found = find(VIEW + name);
+        byte[] found = find(name);
         return found != null ? found : switch (name) {
             case "assets.js" -> ("export const assets = " + assets() + ";").getBytes(StandardCharsets.UTF_8);
             case "demo.js" -> "export const demo = null;".getBytes(StandardCharsets.UTF_8);
@@ -100,30 +113,21 @@ final class SdkViewer {
     }
 
     private byte[] find(String name) {
-        for (Path entry : classPath) {
+        for (Path root : roots) {
+            Path file = root.resolve(name);
             try {
-                if (Files.isDirectory(entry)) {
-                    Path file = entry.resolve(name);
-                    if (Files.isRegularFile(file)
-                        && file.toRealPath().startsWith(entry.resolve(VIEW).toRealPath())) {
-                        return Files.readAllBytes(file);
-                    }
-                } else if (Files.isRegularFile(entry)) {
-                    try (JarFile jar = new JarFile(entry.toFile())) {
-                        if (jar.getEntry(name) != null && !jar.getEntry(name).isDirectory()) {
-                            return jar.getInputStream(jar.getEntry(name)).readAllBytes();
-                        }
-                    }
+                if (Files.isRegularFile(file) && file.toRealPath().startsWith(root.toRealPath())) {
+                    return Files.readAllBytes(file);
                 }
             } catch (IOException problem) {
-                throw unreadable(entry, problem);
+                throw unreadable(root, problem);
             }
         }
         return null;
     }
 
-    private static InputException unreadable(Path entry, Exception problem) {
-        return new InputException("--viewer: cannot read " + entry + " of the class path: " + problem.getMessage());
+    private static InputException unreadable(Path path, Exception problem) {
+        return new InputException("--viewer: cannot read " + path + " of the class path: " + problem.getMessage());
     }
 
     /** Images by name, sheets of sprites, and fonts; the images of sheets come with these. */
@@ -159,22 +163,12 @@ final class SdkViewer {
 
     private Set<String> names() {
         Set<String> names = new TreeSet<>();
-        String start = VIEW + ASSETS;
-        for (Path entry : classPath) {
-            try {
-                if (Files.isDirectory(entry.resolve(start))) {
-                    try (Stream<Path> files = Files.walk(entry.resolve(start))) {
-                        files.filter(Files::isRegularFile).forEach(file -> names.add(entry.resolve(start)
-                            .relativize(file).toString()));
-                    }
-                } else if (Files.isRegularFile(entry)) {
-                    try (JarFile jar = new JarFile(entry.toFile())) {
-                        jar.stream().filter(each -> each.getName().startsWith(start) && !each.isDirectory())
-                            .forEach(each -> names.add(each.getName().substring(start.length())));
-                    }
-                }
+        for (Path root : roots) {
+            Path folder = root.resolve(ASSETS);
+            try (Stream<Path> files = Files.isDirectory(folder) ? Files.walk(folder) : Stream.empty()) {
+                files.filter(Files::isRegularFile).forEach(file -> names.add(folder.relativize(file).toString()));
             } catch (IOException | UncheckedIOException problem) {
-                throw unreadable(entry, problem);
+                throw unreadable(folder, problem);
             }
         }
         return names;

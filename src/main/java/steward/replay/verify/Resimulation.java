@@ -67,7 +67,7 @@ public final class Resimulation {
         }
         if (setup.isHosted() && !Objects.equals(header.jar(), JarFolder.digestOf(setup))) {
             throw new ReplayException(source + ":1: jar: found " + header.jar() + ", expected "
-                + JarFolder.digestOf(setup) + ", which is that of the referee's class path here");
+                + JarFolder.digestOf(setup) + ", which is that of the referee's files here");
         }
         if (!header.game().equals(setup.scene().gameId())) {
             throw new ReplayException(source + ":1: game: found \""

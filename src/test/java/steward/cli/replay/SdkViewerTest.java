@@ -20,7 +20,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import steward.cli.Cli;
-import steward.live.FileServer;
+import steward.live.StatusServer;
 import steward.replay.ReplayReader;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
@@ -77,7 +77,7 @@ class SdkViewerTest {
         Files.writeString(file, text);
     }
 
-    private static HttpResponse<String> get(FileServer server, String path) throws Exception {
+    private static HttpResponse<String> get(StatusServer server, String path) throws Exception {
         URI address = server.address().resolve("/" + path);
         return HttpClient.newHttpClient().send(HttpRequest.newBuilder(address).build(), BodyHandlers.ofString());
     }
@@ -86,7 +86,7 @@ class SdkViewerTest {
     void thePlayerOfTheJarsIsServedWithTheProjectOverIt() throws Exception {
         try (ReplayReader reader = ReplayReader.open(replay)) {
             SdkViewer viewer = new SdkViewer(reader);
-            try (FileServer server = FileServer.start(viewer.page(), viewer::file)) {
+            try (StatusServer server = StatusServer.ofViewer(viewer.page(), viewer::file)) {
                 assertEquals("// ours", get(server, "player.js").body());
                 HttpResponse<String> config = get(server, "config.js");
                 assertTrue(config.body().contains("View"), config.body());
@@ -100,6 +100,8 @@ class SdkViewerTest {
                 assertEquals(404, get(server, "%2e%2e/secret.txt").statusCode());
                 assertEquals(404, get(server, "../secret.txt").statusCode());
                 assertEquals(404, get(server, "leak.txt").statusCode());
+                assertEquals(404, get(server, "a%00b").statusCode());
+                assertEquals(404, get(server, "%2fetc/hostname").statusCode());
             }
         }
     }
@@ -109,7 +111,7 @@ class SdkViewerTest {
         try (ReplayReader reader = ReplayReader.open(replay)) {
             SdkViewer viewer = new SdkViewer(reader);
             assertEquals(null, viewer.file("../secret.txt"));
-            try (FileServer server = FileServer.start(viewer.page(), viewer::file)) {
+            try (StatusServer server = StatusServer.ofViewer(viewer.page(), viewer::file)) {
                 HttpResponse<String> page = get(server, "");
                 assertFalse(page.headers().firstValue("Access-Control-Allow-Origin").isPresent());
                 String json = page.body().replaceFirst("(?s).*id=\"match\">", "").replaceFirst("(?s)</script>.*", "");

@@ -142,7 +142,7 @@ class GuestWorkerTest extends ServedLeague {
         assertEquals(ExitStatus.DONE, join("open", "--guests", "--games", "2").status());
         assertTrue(more.get(100, TimeUnit.SECONDS).contains("worker open: found the jar sha256:"));
         Files.writeString(folder.resolve("target/classes/more.txt"), "other rules");
-        Cli.league(folder, "run", "TMP/many", "--games", "6").assertRefused("the game's jar is another one");
+        Cli.league(folder, "run", "TMP/many", "--games", "6").assertRefused("the files of the game are others");
     }
 
     /** A difference when it is played again may be the referee's chance: nobody is convicted of it. */

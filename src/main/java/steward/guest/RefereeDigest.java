@@ -12,28 +12,30 @@ import java.util.HexFormat;
 import java.util.List;
 import java.util.stream.Stream;
 
-/** Digest of all files on a class path, whatever the folders above are called; read when it is first asked for. */
-final class ClassPathDigest {
+/**
+ * Digest of a referee's files, whatever the folders above are called: all on its class path, or those that its command
+ * names. They are read when it is first asked for.
+ */
+final class RefereeDigest {
 
-    private final List<String> classPath;
+    private final GuestProgram program;
     private String text;
 
-    ClassPathDigest(List<String> classPath) {
-        this.classPath = classPath;
+    RefereeDigest(GuestProgram program) {
+        this.program = program;
     }
 
-    /** Returns the digest, or {@code null} if there is no class path. */
+    /** Returns the digest, or {@code null} if there are no files. */
     synchronized String text() {
-        if (text == null && !classPath.isEmpty()) {
-            text = read();
-        }
+        List<String> entries = text == null ? program.files() : List.of();
+        text = entries.isEmpty() ? text : read(entries);
         return text;
     }
 
-    private String read() {
+    private static String read(List<String> entries) {
         try {
             MessageDigest digest = MessageDigest.getInstance("SHA-256");
-            for (String entry : classPath) {
+            for (String entry : entries) {
                 Path root = Path.of(entry);
                 try (Stream<Path> files = Files.walk(root, FileVisitOption.FOLLOW_LINKS)) {
                     for (Path file : files.filter(Files::isRegularFile).sorted().toList()) {
@@ -43,11 +45,9 @@ final class ClassPathDigest {
                 }
             }
             return "sha256:" + HexFormat.of().formatHex(digest.digest());
-        } catch (UncheckedIOException problem) {       // of a folder below
-            throw new UncheckedIOException("referee.classPath: cannot be read: " + problem.getMessage(),
-                problem.getCause());
-        } catch (IOException problem) {
-            throw new UncheckedIOException("referee.classPath: cannot be read: " + problem.getMessage(), problem);
+        } catch (IOException | UncheckedIOException problem) {       // unchecked of a folder below
+            throw new UncheckedIOException("referee: cannot be read: " + problem.getMessage(),
+                new IOException(problem));
         } catch (NoSuchAlgorithmException impossible) {
             throw new IllegalStateException(impossible);
         }
