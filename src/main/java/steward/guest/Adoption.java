@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.EnumSet;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -14,7 +15,11 @@ import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import steward.bot.isolation.Isolation;
 import steward.guest.Block.Name;
-import tools.jackson.core.io.JsonStringEncoder;
+import tools.jackson.core.util.DefaultIndenter;
+import tools.jackson.core.util.DefaultPrettyPrinter;
+import tools.jackson.core.util.Separators;
+import tools.jackson.core.util.Separators.Spacing;
+import tools.jackson.databind.json.JsonMapper;
 
 /**
  * Adoption of a published referee: trial games with idle bots show which numbers of players and league levels there
@@ -28,6 +33,10 @@ public final class Adoption {
     private static final int LIMIT_MS = 60_000;
     /** Levels beyond the folders of a project that are tried: a contest's last league often has none. */
     private static final int MORE_LEVELS = 2;
+    private static final DefaultIndenter LINES = new DefaultIndenter("  ", "\n");
+    private static final DefaultPrettyPrinter INDENTED = new DefaultPrettyPrinter(
+        Separators.createDefaultInstance().withObjectNameValueSpacing(Spacing.AFTER)).withObjectIndenter(LINES)
+        .withArrayIndenter(LINES);
 
     private final SdkProject project;
     private final Supplier<Isolation> isolation;
@@ -84,7 +93,7 @@ public final class Adoption {
             throw fault;
         }
         players = numbers.get(0);
-        told.accept("players: " + numbers + ", " + (project.solo() ? "solo" : "multi") + "; the scene has " + players);
+        told.accept("players: " + numbers + ", " + project.mode() + "; the scene has " + players);
     }
 
     /** Groups the levels by their games. There may be more than folders; the highest that differs is taken. */
@@ -160,7 +169,7 @@ public final class Adoption {
     }
 
     private GuestProgram program(int ofLevel, String kept) {
-        Map<String, String> system = Map.of("game.mode", project.solo() ? "solo" : "multi", GuestProgram.LEVEL,
+        Map<String, String> system = Map.of("game.mode", project.mode(), GuestProgram.LEVEL,
             Integer.toString(ofLevel));
         return new GuestProgram(List.of(), project.classPath(), GuestProgram.SDK_MAIN, kept, system, project.testIn(),
             Map.of(), LIMIT_MS, Set.of());
@@ -196,28 +205,23 @@ public final class Adoption {
     }
 
     private String json(String name) {
-        StringBuilder text = new StringBuilder("{ \"name\": " + quoted(name) + ", \"game\": \"guest\", \"players\": "
-            + players + ",\n  \"referee\": {\n    \"mode\": \"" + (project.solo() ? "solo" : "multi")
-            + "\", \"leagueLevel\": " + level);
+        Map<String, Object> referee = new LinkedHashMap<>();
+        referee.put("mode", project.mode());
+        referee.put("leagueLevel", level);
         if (reuse) {
-            text.append(", \"reuse\": \"classes\"");
+            referee.put("reuse", "classes");
         }
         if (!undetermined.isEmpty()) {
-            text.append(", \"undetermined\": ").append(array(undetermined.stream().map(Name::name).toList(), " "));
+            referee.put("undetermined", undetermined);
         }
-        if (project.solo()) {
-            text.append(",\n    \"testIn\": ").append(array(project.testIn(), " "));
+        if (!project.testIn().isEmpty()) {
+            referee.put("testIn", project.testIn());
         }
-        return text.append(",\n    \"classPath\": ").append(array(project.classPath(), "\n      ")).append(" } }\n")
-            .toString();
-    }
-
-    /** An array of texts in JSON, with a text before each but the first. */
-    static String array(List<String> words, String before) {
-        return words.stream().map(Adoption::quoted).collect(Collectors.joining("," + before, "[", "]"));
-    }
-
-    private static String quoted(String word) {
-        return '"' + String.valueOf(JsonStringEncoder.getInstance().quoteAsCharArray(word)) + '"';
+        referee.put("classPath", project.classPath());
+        Map<String, Object> scene = new LinkedHashMap<>(Map.of("name", name));
+        scene.put("game", GuestType.ID);
+        scene.put("players", players);
+        scene.put("referee", referee);
+        return JsonMapper.shared().writer().with(INDENTED).writeValueAsString(scene) + "\n";
     }
 }

@@ -21,6 +21,7 @@ import steward.scene.Plan;
 import steward.scene.Scene;
 import steward.scene.SceneReader;
 import tools.jackson.core.JsonGenerator;
+import tools.jackson.databind.json.JsonMapper;
 
 /** Type of the games whose referee is a program of its own. */
 public final class GuestType implements GameType {
@@ -91,7 +92,7 @@ public final class GuestType implements GameType {
         @Override
         public String sceneWith(List<String> words) {
             return scene.root().json(SceneReader.REFEREE, Map.of(isOnClassPath() ? "classPath" : "command",
-                Adoption.array(words, " ")));
+                JsonMapper.shared().writeValueAsString(words)));
         }
 
         @Override

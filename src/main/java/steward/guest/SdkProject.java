@@ -23,11 +23,11 @@ import steward.files.InputException;
  *
  * @param classPath   the project first, absolute
  * @param mostPlayers of a game; the fewest is {@code fewestPlayers}
- * @param solo        whether it is a game for one with tests
+ * @param mode        multi, or solo for a game for one with tests
  * @param levels      folders of league levels, at least 1
  * @param testIn      lines of its first test, in a game for one
  */
-record SdkProject(List<String> classPath, int fewestPlayers, int mostPlayers, boolean solo, int levels,
+record SdkProject(List<String> classPath, int fewestPlayers, int mostPlayers, String mode, int levels,
                   List<String> testIn) {
 
     private static final String SDK_CLASS = GuestProgram.SDK_MAIN.replace('.', '/') + ".class";
@@ -162,13 +162,12 @@ record SdkProject(List<String> classPath, int fewestPlayers, int mostPlayers, bo
             if (Files.isRegularFile(file)) {
                 config.load(Files.newBufferedReader(file, StandardCharsets.UTF_8));
             }
-            boolean solo = config.getProperty("type", "multi").strip().equals("opti")
-                || config.getProperty("type", "multi").strip().equals("solo");
+            boolean solo = List.of("opti", "solo").contains(config.getProperty("type", "multi").strip());
             int fewest = number(config, "min_players", solo ? 1 : 2);
             int levels = (int) list(folder.resolve("config"))
                 .filter(level -> level.getFileName().toString().matches("level\\d+")).count();
             return new SdkProject(classPath.stream().map(Path::toString).toList(), fewest,
-                Math.max(fewest, number(config, "max_players", fewest)), solo, Math.max(1, levels),
+                Math.max(fewest, number(config, "max_players", fewest)), solo ? "solo" : "multi", Math.max(1, levels),
                 solo ? testIn(folder.resolve("config/test1.json")) : List.of());
         } catch (IOException problem) {
             throw new InputException(file + ": cannot be read: " + problem.getMessage());
