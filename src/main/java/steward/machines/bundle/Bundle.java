@@ -49,11 +49,16 @@ public record Bundle(String hash, byte[] bytes) {
      * @throws InputException if its files cannot be read, or are too many or too large
      */
     public static Bundle of(LeagueBot bot) {
+        return of(bot, "bot '" + bot.name() + "'", "pack them into an archive that it reads",
+            "put large files on the workers' machines, and list in \"files\" only the others");
+    }
+
+    private static Bundle of(LeagueBot bot, String who, String ifMany, String ifLarge) {
         Set<Path> files = new LinkedHashSet<>(files(bot));
         bot.platforms().forEach(each -> files.addAll(files(bot.on(each.platform()))));
         if (files.size() > MOST_FILES) {
-            throw new InputException("bot '" + bot.name() + "': found " + files.size() + " files, expected at most "
-                + MOST_FILES + " for workers; pack them into an archive that it reads");
+            throw new InputException(who + ": found " + files.size() + " files, expected at most " + MOST_FILES
+                + " for workers; " + ifMany);
         }
         HeaderText list = new HeaderText().put("command", written(bot));
         if (bot.platform() != null) {
@@ -74,12 +79,14 @@ public record Bundle(String hash, byte[] bytes) {
             entry(zip, LIST, list.text().getBytes(StandardCharsets.UTF_8));
             for (Path file : files.stream().filter(file -> !Files.isDirectory(file)).toList()) {
                 if (Files.size(file) + bytes.size() > LARGEST) {
-                    throw tooLarge(bot, file, Files.size(file) + bytes.size());
+                    throw new InputException(who + ": found " + (Files.size(file) + bytes.size()) + " bytes of files "
+                        + "up to " + file + ", expected at most " + LARGEST + " (" + (LARGEST >> 20)
+                        + " MiB) for workers; " + ifLarge);
                 }
                 entry(zip, place(file), Files.readAllBytes(file));
             }
         } catch (IOException problem) {
-            throw new InputException("bot '" + bot.name() + "': its files cannot be packed for workers: "
+            throw new InputException(who + ": its files cannot be packed for workers: "
                 + OutputFiles.reason(files.iterator().next(), problem));
         }
         return new Bundle(hash(bytes.toByteArray()), bytes.toByteArray());
@@ -98,7 +105,8 @@ public record Bundle(String hash, byte[] bytes) {
             }
         }
         return of(new LeagueBot("referee", new BotCommand(null, BotCommand.Prefix.CODINGAME, setup.words()).toString(),
-            files.isEmpty() ? null : files, false, false));
+            files.isEmpty() ? null : files, false, false), "the scene's referee",
+            "pack its classes into a jar", "take what only people see from its class path");
     }
 
     private static List<Path> files(LeagueBot bot) {
@@ -110,12 +118,6 @@ public record Bundle(String hash, byte[] bytes) {
     private static String written(LeagueBot bot) {
         BotCommand command = bot.parsed();
         return new BotCommand(null, command.prefix(), command.words()).toString();
-    }
-
-    private static InputException tooLarge(LeagueBot bot, Path file, long size) {
-        return new InputException("bot '" + bot.name() + "': found " + size + " bytes of files up to " + file
-            + ", expected at most " + LARGEST + " (" + (LARGEST >> 20) + " MiB) for workers; put large files on the "
-            + "workers' machines, and list in \"files\" only the others");
     }
 
     private static void entry(ZipOutputStream zip, String name, byte[] bytes) throws IOException {

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.RandomAccessFile;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -20,7 +21,11 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import steward.bot.command.Platform;
 import steward.files.InputException;
+import steward.game.GameSetup;
+import steward.guest.GuestType;
 import steward.league.LeagueBot;
+import steward.match.HostedSetup;
+import steward.scene.SceneReader;
 
 /** Bots packed and unpacked; archives that want out of their folder. */
 @Tag("process")
@@ -50,6 +55,28 @@ class BundleTest {
         assertEquals("1 2 3", Files.readString(there.resolveSibling("weights")));
         Files.writeString(data, "4");
         assertFalse(Bundle.of(bot).hash().equals(bundle.hash()), "another file is another bundle");
+    }
+
+    @Test
+    void aRefereeOfTooManyOrTooLargeFilesIsRefusedAsOne() throws IOException {
+        Path classes = Files.createDirectory(folder.resolve("classes"));
+        GameSetup setup = new GuestType(true).open(SceneReader.read("""
+            {"name": "x", "game": "guest", "players": 2, "referee": {"classPath": ["%s"]}}""".formatted(classes), "x"));
+        for (int k = 0; k < Bundle.MOST_FILES; k++) {
+            Files.createFile(classes.resolve(k + ".class"));
+        }
+        assertEquals("the scene's referee: found 901 files, expected at most 900 for workers; pack its classes into a "
+            + "jar", refusal(setup));
+        Files.delete(classes.resolve("0.class"));
+        try (RandomAccessFile large = new RandomAccessFile(classes.resolve("1.class").toFile(), "rw")) {
+            large.setLength(Bundle.LARGEST + 1L);
+        }
+        assertTrue(refusal(setup).endsWith("1.class, expected at most 67108864 (64 MiB) for workers; take what only "
+            + "people see from its class path"), refusal(setup));
+    }
+
+    private static String refusal(GameSetup setup) {
+        return assertThrows(InputException.class, () -> Bundle.of((HostedSetup) setup)).getMessage();
     }
 
     private static byte[] archive(String... namesAndTexts) throws IOException {
