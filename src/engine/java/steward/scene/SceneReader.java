@@ -68,16 +68,18 @@ public final class SceneReader {
         }
         String game = root.text("game");
         int players = root.integer("players", 0, MOST_PLAYERS);
+        if (root.contains(REFEREE)) {
+            if (instead != null) {
+                throw root.error(REFEREE, "a referee of its own", "a game that Steward computes, with --accuracy");
+            }
+            return new Scene(name, game, players, Optional.empty(), ImpactLaw.PHYSICS, 0, new Motion(List.of()), UNSET,
+                AccuracyChoice.stated(Accuracy.event(Arithmetic.DOUBLE)), PhysicsObserver.NONE, root);
+        }
         Optional<Field> field = root.optionalBlock("field").map(FieldReader::read);
         ImpactLaw law = root.optionalBlock("impacts").map(SceneReader::law).orElse(ImpactLaw.PHYSICS);
         Optional<Block> motion = root.optionalBlock("motion");
-        boolean hosted = root.contains(REFEREE);
-        Time time = (players == 0 || hosted) && !root.contains("time") ? UNSET : time(root.block("time"));
-        if (hosted && instead != null) {
-            throw root.error(REFEREE, "a referee of its own", "a game that Steward computes, with --accuracy");
-        }
-        AccuracyChoice choice = hosted ? AccuracyChoice.stated(Accuracy.event(Arithmetic.DOUBLE))
-            : AccuracyReader.read(root, law, text.figures(), instead);
+        Time time = players == 0 && !root.contains("time") ? UNSET : time(root.block("time"));
+        AccuracyChoice choice = AccuracyReader.read(root, law, text.figures(), instead);
         double drag = motion.map(block -> block.number("drag", 0, 1, 0)).orElse(0.0);
         return new Scene(name, game, players, field, law, drag,
             motion.map(block -> motion(block, drag > 0)).orElse(new Motion(List.of())),

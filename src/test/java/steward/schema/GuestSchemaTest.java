@@ -19,10 +19,7 @@ import steward.guest.StandInProject;
 import steward.scene.SceneReader;
 import steward.scene.json.SceneException;
 
-/**
- * The schema of scenes with a referee of their own, and of their replays. The blocks field, impacts, motion and time,
- * which are read of any scene, mean nothing here, and the schema does not have them.
- */
+/** The schema of scenes with a referee of their own, and of their replays. */
 class GuestSchemaTest {
 
     private static final String GAME = "guest";
@@ -42,6 +39,10 @@ class GuestSchemaTest {
         "name": "all"      | "name": "a\\tb"              | false
         "referee"          | "referees"                    | false
         "game"             | "accuracy": 1, "game"         | false
+        "game"             | "impacts": {}, "game"         | false
+        "game"             | "motion": {"drag": 1}, "game" | false
+        "game"             | "field": {"width": 9, "height": 9}, "game"              | false
+        "game"             | "time": {"firstAnswerMs": 9, "answerMs": 9}, "game"     | false
         "target/classes"   | "x y"                         | true
         ["target/classes", "lib/core.jar"] | []            | false
         ["target/classes", "lib/core.jar"] | "lib"         | false
