@@ -23,10 +23,11 @@ import steward.numerics.SplitMix64;
 class GameAllocationTest {
 
     private static final int COUNTS = 5;
+    private static final int COUNTS_ALONE = 2;
     private static final int LEAST_TURNS = 20;
     private static final int MOST_TURNS = 400;
-    /** Turns of a scene without players: heaps of hundreds take long. */
-    private static final int MOST_TURNS_ALONE = 100;
+    /** Turns, and counts above, of a scene without players: heaps of hundreds take long. */
+    private static final int MOST_TURNS_ALONE = 80;
     /** Of so many turns in the second half of a game, one may be the first with so many impacts, events or things. */
     private static final int TURNS_PER_GROWTH = 20;
     /** In a heap that grows to the end of the game there are more contacts, and more lists that get longer. */
@@ -42,10 +43,11 @@ class GameAllocationTest {
     @MethodSource("steward.scene.SceneFiles#shipped")
     void aTurnAllocatesNothing(String scene) {
         GameSetup setup = Games.open(scene);
-        int most = setup.scene().players() == 0 ? MOST_TURNS_ALONE : MOST_TURNS;
+        boolean alone = setup.scene().players() == 0;
+        int most = alone ? MOST_TURNS_ALONE : MOST_TURNS;
         boolean[] allocates = new boolean[most];
         int turns = 0;
-        for (int count = 0; count < COUNTS; count++) {
+        for (int count = 0; count < (alone ? COUNTS_ALONE : COUNTS); count++) {
             boolean[] now = new boolean[most];
             turns = play(setup, now);
             for (int turn = 0; turn < turns; turn++) {
@@ -57,7 +59,7 @@ class GameAllocationTest {
             grown += allocates[turn] ? 1 : 0;
         }
         assertTrue(turns >= LEAST_TURNS, turns + " turns");
-        assertTrue(grown <= turns / 2 / (setup.scene().players() == 0 ? TURNS_PER_GROWTH_OF_HEAPS : TURNS_PER_GROWTH),
+        assertTrue(grown <= turns / 2 / (alone ? TURNS_PER_GROWTH_OF_HEAPS : TURNS_PER_GROWTH),
             grown + " of the last " + turns / 2 + " turns allocate");
     }
 
