@@ -65,6 +65,11 @@ public final class GuestType implements GameType {
             new RefereeDigest(program), Isolation::usual);
     }
 
+    /** Ends the JVMs of referees that wait for another game. */
+    public static void endIdle() {
+        ResidentReferees.shared().close();
+    }
+
     private record Setup(Scene scene, GuestProgram program, Plan plan, RefereeDigest files,
                          Supplier<Isolation> isolation) implements HostedSetup, Digested {
 

@@ -5,8 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.io.OutputStream;
-import java.net.InetAddress;
-import java.net.ServerSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -139,10 +137,7 @@ class OutsideGameTest {
         call(games, "league", "add", league, "one=" + bot(1));
         call(games, "league", "add", league, "two=" + bot(2));
         call(games, "league", "worker", "add", league, "far", "--out", token);
-        String address;
-        try (ServerSocket free = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-            address = "127.0.0.1:" + free.getLocalPort();
-        }
+        String address = "127.0.0.1:" + FreePort.next();
         CompletableFuture<Cli> run = CompletableFuture.supplyAsync(() -> call(games, "league", "run", league,
             "--games", "4", "--threads", "0", "--serve", address));
         Path others = Files.createDirectories(folder.resolve("far"));

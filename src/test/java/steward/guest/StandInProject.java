@@ -65,6 +65,6 @@ public record StandInProject(Path folder) {
 
     /** Ends the JVMs that wait for another game. */
     public static void end() {
-        ResidentReferees.shared().close();
+        GuestType.endIdle();
     }
 }

@@ -21,6 +21,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
+import steward.cli.FreePort;
 import steward.cli.Main;
 import steward.cli.ShellBots;
 import steward.cli.TextShellBots;
@@ -107,10 +108,7 @@ class BrokerLoadingTest {
         loadsNoBroker(
                 List.of("league", "shard", "parts", "--part", "1/1", "--games", "2", "--out", "part.db"),
                 List.of("league", "merge", "parts", "part.db"));
-        int port;
-        try (ServerSocket free = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-            port = free.getLocalPort();
-        }
+        int port = FreePort.next();
         String joining = run(3, true, "worker", "--join", "no-such-host.invalid:" + port, "--token-file", "attic.token",
             "--sandbox", "off");
         assertTrue(joining.contains(BROKER), "a worker does: the test would see it");

@@ -5,6 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import steward.cli.FreePort;
 import steward.league.LeagueFolder;
 import steward.machines.serve.HostileWorker.Way;
 import steward.machines.token.WorkerList;
@@ -48,7 +49,7 @@ public final class ForgedGames extends MachinesProof {
         run("league", "run", folder.resolve("alone").toString(), "--games", "" + GAMES, "--pause-after", "0",
             "--threads", "4");
         make("many");
-        port = free();
+        port = FreePort.next();
         List.of("one", "two", "bad").forEach(this::add);
         worker("one", port);
         worker("two", port);

@@ -4,8 +4,6 @@ import java.io.ByteArrayOutputStream;
 import java.io.File;
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.net.InetAddress;
-import java.net.ServerSocket;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -18,6 +16,7 @@ import java.util.TreeMap;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
+import steward.cli.FreePort;
 import steward.cli.Main;
 import steward.cli.TextShellBots;
 import steward.cli.streams.Streams;
@@ -204,12 +203,6 @@ public class MachinesProof {
         new ProcessBuilder("kill", "-s", name, Long.toString(process.pid())).start().waitFor();
     }
 
-    static int free() throws IOException {
-        try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-            return socket.getLocalPort();
-        }
-    }
-
     List<Row> rows(String league) {
         List<Row> rows = new ArrayList<>();
         LeagueFolder path = new LeagueFolder(folder.resolve(league));
@@ -274,7 +267,7 @@ public class MachinesProof {
         tell("single machine: seconds", TimeUnit.NANOSECONDS.toSeconds(System.nanoTime() - began));
 
         make("many");
-        port = free();
+        port = FreePort.next();
         List.of("one", "two", "three").forEach(this::add);
         began = System.nanoTime();
         long continued;

@@ -12,6 +12,7 @@ import java.util.SplittableRandom;
 import java.util.TreeMap;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
+import steward.cli.FreePort;
 import steward.league.LeagueFolder;
 import steward.machines.serve.HostileWorker.Way;
 import steward.machines.token.WorkerList;
@@ -66,7 +67,7 @@ public final class MachinesSoak extends MachinesProof {
         Files.writeString(clock, "#!/bin/sh\nwhile read -r x y nextX nextY rest && read -r other; do\n"
             + "echo \"$nextX $nextY $(($(date +%s%N) / 1000 % 100))\"\ndone\n");
         run("league", "add", folder.resolve("many").toString(), "clock=codingame:sh '" + clock + "'");
-        port = free();
+        port = FreePort.next();
         for (String name : HONEST) {
             add(name);
         }

@@ -8,8 +8,6 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import java.io.File;
 import java.io.IOException;
 import java.io.RandomAccessFile;
-import java.net.InetAddress;
-import java.net.ServerSocket;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -26,8 +24,11 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.bot.process.ScriptedBots;
 import steward.cli.Cli;
+import steward.cli.FreePort;
 import steward.cli.Main;
 import steward.cli.ShellBots;
 import steward.cli.TextShellBots;
@@ -41,6 +42,7 @@ import steward.league.store.GameStore;
 @Tag("process")
 @Tag("slow")
 @Timeout(300)
+@Execution(ExecutionMode.CONCURRENT)
 class WorkerProcessTest {
 
     private static final int INTERRUPTED = 130;
@@ -64,9 +66,7 @@ class WorkerProcessTest {
         String paused = "sh '" + folder.resolve("pause.sh") + "' ";
         done("add", folder.resolve("night").toString(), "fast=codingame:" + paused + bots.driver());
         done("add", folder.resolve("night").toString(), "still=codingame:" + paused + bots.idler(0));
-        try (ServerSocket free = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-            port = free.getLocalPort();
-        }
+        port = FreePort.next();
     }
 
     @AfterEach

@@ -27,11 +27,14 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /** Clients that want to fill the broker's memory or keep its connections, with and without a token. */
 @Tag("process")
 @Tag("slow")
 @Timeout(240)
+@Execution(ExecutionMode.CONCURRENT)
 class HostileClientsTest {
 
     @TempDir

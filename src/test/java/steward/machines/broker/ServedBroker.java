@@ -1,9 +1,7 @@
 package steward.machines.broker;
 
 import java.io.IOException;
-import java.net.InetAddress;
 import java.net.InetSocketAddress;
-import java.net.ServerSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -16,6 +14,7 @@ import org.apache.activemq.artemis.api.core.client.ActiveMQClient;
 import org.apache.activemq.artemis.api.core.client.ServerLocator;
 import org.apache.activemq.artemis.core.remoting.impl.netty.NettyConnectorFactory;
 import org.apache.activemq.artemis.core.remoting.impl.netty.TransportConstants;
+import steward.cli.FreePort;
 import steward.league.LeagueFolder;
 import steward.machines.token.BrokerKey;
 import steward.machines.token.WorkerList;
@@ -34,9 +33,7 @@ final class ServedBroker implements AutoCloseable {
         for (String worker : workers) {
             WorkerList.add(league, worker, folder.resolve(worker + ".token"));
         }
-        try (ServerSocket free = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-            port = free.getLocalPort();
-        }
+        port = FreePort.next();
         WorkerList list = WorkerList.read(league);
         broker = new LeagueBroker(new InetSocketAddress("127.0.0.1", port), new BrokerKey(league),
             Arrays.asList(workers), list::admits, Gate.OPEN);

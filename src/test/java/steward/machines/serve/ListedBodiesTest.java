@@ -12,6 +12,8 @@ import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.cli.Cli;
 import steward.cli.shared.ExitStatus;
 import steward.machines.token.WorkerToken;
@@ -20,6 +22,7 @@ import steward.machines.token.WorkerToken;
 @Tag("process")
 @Tag("slow")
 @Timeout(300)
+@Execution(ExecutionMode.CONCURRENT)
 class ListedBodiesTest extends ServedLeague {
 
     private static final int ROW = 400;

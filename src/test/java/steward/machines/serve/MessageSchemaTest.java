@@ -12,9 +12,7 @@ import com.networknt.schema.SchemaRegistry;
 import com.networknt.schema.SpecificationVersion;
 import java.io.IOException;
 import java.io.InputStream;
-import java.net.InetAddress;
 import java.net.InetSocketAddress;
-import java.net.ServerSocket;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -36,6 +34,7 @@ import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.bot.isolation.Isolation;
 import steward.cli.Cli;
+import steward.cli.FreePort;
 import steward.cli.ShellBots;
 import steward.cli.TextShellBots;
 import steward.cli.shared.Games;
@@ -128,9 +127,7 @@ class MessageSchemaTest {
         done("league", "add", league, "b=codingame:" + bots.idler(0));
         done("league", "worker", "add", league, "pen", "--out", folder.resolve("pen.token").toString());
         WorkerToken token = WorkerToken.read(folder.resolve("pen.token"));
-        try (ServerSocket free = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-            port = free.getLocalPort();
-        }
+        port = FreePort.next();
         Map<String, byte[]> bundles = new HashMap<>();
         CompletableFuture<Cli> run = CompletableFuture.supplyAsync(() -> Cli.run("league", "run", league, "--games",
             "60", "--quiet", "--serve", "127.0.0.1:" + port));

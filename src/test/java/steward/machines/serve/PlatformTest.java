@@ -11,6 +11,8 @@ import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.bot.command.Platform;
 import steward.bot.isolation.Isolation;
 import steward.cli.Cli;
@@ -27,6 +29,7 @@ import steward.machines.worker.Worker;
 @Tag("process")
 @Tag("slow")
 @Timeout(300)
+@Execution(ExecutionMode.CONCURRENT)
 class PlatformTest extends ServedLeague {
 
     private static final String FAR = "linux-s390x";

@@ -5,9 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
-import java.net.InetAddress;
 import java.net.InetSocketAddress;
-import java.net.ServerSocket;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -21,6 +19,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.io.TempDir;
 import steward.bot.isolation.Isolation;
 import steward.cli.Cli;
+import steward.cli.FreePort;
 import steward.cli.ShellBots;
 import steward.cli.TextShellBots;
 import steward.cli.shared.Games;
@@ -57,9 +56,7 @@ abstract class ServedLeague {
         ShellBots.shortDuel(folder);
         ShellBots.drawn(folder.resolve("short.json"));
         bots = new TextShellBots(folder);
-        try (ServerSocket free = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-            port = free.getLocalPort();
-        }
+        port = FreePort.next();
     }
 
     String done(String... words) {

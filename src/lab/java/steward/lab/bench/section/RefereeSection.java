@@ -20,6 +20,7 @@ import steward.contest.KeptReplays;
 import steward.contest.Series;
 import steward.contest.SeriesPlay;
 import steward.game.GameSetup;
+import steward.guest.GuestType;
 import steward.lab.bench.Effort;
 import steward.lab.bench.Meter;
 import steward.lab.bench.Row;
@@ -100,6 +101,7 @@ final class RefereeSection implements Section {
                     String.format(Locale.ROOT, "%d threads", threads)));
             }
         } finally {
+            GuestType.endIdle();
             try (Stream<Path> files = Files.walk(folder)) {
                 files.sorted(Comparator.reverseOrder()).map(Path::toFile).forEach(File::delete);
             }

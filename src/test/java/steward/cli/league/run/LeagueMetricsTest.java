@@ -5,8 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
-import java.net.InetAddress;
-import java.net.ServerSocket;
 import java.net.URI;
 import java.net.http.HttpClient;
 import java.net.http.HttpRequest;
@@ -20,6 +18,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import steward.cli.Cli;
+import steward.cli.FreePort;
 import steward.cli.ShellBots;
 import steward.cli.TextShellBots;
 import steward.league.page.WorkerRow;
@@ -54,12 +53,6 @@ class LeagueMetricsTest {
             + "|steward_[a-z_]+(\\{worker=\"[A-Za-z0-9_-]+\"\\})? [0-9]+(\\.[0-9]+)?")), text);
     }
 
-    private static int free() throws IOException {
-        try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-            return socket.getLocalPort();
-        }
-    }
-
     private static double figure(String text, String name) {
         return text.lines().filter(line -> line.startsWith("steward_" + name + " "))
             .mapToDouble(line -> Double.parseDouble(line.replaceAll(".* ", ""))).findFirst().orElseThrow();
@@ -74,11 +67,11 @@ class LeagueMetricsTest {
         Cli.league(folder, "init", "TMP/night", "--scene", "TMP/short.json").done();
         Cli.league(folder, "add", "TMP/night", "a=codingame:" + bots.driver()).done();
         Cli.league(folder, "add", "TMP/night", "b=codingame:" + bots.idler(0)).done();
-        int page = free();
+        int page = FreePort.next();
         CompletableFuture<Cli> run = CompletableFuture.supplyAsync(() -> {
             try {
                 return Cli.league(folder, "run", "TMP/night", "--games", "200", "--threads", "1", "--json", "--watch",
-                    "--port", Integer.toString(page), "--serve", "127.0.0.1:" + free()).done();
+                    "--port", Integer.toString(page), "--serve", "127.0.0.1:" + FreePort.next()).done();
             } catch (IOException problem) {
                 throw new IllegalStateException(problem);
             }
