@@ -78,7 +78,8 @@ class GuestContestTest {
         String solo = Files.writeString(folder.resolve("solo.json"), Adoption.scene(folder, null, "solo",
             Isolation::usual, told::add)).toString();
         assertEquals("players: [1], solo; the scene has 1", told.get(0));
-        assertTrue(Files.readString(Path.of(solo)).replaceAll("\\s", "").contains("\"testIn\":[\"7\"]"), told::toString);
+        assertTrue(Files.readString(Path.of(solo)).replaceAll("\\s", "").contains("\"testIn\":[\"7\"]"),
+            told::toString);
         Path file = folder.resolve("x.jsonl");
         String said = done("match", "--scene", solo, "--bot", bot("one", "1"), "--out", file.toString());
         assertTrue(said.startsWith("one: the referee has ended the game, score "), said);
