@@ -60,13 +60,13 @@ public record Bundle(String hash, byte[] bytes) {
             throw new InputException(who + ": found " + files.size() + " files, expected at most " + MOST_FILES
                 + " for workers; " + ifMany);
         }
-        HeaderText list = new HeaderText().put("command", written(bot));
+        HeaderText list = new HeaderText().putTexts("command", written(bot));
         if (bot.platform() != null) {
             list.put("platform", bot.platform());
         }
         if (!bot.platforms().isEmpty()) {
             list.put("platforms", bot.platforms().stream().map(each -> new HeaderText().put("platform", each.platform())
-                .put("command", written(bot.on(each.platform())))).toList());
+                .putTexts("command", written(bot.on(each.platform())))).toList());
         }
         List<HeaderText> entries = new ArrayList<>();
         for (Path file : files) {
@@ -115,9 +115,12 @@ public record Bundle(String hash, byte[] bytes) {
         return builtin ? List.of() : BotIdentity.files(bot, command);
     }
 
-    private static String written(LeagueBot bot) {
+    /** The command word by word, since a class path is longer than a text may be; the prefix is part of the first. */
+    private static List<String> written(LeagueBot bot) {
         BotCommand command = bot.parsed();
-        return new BotCommand(null, command.prefix(), command.words()).toString();
+        List<String> words = new ArrayList<>(command.words());
+        words.set(0, command.prefix().written() + words.get(0));
+        return words;
     }
 
     private static void entry(ZipOutputStream zip, String name, byte[] bytes) throws IOException {

@@ -67,7 +67,7 @@ public record UnpackedBundle(Path folder, BotCommand command) {
         try {
             Map<String, byte[]> files = files(hash, bytes);
             Block list = list(hash, files.remove(Bundle.LIST));
-            String command = command(list, here);
+            List<String> command = command(list, here);
             if (!Files.isDirectory(folder, LinkOption.NOFOLLOW_LINKS)) {
                 Files.createDirectories(parent);
                 Path part = Files.createTempDirectory(parent, "unpacking");
@@ -130,13 +130,13 @@ public record UnpackedBundle(Path folder, BotCommand command) {
     }
 
     /** The command for a platform: its own, or that for all others. */
-    private static String command(Block list, String here) {
+    private static List<String> command(Block list, String here) {
         if (list.has("platform") && !list.text("platform").equals(here)) {
             throw new InputException("found a bot for " + list.text("platform") + ", and this machine is " + here);
         }
-        String command = list.text("command");
+        List<String> command = list.texts("command");
         for (Block each : list.has("platforms") ? list.blocks("platforms") : List.<Block>of()) {
-            String other = each.text("command");
+            List<String> other = each.texts("command");
             command = each.text("platform").equals(here) ? other : command;
         }
         return command;
@@ -170,7 +170,7 @@ public record UnpackedBundle(Path folder, BotCommand command) {
         throw new IOException("'" + name + "' is not within the bundle");
     }
 
-    private static UnpackedBundle of(Path folder, Block list, String command) throws IOException {
+    private static UnpackedBundle of(Path folder, Block list, List<String> command) throws IOException {
         Map<String, String> places = new HashMap<>();
         for (Block file : list.blocks("files")) {
             places.put(file.text("typed"), inside(folder, file.text("place")).toAbsolutePath().toString());
@@ -178,7 +178,7 @@ public record UnpackedBundle(Path folder, BotCommand command) {
         }
         BotCommand typed;
         try {
-            typed = BotCommand.parse(command);
+            typed = BotCommand.of(command, BotCommand.Prefix.JSON);
         } catch (IllegalArgumentException problem) {
             throw list.error("command", problem.getMessage(), "a program and its arguments");
         }

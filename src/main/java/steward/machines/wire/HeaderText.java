@@ -41,6 +41,12 @@ public final class HeaderText {
         return this;
     }
 
+    /** Texts. */
+    public HeaderText putTexts(String name, List<String> texts) {
+        fields.put(name, List.copyOf(texts));
+        return this;
+    }
+
     /** The object on one line. */
     public String text() {
         StringWriter out = new StringWriter();
@@ -54,18 +60,24 @@ public final class HeaderText {
         json.writeStartObject();
         fields.forEach((name, value) -> {
             json.writeName(name);
-            if (value instanceof List<?> list) {
-                json.writeStartArray();
-                list.forEach(each -> ((HeaderText) each).write(json));
-                json.writeEndArray();
-            } else if (value instanceof Boolean flag) {
-                json.writeBoolean(flag);
-            } else if (value instanceof Long number) {
-                json.writeNumber(number);
-            } else {
-                json.writeString((String) value);
-            }
+            write(json, value);
         });
         json.writeEndObject();
+    }
+
+    private static void write(JsonGenerator json, Object value) {
+        if (value instanceof HeaderText object) {
+            object.write(json);
+        } else if (value instanceof List<?> list) {
+            json.writeStartArray();
+            list.forEach(each -> write(json, each));
+            json.writeEndArray();
+        } else if (value instanceof Boolean flag) {
+            json.writeBoolean(flag);
+        } else if (value instanceof Long number) {
+            json.writeNumber(number);
+        } else {
+            json.writeString((String) value);
+        }
     }
 }

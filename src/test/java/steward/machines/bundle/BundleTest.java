@@ -11,6 +11,7 @@ import java.io.RandomAccessFile;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
@@ -19,6 +20,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import steward.bot.command.BotCommand;
 import steward.bot.command.Platform;
 import steward.files.InputException;
 import steward.game.GameSetup;
@@ -31,7 +33,7 @@ import steward.scene.SceneReader;
 @Tag("process")
 class BundleTest {
 
-    private static final String EMPTY = "{\"command\":\"sh -c true\",\"files\":[]}";
+    private static final String EMPTY = "{\"command\":[\"sh\",\"-c\",\"true\"],\"files\":[]}";
 
     @TempDir
     private Path folder;
@@ -79,6 +81,19 @@ class BundleTest {
         return assertThrows(InputException.class, () -> Bundle.of((HostedSetup) setup)).getMessage();
     }
 
+    /** A class path of a contest alone is longer than a text of JSON may be. */
+    @Test
+    void aCommandOfManyWordsArrivesWordByWord() {
+        List<String> words = new ArrayList<>(List.of("sh", "", " ", "it's", "a=b"));
+        for (int k = 0; k < 30; k++) {
+            words.add("/repository/of/jars/" + "far/away/".repeat(10) + k + ".jar");
+        }
+        Bundle bundle = Bundle.of(new LeagueBot("long", new BotCommand(null, BotCommand.Prefix.CODINGAME, words)
+            .toString(), List.of(), false, false));
+        UnpackedBundle unpacked = UnpackedBundle.of(folder, bundle.hash(), bundle.bytes(), Platform.here());
+        assertEquals(new BotCommand(null, BotCommand.Prefix.CODINGAME, words), unpacked.command());
+    }
+
     private static byte[] archive(String... namesAndTexts) throws IOException {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         try (ZipOutputStream zip = new ZipOutputStream(bytes)) {
@@ -111,9 +126,9 @@ class BundleTest {
 
     @Test
     void aListThatNamesFilesOutsideIsRefused() throws IOException {
-        refused(archive(Bundle.LIST, "{\"command\":\"sh x\",\"files\":[{\"typed\":\"x\",\"place\":\"../../out\"}]}"),
+        refused(archive(Bundle.LIST, "{\"command\":[\"sh\"],\"files\":[{\"typed\":\"x\",\"place\":\"../../out\"}]}"),
             "is not within the bundle");
-        refused(archive(Bundle.LIST, "{\"command\":\"sh x\",\"files\":7}"), "expected an array of objects");
+        refused(archive(Bundle.LIST, "{\"command\":[\"sh\",\"x\"],\"files\":7}"), "expected an array of objects");
         refused(archive("here/a", "x"), "expected the list of the others");
         byte[] good = archive(Bundle.LIST, EMPTY);
         InputException other = assertThrows(InputException.class,

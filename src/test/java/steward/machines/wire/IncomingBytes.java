@@ -139,8 +139,8 @@ public final class IncomingBytes {
 
     private static byte[] archive(SplittableRandom random, boolean isBroken) {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        String list = "{\"command\":\"python3 bot.py\",\"files\":[{\"typed\":\"bot.py\",\"place\":\"here/bot.py\","
-            + "\"executable\":true}]}";
+        String list = "{\"command\":[\"python3\",\"bot.py\"],\"files\":[{\"typed\":\"bot.py\",\"place\":"
+            + "\"here/bot.py\",\"executable\":true}]}";
         try (ZipOutputStream zip = new ZipOutputStream(bytes)) {
             entry(zip, "bundle.json", isBroken && random.nextBoolean()
                 ? broken(list.getBytes(StandardCharsets.UTF_8), random) : list.getBytes(StandardCharsets.UTF_8));
