@@ -111,7 +111,7 @@ final class TurnDetail {
     }
 
     /** A value as readable text: fields with their names, every digit. */
-    private static String spell(Object value) {
+    static String spell(Object value) {
         StringBuilder text = new StringBuilder();
         if (value instanceof Map<?, ?> fields) {
             fields.forEach((name, each) -> text.append(text.length() == 0 ? "" : "  ").append(HeadingText.title(name))

@@ -16,14 +16,15 @@ import steward.replay.ReplayReader;
 import steward.text.TextFormat;
 
 /**
- * Prints a recorded match turn by turn: a row per body, then what happened in the turn, at the end the result. The
- * columns are whatever scalars the game records of a body.
+ * Prints a recorded match turn by turn: a row per body, or the answers where there are no bodies, then what happened in
+ * the turn, at the end the result. The columns are whatever scalars the game records of a body.
  */
 final class TurnTable {
 
     private static final int WIDTH = 100;
     private static final int DECIMALS = 3;
     private static final int COLUMN = 7;
+    private static final int MARGIN = 6;
 
     private final Streams streams;
     private final PrintStream out;
@@ -153,13 +154,28 @@ final class TurnTable {
             notes.add(TextFormat.count(count, "impact"));
         }
         Json.objects(outcome.get("events")).forEach(event -> notes.add(TurnDetail.event(event)));
+        String margin = " ".repeat(MARGIN);
+        if (bodies(outcome).isEmpty()) {
+            margin = TextFormat.right(Integer.toString(turn.number()), MARGIN - 2) + "  ";
+            answers(turn, margin);
+        }
         if (!notes.isEmpty()) {
-            out.println(TextFormat.plain("      " + String.join("; ", notes)));
+            out.println(TextFormat.plain(margin + String.join("; ", notes)));
         }
         for (int player = 0; player < turn.faults().length; player++) {
             if (turn.faults()[player] != null) {
-                out.println("      " + HeaderText.name(replay.header(), player) + " failed: "
+                out.println(margin + HeaderText.name(replay.header(), player) + " failed: "
                     + TextFormat.plain(turn.faults()[player]));
+            }
+        }
+    }
+
+    private void answers(RecordedTurn turn, String margin) {
+        List<Object> commands = Json.array(turn.commands());
+        for (int player = 0; player < commands.size(); player++) {
+            if (commands.get(player) instanceof Map<?, ?> command && command.get("lines") instanceof List<?> lines) {
+                out.println(TextFormat.plain(margin + HeaderText.name(replay.header(), player) + ": "
+                    + TextFormat.shorten(TurnDetail.spell(lines), WIDTH)));
             }
         }
     }
