@@ -3,15 +3,18 @@
 //
 // A look may have: drawGround, drawBelow, drawBody, drawAbove (each gets a scene), standing(match, turn) with rank,
 // body, big, small, warning and pips of each player, leadName and progress(match, turn) with a number for each player,
-// commandLines(command, player, match), commandOf(body, match, turn), field(name, value), and charts(match, series).
+// commandLines(command, player, match), commandOf(body, match, turn), field(name, value), rest(state, match) with names
+// and texts of what the state has beside bodies, charts(match, series), and isUndrawn.
 
 import { circle, captionSize, targetLine, write } from './draw.js';
 import { putDisc } from './hulls.js';
 import { paintZone } from './ground.js';
-import { grouped, plainNumber } from './text.js';
+import { grouped, nameOf, plainNumber, shorten } from './text.js';
 
 const LOOKS = new Map();
 const MOST_CAPTIONS = 100;
+const MOST_REST = 200;
+const MOST_BLOCK = 8000;
 const LABEL_PIXELS = 8;         // bodies drawn smaller than this have no label
 
 export function addLook(game, look) {
@@ -75,11 +78,23 @@ export const PLAIN_LOOK = {
       big: `${grouped(score)} ${match.header.drawing.lead ?? 'points'}`, small: '', warning: '' }));
   },
 
+  isUndrawn: false,
   commandLines: command => [JSON.stringify(command)],
   commandOf: () => '',
   field: (name, value) => (typeof value === 'number' ? plainNumber(value)
     : typeof value === 'object' && value !== null ? JSON.stringify(value) : String(value)),
+  rest: state => Object.entries(state).filter(([name]) => name !== 'bodies')
+    .map(([name, value]) => [name, shorten(JSON.stringify(value), MOST_REST)]),
 };
+
+/** The look of a guest, whose referee and bots speak lines. */
+addLook('guest', {
+  isUndrawn: true,
+  commandLines: command => command.lines,
+  rest: (state, match) => [...(state.asked === undefined ? [] : [['asked', nameOf(match, state.asked)]]),
+    ...(state.said ?? []).filter(each => each.lines.length)
+      .map(each => [each.block, shorten(each.lines.join('\n'), MOST_BLOCK)])],
+});
 
 function bodyOf(match, number, player) {
   for (const body of match.turn(number).bodies.values()) {

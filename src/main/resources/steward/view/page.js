@@ -72,7 +72,7 @@ export class Page {
     this.table = new StateTable(find('state'), find('state-when'), match, look);
     this.ending = new Ending(find('ending'), match);
     find('scene').textContent = `${match.header.scene?.name ?? match.header.game} · seed ${match.header.seed}`;
-    document.body.classList.toggle('drawingless', !match.header.drawing.field && !match.start.bodies.size);
+    document.body.classList.toggle('drawingless', look.isUndrawn);
     new ResizeObserver(() => this.redrawAll()).observe(find('field'));
     this.redrawAll();
   }

@@ -140,7 +140,7 @@ export class StateTable {
       this.#show(this.match.bodiesAt(moment).map(({ id, x, y }) => ({ id, x, y })), turn, {});
       return;
     }
-    const isWithin = moment.turn > 0 && moment.fraction < 1;
+    const isWithin = moment.turn > 0 && moment.fraction < 1 && turn.bodies.size > 0;
     const places = new Map(isWithin ? this.match.bodiesAt(moment).map(body => [body.id, body]) : []);
     this.caption.textContent = moment.turn === 0 ? 'at the start' : isWithin
       ? `places at ${moment.time.toFixed(2)}, the rest at the end of turn ${moment.turn}` : `at the end of turn ${moment.turn}`;
@@ -186,9 +186,8 @@ export class StateTable {
 
   #rest(turn, state) {
     const rest = element('dl', 'rest');
-    for (const [name, value] of Object.entries(state)) {
-      if (name === 'bodies') continue;
-      rest.append(element('dt', '', name), element('dd', '', shorten(JSON.stringify(value), 200)));
+    for (const [name, text] of this.look.rest(state, this.match)) {
+      rest.append(element('dt', '', name), element('dd', '', text));
     }
     if (turn.impactsInAll) rest.append(element('dt', '', 'impacts'), element('dd', '', String(turn.impactsInAll)));
     if (turn.impactLimit) {

@@ -4,10 +4,11 @@ import { scoresOf } from './looks.js';
 
 const NANOS_PER_MS = 1e6;
 
-/** The limit of a player's answer in a turn, in ms; Infinity without deadlines. */
+/** The limit of a player's answer in a turn, in ms; Infinity without deadlines. A guest's referee says it as it asks. */
 export function limitMs(match, number) {
   const time = match.header.scene?.time ?? {};
-  const limit = number === 1 ? time.firstAnswerMs : time.answerMs;
+  const asked = match.turn(number - 1)?.state?.said?.filter(each => each.block === 'NEXT_PLAYER_INFO').at(-1);
+  const limit = asked ? Number(asked.lines[2]) : number === 1 ? time.firstAnswerMs : time.answerMs;
   return (limit ?? Infinity) * (match.header.timeFactor ?? Infinity);
 }
 

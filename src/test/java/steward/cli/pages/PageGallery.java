@@ -39,12 +39,15 @@ final class PageGallery {
     /** A guest's match: what its bots said, and no drawing. */
     private static final List<String> UNDRAWN = List.of("""
         {"type":"steward-replay","format":3,"game":"guest","seed":"7","timeFactor":1,"players":[{"name":"left"},\
-        {"name":"right"}],"scene":{"name":"guest","time":{"firstAnswerMs":1000,"answerMs":50}},\
+        {"name":"right"}],"scene":{"name":"guest"},"drawing":{"field":{"x":0,"y":0,"width":1600,"height":900}},\
         "start":{"state":{}}}""", """
-        {"type":"turn","turn":1,"commands":["ROCK","PAPER"],"messages":["good luck",null],"stderr":["depth 4",null],\
-        "outcome":{"scores":[0,1],"state":{"round":1}}}""", """
-        {"type":"turn","turn":2,"commands":["ROCK",null],"faults":[null,"no answer within 50 ms"],\
-        "outcome":{"scores":[2,1],"state":{"round":2}}}""");
+        {"type":"turn","turn":1,"commands":[{"lines":["ROCK","good luck"]},null],"stderr":["depth 4",null],\
+        "outcome":{"state":{"asked":1,"said":[{"block":"SUMMARY","lines":["left shows something"]},\
+        {"block":"NEXT_PLAYER_INPUT","lines":["1","good luck"]},{"block":"NEXT_PLAYER_INFO","lines":["1","1","50"]}\
+        ]}}}""", """
+        {"type":"turn","turn":2,"commands":[null,null],"faults":[null,"no answer within 50 ms"],\
+        "outcome":{"state":{"asked":0,"said":[{"block":"NEXT_PLAYER_INPUT","lines":["you lead"]},\
+        {"block":"NEXT_PLAYER_INFO","lines":["0","2","50"]}]}}}""");
 
     private final Path folder;
     private final PageTestPages pages;
