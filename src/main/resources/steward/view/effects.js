@@ -1,5 +1,4 @@
-// Impacts and marks of the game, which stay in view for a moment. All follows from the time alone, so that scrubbing back
-// shows the same again.
+// Impacts and marks of the game, which stay in view for a moment. All follows from the time alone.
 
 import { captionSize, circle, hash01, sprites, TAU, write } from './draw.js';
 import { paintGlow } from './hulls.js';

@@ -1,4 +1,4 @@
-// Hulls: the outline tells the team, also without colours. Eight outlines; from the ninth team on they have a stripe.
+// Hulls: the outline tells the team, also without colours. Eight outlines; later teams have a stripe.
 
 import { circle, polygon, regular, sprites } from './draw.js';
 import { withAlpha } from './theme.js';

@@ -1,10 +1,9 @@
-// How games look, by the id of a game. A look says what is special; everything else follows from what the replay
-// declares: field, walls, zones, bodies, and in each turn scores, resources and zones.
+// How games look, by the id of a game. A look says what is special; all else follows from what the replay declares.
 //
 // A look may have: drawGround, drawBelow, drawBody, drawAbove (each gets a scene), standing(match, turn) with rank,
-// body, big, small, warning and pips of each player, leadName and progress(match, turn) with a number for each player,
-// commandLines(command, player, match), commandOf(body, match, turn), field(name, value), rest(state, match) with names
-// and texts of what the state has beside bodies, charts(match, series), and isUndrawn.
+// body, big, small, warning and pips of each player, leadName and progress(match, turn) with their numbers,
+// commandLines(command, player, match), commandOf(body, match, turn), field(name, value), rest(state, match) with pairs
+// of name and text beside the bodies, charts(match, series), and isUndrawn.
 
 import { circle, captionSize, targetLine, write } from './draw.js';
 import { putDisc } from './hulls.js';

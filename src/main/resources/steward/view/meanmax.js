@@ -1,4 +1,4 @@
-// The look of Mean Max: the arena with its water, wrecks and skill effects; looters whose outline tells the team and
+// The look of Mean Max: the arena with its water; looters whose outline tells the team and
 // whose sign tells the kind; tankers with their water.
 
 import { circle, directionLine, polygon, sprites, write } from './draw.js';

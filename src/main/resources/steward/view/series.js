@@ -8,7 +8,7 @@ const NANOS_PER_MS = 1e6;
 export function limitMs(match, number) {
   const time = match.header.scene?.time ?? {};
   const asked = match.turn(number - 1)?.state?.said?.filter(each => each.block === 'NEXT_PLAYER_INFO').at(-1);
-  const limit = asked ? Number(asked.lines[2]) : number === 1 ? time.firstAnswerMs : time.answerMs;
+  const limit = asked ? Number(asked.lines.join(' ').trim().split(/\s+/)[2]) : number === 1 ? time.firstAnswerMs : time.answerMs;
   return (limit ?? Infinity) * (match.header.timeFactor ?? Infinity);
 }
 

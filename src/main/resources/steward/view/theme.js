@@ -1,5 +1,4 @@
-// Colours: those of the page come from its style sheet, so that light and dark have one home. Those of teams are
-// reserved for what belongs to a team; effects, impacts and warnings have colours of their own.
+// Colours: those of the page come from its style sheet. Those of teams are for what belongs to a team alone.
 
 // Sixteen colours: the first six are told apart with every kind of colour vision, all by their lightness and hull.
 const TEAM_ON_DARK = ['#4cc2ff', '#ffa53a', '#2fd6a3', '#f08cc8', '#f2e55c', '#9c8cff', '#b7ea84', '#d3875a',

@@ -1,5 +1,5 @@
-// The strip that tells the game: the lead as an area around zero (two players) or as lines (more), impacts as bars by
-// impulse, events on their owner's side, faults. A range input lies over it; a tooltip says what is under the pointer.
+// The strip that tells the game: the lead as an area (two players) or as lines, impacts as bars by impulse, events,
+// faults. A range input lies over it.
 
 import { circle, FONT, openCanvas } from './draw.js';
 import { strengthOf } from './effects.js';

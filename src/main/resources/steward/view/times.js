@@ -1,7 +1,7 @@
 // Moments of a match and lists in the order of time.
 //
-// Time is counted in turns: turn n fills the time from n - 1 to n, and time 0 is the start. Whatever is shown "at turn
-// n" belongs to line n of the replay: its commands, what the players said, and the state it ended with.
+// Time is counted in turns: turn n fills the time from n - 1 to n, and time 0 is the start. "At turn n" is line n
+// of the replay: its commands, messages and the state it ended with.
 
 /** A moment of the match: its time, the turn it belongs to, how far into it, and the last turn that is complete. */
 export function momentAt(time) {

@@ -19,7 +19,7 @@ class GuestPageTest {
         "drawing":{"field":{"x":0,"y":0,"width":1600,"height":900},"walls":[],"zones":[],"bodies":[]},\
         "start":{"state":{"bodies":[],"asked":1,"said":[{"block":"NEXT_PLAYER_INFO","lines":["0","0","70"]},\
         {"block":"NEXT_PLAYER_INPUT","lines":["20"]},\
-        {"block":"NEXT_PLAYER_INFO","lines":["1","2","1000"]}]}}}""", """
+        {"block":"NEXT_PLAYER_INFO","lines":["1 2","1000"]}]}}}""", """
         {"type":"turn","turn":1,"commands":[null,{"lines":["TAKE 3","AND <wait>"]}],\
         "times":{"answerNanos":[null,5000000]},"outcome":{"state":{"bodies":[],"asked":0,"said":[\
         {"block":"VIEW","lines":["KEY_FRAME 1","{\\"heap\\": 17}"]},{"block":"INFOS","lines":[]},\
