@@ -2,6 +2,7 @@ package steward.guest;
 
 import java.net.URISyntaxException;
 import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.EnumSet;
@@ -85,6 +86,9 @@ record GuestProgram(List<String> command, List<String> classPath, String main, S
         if (words.isEmpty()) {
             throw block.error(name, "no words", "at least one");
         }
+        if (words.stream().anyMatch(word -> word.indexOf('\0') >= 0)) {
+            throw block.error(name, "a null character", "words that a program can be given");
+        }
         return words;
     }
 
@@ -116,7 +120,15 @@ record GuestProgram(List<String> command, List<String> classPath, String main, S
 
     /** Entries of the class path, or words of the command that are files. */
     List<String> files() {
-        return isResident() ? classPath : command.stream().filter(word -> Files.isRegularFile(Path.of(word))).toList();
+        return isResident() ? classPath : command.stream().filter(GuestProgram::isFile).toList();
+    }
+
+    private static boolean isFile(String word) {
+        try {
+            return Files.isRegularFile(Path.of(word));
+        } catch (InvalidPathException noFile) {
+            return false;
+        }
     }
 
     /** Returns the blocks that begin a game. */

@@ -48,6 +48,6 @@ class RefereeDigestTest {
         assertEquals(before, digest(List.of("pypy", moved.toString()), List.of()));
         Files.writeString(script, "two");
         assertNotEquals(before, digest(command, List.of()));
-        assertNull(digest(List.of("python3", "-m", "referee"), List.of()));
+        assertNull(digest(List.of("python3", "-m", "referee", "no \0 path"), List.of()));
     }
 }

@@ -44,6 +44,7 @@ class GuestSchemaTest {
         "game"             | "field": {"width": 9, "height": 9}, "game"              | false
         "game"             | "time": {"firstAnswerMs": 9, "answerMs": 9}, "game"     | false
         "target/classes"   | "x y"                         | true
+        "target/classes"   | "x\\u0000y"                   | false
         ["target/classes", "lib/core.jar"] | []            | false
         ["target/classes", "lib/core.jar"] | "lib"         | false
         "classPath"        | "command": ["x"], "classPath" | false
