@@ -5,13 +5,7 @@ package steward.game.podrace;
  * on behind the finish), then the one whose best pod is nearer to its next. All players who are out share the last
  * rank.
  */
-final class RaceStanding {
-
-    private final PodRace race;
-
-    RaceStanding(PodRace race) {
-        this.race = race;
-    }
+record RaceStanding(PodRace race) {
 
     /** Per player the checkpoints passed by the best pod, -1 for one who is out. */
     double[] scores() {

@@ -9,19 +9,13 @@ import steward.lab.tradeoff.TradeoffScene;
 import steward.text.TextFormat;
 
 /** Prints the trade-off scene by scene: a line per rung. */
-final class TradeoffTable {
+record TradeoffTable(Streams streams) {
 
     private static final int RUNG = 19;
     private static final int[] WIDTHS = {8, 8, 5, 8, 8, 8, 8, 7, 7, 8, 6, 6};
     private static final String[][] HEADER = {
         {"turn", "impact", "B per", "cost", "error", "error", "error", "", "in-", "energy", "free", "ends"},
         {"costs", "costs", "turn", "ratio", "median", "99%", "worst", "missed", "vented", "error", "run", "differ"}};
-
-    private final Streams streams;
-
-    TradeoffTable(Streams streams) {
-        this.streams = streams;
-    }
 
     void add(TradeoffScene scene, List<TradeoffRow> rows) {
         TradeoffRow first = rows.get(0);

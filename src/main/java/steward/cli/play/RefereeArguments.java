@@ -11,19 +11,14 @@ import steward.text.TextFormat;
 /**
  * The arguments that callers of other referees pass: players as {@code -p1} to {@code -p8}, a seed in one of three
  * ways.
+ *
+ * @param spec the options of the players are there
  */
-final class RefereeArguments {
+record RefereeArguments(CommandSpec spec) {
 
     static final int MOST_PLAYERS = 8;
 
     private static final String SEED = "seed";
-
-    private final CommandSpec spec;
-
-    /** @param spec the options of the players are there */
-    RefereeArguments(CommandSpec spec) {
-        this.spec = spec;
-    }
 
     /** Adds {@code -p1}, {@code -p1name}, {@code -p2}, ... to a command. */
     static void addPlayers(CommandSpec spec) {

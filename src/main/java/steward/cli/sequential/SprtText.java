@@ -15,20 +15,10 @@ import steward.text.TextFormat;
 import tools.jackson.core.JsonGenerator;
 
 /** Text on the state of a test, for people and for programs. */
-final class SprtText {
+record SprtText(Gsprt test, String one, String other) {
 
     /** Width of a range of scores that says nothing: a bot that has won all may be the worse one. */
     private static final double VOID = 0.5;
-
-    private final Gsprt test;
-    private final String one;
-    private final String other;
-
-    SprtText(Gsprt test, String one, String other) {
-        this.test = test;
-        this.one = one;
-        this.other = other;
-    }
 
     /**
      * Seeds that the test does not use.

@@ -24,8 +24,10 @@ import steward.text.ViewLines;
  * </pre>
  * Places of impacts are rounded; their vx, vy are half the sum of both speeds before the impact, rounded. A view may
  * end before its pods or before its counters. Errors name the frame and the line.
+ *
+ * @param lines of the view; none if the frame has none
  */
-final class FrameView {
+record FrameView(ViewLines lines) {
 
     private static final int SIZES_LINE = 2;
     private static final int CHECKPOINT_LINE = 3;
@@ -36,13 +38,6 @@ final class FrameView {
     private static final int IMPACT_WORDS = 11;
 
     private static final Pattern COUNTER = Pattern.compile("([1-9]):(-?[0-9]{1,6})");
-
-    private final ViewLines lines;
-
-    /** @param lines of the view; none if the frame has none */
-    FrameView(ViewLines lines) {
-        this.lines = lines;
-    }
 
     double[][] checkpoints() {
         String[] sizes = lines.words(SIZES_LINE);

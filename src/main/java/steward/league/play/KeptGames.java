@@ -18,15 +18,12 @@ import steward.league.StoredGame.StoredSeat;
 import steward.match.MatchListener;
 import steward.match.MatchResult;
 
-/** The replays that a league keeps: which, and where. */
-public final class KeptGames implements GamePlay.Recordings {
-
-    private final LeagueFolder folder;
-
-    /** Finds the kept replays of a league. */
-    public KeptGames(LeagueFolder folder) {
-        this.folder = folder;
-    }
+/**
+ * The replays that a league keeps: which, and where.
+ *
+ * @param folder the league's
+ */
+public record KeptGames(LeagueFolder folder) implements GamePlay.Recordings {
 
     @Override
     public GamePlay.Recorder recorder(LeagueSettings settings) {

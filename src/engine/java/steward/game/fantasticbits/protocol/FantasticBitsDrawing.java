@@ -13,7 +13,7 @@ import steward.physics.Wall;
 import tools.jackson.core.JsonGenerator;
 
 /** Shapes of Fantastic Bits that do not change: the pitch, its walls with the goals left open, and the entities. */
-final class FantasticBitsDrawing implements Drawing {
+record FantasticBitsDrawing(FantasticBits game) implements Drawing {
 
     /** Around the pitch, so that the goals are seen. */
     private static final double MARGIN = 500;
@@ -23,12 +23,6 @@ final class FantasticBitsDrawing implements Drawing {
         wall(0, 0, 0, Pitch.MOUTH_TOP), wall(0, Pitch.MOUTH_BOTTOM, 0, Pitch.HEIGHT),
         wall(Pitch.WIDTH, 0, Pitch.WIDTH, Pitch.MOUTH_TOP),
         wall(Pitch.WIDTH, Pitch.MOUTH_BOTTOM, Pitch.WIDTH, Pitch.HEIGHT));
-
-    private final FantasticBits game;
-
-    FantasticBitsDrawing(FantasticBits game) {
-        this.game = game;
-    }
 
     private static Wall wall(double ax, double ay, double bx, double by) {
         return new Segment(ax, ay, bx, by, 1);

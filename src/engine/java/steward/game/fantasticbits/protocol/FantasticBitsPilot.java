@@ -15,18 +15,12 @@ import steward.physics.Bodies;
  * Wizards by rule: each heads for the nearest snaffle and throws it at the goal; now and then a spell. Gathering
  * wizards head for the middle; mingling ones for anywhere on the pitch.
  */
-final class FantasticBitsPilot implements Pilot {
+record FantasticBitsPilot(Aim aim) implements Pilot {
 
     /** One of this many commands is a spell. */
     private static final int SPELLS = 8;
     /** The most by which a pilot misses its target along each axis, in u. */
     private static final int AIM = 200;
-
-    private final Aim aim;
-
-    FantasticBitsPilot(Aim aim) {
-        this.aim = aim;
-    }
 
     @Override
     public String answer(Game game, int player, SplitMix64 random) {

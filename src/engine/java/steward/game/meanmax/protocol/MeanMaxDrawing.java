@@ -9,16 +9,10 @@ import steward.physics.Bodies;
 import tools.jackson.core.JsonGenerator;
 
 /** Shapes of Mean Max that do not change: the area to show, the arena, where tankers fill, and the looters. */
-final class MeanMaxDrawing implements Drawing {
+record MeanMaxDrawing(MeanMax game) implements Drawing {
 
     /** Around the arena tankers come and go. */
     private static final double MARGIN = 2000;
-
-    private final MeanMax game;
-
-    MeanMaxDrawing(MeanMax game) {
-        this.game = game;
-    }
 
     @Override
     public void write(JsonGenerator out) {

@@ -14,19 +14,13 @@ import steward.physics.Bodies;
  * Looters by rule: destroyers head for tankers, reapers for wrecks, doofs for reapers of others; now and then a skill.
  * Gathering looters head for the centre; mingling ones for anywhere in the arena.
  */
-final class MeanMaxPilot implements Pilot {
+record MeanMaxPilot(Aim aim) implements Pilot {
 
     /** One of this many commands is a skill. */
     private static final int SKILLS = 8;
     /** The most by which a pilot misses its target along each axis, in u. */
     private static final int AIM = 200;
     private static final int MOST_POWER = 300;
-
-    private final Aim aim;
-
-    MeanMaxPilot(Aim aim) {
-        this.aim = aim;
-    }
 
     @Override
     public String answer(Game game, int player, SplitMix64 random) {

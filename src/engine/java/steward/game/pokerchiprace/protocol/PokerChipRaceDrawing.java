@@ -11,15 +11,7 @@ import steward.physics.Wall;
 import tools.jackson.core.JsonGenerator;
 
 /** Shapes of a table: its walls, and the players' chips at the start; their radii are in the states. */
-final class PokerChipRaceDrawing implements Drawing {
-
-    private final PokerChipRace game;
-    private final List<Wall> walls;
-
-    PokerChipRaceDrawing(PokerChipRace game, List<Wall> walls) {
-        this.game = game;
-        this.walls = walls;
-    }
+record PokerChipRaceDrawing(PokerChipRace game, List<Wall> walls) implements Drawing {
 
     @Override
     public void write(JsonGenerator out) {

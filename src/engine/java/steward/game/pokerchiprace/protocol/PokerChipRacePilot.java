@@ -12,18 +12,12 @@ import steward.physics.Bodies;
  * Chips by rule: now and then each is pushed toward the nearest smaller chip. Gathering chips head for the centre;
  * mingling ones for anywhere on the table.
  */
-final class PokerChipRacePilot implements Pilot {
+record PokerChipRacePilot(Aim aim) implements Pilot {
 
     /** One of this many commands is a push. */
     private static final int PUSHES = 4;
     /** The most by which a pilot misses its target along each axis, in u. */
     private static final int AIM = 10;
-
-    private final Aim aim;
-
-    PokerChipRacePilot(Aim aim) {
-        this.aim = aim;
-    }
 
     @Override
     public String answer(Game game, int player, SplitMix64 random) {

@@ -41,7 +41,7 @@ import steward.league.store.MadeUpGames;
 import steward.match.Protocol;
 
 /** Leagues: how they grow, and whether a game in a league costs more than one in a series. */
-final class LeagueSection implements Section {
+record LeagueSection(MatchFixture fixture, int threads) implements Section {
 
     private static final int BOTS = 10;
     /** Sizes of fields, each with so many games a bot. */
@@ -57,14 +57,6 @@ final class LeagueSection implements Section {
     private static final double NANOS = 1e9;
     private static final double NANOS_PER_MS = 1e6;
     private static final List<String> PAIR = List.of("builtin:racer", "builtin:regular");
-
-    private final MatchFixture fixture;
-    private final int threads;
-
-    LeagueSection(MatchFixture fixture, int threads) {
-        this.fixture = fixture;
-        this.threads = threads;
-    }
 
     @Override
     public String name() {

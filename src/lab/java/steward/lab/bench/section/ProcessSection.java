@@ -22,8 +22,14 @@ import steward.match.Turn;
 
 /**
  * Turns between bot processes, compared with bare pipes to the same programs; and the cost of a match before its turns.
+ *
+ * @param longGame  a scene in which bots that never reach a checkpoint play many turns
+ * @param longTurns how many turns
+ * @param oneTurn   a scene that is over after one turn
+ * @param shell     a program that starts at once and answers every line with a valid one
  */
-final class ProcessSection implements Section {
+record ProcessSection(MatchFixture fixture, GameSetup longGame, int longTurns, GameSetup oneTurn, List<String> shell)
+        implements Section {
 
     private static final String[] CLOCKS =
         {"wall clock", "CPU time of all processes", "CPU time of the asking thread"};
@@ -32,26 +38,6 @@ final class ProcessSection implements Section {
     private static final double NANOS_PER_MS = 1e6;
     /** The length of a turn frame of the official scene. */
     private static final int FRAME_BYTES = 480;
-
-    private final MatchFixture fixture;
-    private final GameSetup longGame;
-    private final int longTurns;
-    private final GameSetup oneTurn;
-    private final List<String> shell;
-
-    /**
-     * @param longGame  a scene in which bots that never reach a checkpoint play many turns
-     * @param longTurns how many turns
-     * @param oneTurn   a scene that is over after one turn
-     * @param shell     a program that starts at once and answers every line with a valid one
-     */
-    ProcessSection(MatchFixture fixture, GameSetup longGame, int longTurns, GameSetup oneTurn, List<String> shell) {
-        this.fixture = fixture;
-        this.longGame = longGame;
-        this.longTurns = longTurns;
-        this.oneTurn = oneTurn;
-        this.shell = shell;
-    }
 
     @Override
     public String name() {

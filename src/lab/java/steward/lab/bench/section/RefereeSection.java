@@ -29,16 +29,12 @@ import steward.match.Protocol;
 import tools.jackson.databind.json.JsonMapper;
 
 /** Bench section on referees made with CodinGame's SDK: games of a small one, in residents and in a JVM a game. */
-final class RefereeSection implements Section {
+record RefereeSection(MatchFixture fixture, Path sdk, int threads) implements Section {
 
     private static final List<String> SOURCES = List.of("Player.java", "Referee.java");
     private static final String MAIN = "com.codingame.gameengine.core.RefereeMain";
     private static final String BOT = "sh -c 'while read -r line; do echo \"$line\"; done'";
     private static final double NANOS = 1e9;
-
-    private final MatchFixture fixture;
-    private final Path sdk;
-    private final int threads;
 
     /** Ways to run a referee, and games of a round: about ten seconds of each. */
     private enum Way {
@@ -51,12 +47,6 @@ final class RefereeSection implements Section {
             this.words = words;
             this.games = games;
         }
-    }
-
-    RefereeSection(MatchFixture fixture, Path sdk, int threads) {
-        this.fixture = fixture;
-        this.sdk = sdk;
-        this.threads = threads;
     }
 
     @Override

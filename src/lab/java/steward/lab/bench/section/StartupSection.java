@@ -16,16 +16,10 @@ import steward.lab.bench.Row;
 import steward.lab.bench.Section;
 
 /** Bench section on start-up: from the program's start to the first line that a bot is sent. */
-final class StartupSection implements Section {
+record StartupSection(MatchFixture fixture) implements Section {
 
     private static final double NANOS = 1e9;
     private static final double NANOS_PER_MS = 1e6;
-
-    private final MatchFixture fixture;
-
-    StartupSection(MatchFixture fixture) {
-        this.fixture = fixture;
-    }
 
     @Override
     public String name() {

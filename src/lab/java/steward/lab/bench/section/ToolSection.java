@@ -17,20 +17,12 @@ import steward.lab.bench.Section;
  * Bench section on tools of others: the CPU time of their games with our referee, beside the same tool with a referee
  * in Go. Referees take turns within each round, so the ratio is the median of pairs of runs.
  */
-final class ToolSection implements Section {
+record ToolSection(MatchFixture fixture, Path tools) implements Section {
 
     private static final double NANOS = 1e9;
     /** Games of a run; cg-brutaltester plays each seed from both sides. */
     private static final int GAMES = 30;
     private static final int QUICK_GAMES = 4;
-
-    private final MatchFixture fixture;
-    private final Path tools;
-
-    ToolSection(MatchFixture fixture, Path tools) {
-        this.fixture = fixture;
-        this.tools = tools;
-    }
 
     @Override
     public String name() {

@@ -24,16 +24,10 @@ import steward.replay.verify.Verification;
 import tools.jackson.databind.json.JsonMapper;
 
 /** Bench section on verification: recorded matches, played again and compared. */
-final class VerifySection implements Section {
+record VerifySection(MatchFixture fixture) implements Section {
 
     private static final int MATCHES = 50;
     private static final double MEGABYTE = 1e6;
-
-    private final MatchFixture fixture;
-
-    VerifySection(MatchFixture fixture) {
-        this.fixture = fixture;
-    }
 
     @Override
     public String name() {

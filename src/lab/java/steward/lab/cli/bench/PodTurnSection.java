@@ -14,20 +14,13 @@ import steward.lab.bench.Section;
 
 /**
  * Bench section on the turn of the official pod race, by every implementation that can play it: {@link BenchPodGames}.
+ *
+ * @param threads how many threads play the batches of the last rows
  */
-final class PodTurnSection implements Section {
+record PodTurnSection(PodRaceType.PodRaceSetup setup, int threads) implements Section {
 
     /** Number of contenders, in a race and in a brawl. */
     private static final int CONTENDERS = 10;
-
-    private final PodRaceType.PodRaceSetup setup;
-    private final int threads;
-
-    /** @param threads how many threads play the batches of the last rows */
-    PodTurnSection(PodRaceType.PodRaceSetup setup, int threads) {
-        this.setup = setup;
-        this.threads = threads;
-    }
 
     @Override
     public String name() {

@@ -14,19 +14,13 @@ import steward.physics.ImpactLaw;
  * A body of mass 1e30 flies at 1e8 u per turn past a row of 1,000 bodies, whose centres are 15 u above and below its
  * path in turn: it touches each (10 + 10 u) and pushes it out of the row, away from the next.
  */
-public final class BulletCase implements StabilityCase {
+public final class BulletCase extends StabilityCase {
 
     private static final double MASS = 1e30;
     private static final double SPACING = 9e4;
 
-    @Override
-    public String name() {
-        return "bullet";
-    }
-
-    @Override
-    public String demand() {
-        return "1e8 u per turn through a row of 1,000: every hit counted, once, on every event rung";
+    public BulletCase() {
+        super("bullet", "1e8 u per turn through a row of 1,000: every hit counted, once, on every event rung");
     }
 
     @Override

@@ -11,7 +11,7 @@ import steward.lab.trial.StabilityCase;
 import steward.physics.Arithmetic;
 
 /** A crowd in a box, played for many impacts: whether any is missed. */
-public final class CrowdCase implements StabilityCase {
+public final class CrowdCase extends StabilityCase {
 
     private static final long SEED = 9;
     private static final int LONG_IMPACTS = 10_000_000;
@@ -29,21 +29,13 @@ public final class CrowdCase implements StabilityCase {
      * @param impacts  on each event rung, or 0 for the number of the run length
      */
     public CrowdCase(int bodies, double coverage, long longest, long impacts) {
+        super(String.format(Locale.ROOT, "crowd of %d, %.0f%%", bodies, 100 * coverage),
+            "cells and an event queue over many impacts: no two overlap and no body is outside the box at the end "
+            + "of any turn, no impact without a touch, by more than rounding explains; on every event rung");
         this.bodies = bodies;
         this.coverage = coverage;
         this.longest = longest;
         this.impacts = impacts;
-    }
-
-    @Override
-    public String name() {
-        return String.format(Locale.ROOT, "crowd of %d, %.0f%%", bodies, 100 * coverage);
-    }
-
-    @Override
-    public String demand() {
-        return "cells and an event queue over many impacts: no two overlap and no body is outside the box at the end "
-            + "of any turn, no impact without a touch, by more than rounding explains; on every event rung";
     }
 
     @Override

@@ -27,7 +27,7 @@ import steward.physics.Wall;
  * to gaps of some units in the last place. Speeds are proportional to the gap, so that a turn has some impacts per
  * disc; in one world they are not, so that no turn can have all of its impacts.
  */
-public final class DensePackingCase implements StabilityCase {
+public final class DensePackingCase extends StabilityCase {
 
     private static final long SEED = 18;
     private static final double DENSEST = Math.PI / (2 * Math.sqrt(3));
@@ -44,17 +44,12 @@ public final class DensePackingCase implements StabilityCase {
     private static final double CLEAR_GAP = 1e-6;
     private static final int COMPARED = 20;
 
-    @Override
-    public String name() {
-        return "dense packing";
-    }
-
-    @Override
-    public String demand() {
-        return String.format(Locale.ROOT, "coverage 0.84 to %.4f: no overlap grows above %.0f ulp of the box, no body "
+    public DensePackingCase() {
+        super("dense packing",
+            String.format(Locale.ROOT, "coverage 0.84 to %.4f: no overlap grows above %.0f ulp of the box, no body "
             + "leaves it, energy within %.0e, every turn ends or is named, the first %d impacts are those of exact "
             + "for gaps from %.0e of a radius; on every event rung", DENSEST, OVERLAP_ULPS, ENERGY, COMPARED,
-            CLEAR_GAP);
+            CLEAR_GAP));
     }
 
     @Override

@@ -17,23 +17,18 @@ import steward.physics.ImpactLaw;
  * e = 7 - 4 sqrt 3 = 0.072, and n bodies when n is above about ln(4 / (1 - e)) / (1 - e), 88 for e = 0.95
  * (S. McNamara and W. R. Young, "Inelastic collapse and clumping in a one-dimensional granular medium", 1992).
  */
-public final class InelasticCollapseCase implements StabilityCase {
+public final class InelasticCollapseCase extends StabilityCase {
 
     /** Without rest, which would end it. */
     private static final ImpactLaw LAW = ImpactLaw.PHYSICS.withRestitution(ImpactLaw.Restitution.MINIMUM)
         .withRestSpeed(0);
 
-    @Override
-    public String name() {
-        return "inelastic collapse";
-    }
-
-    @Override
-    public String demand() {
-        return "under a law without rest: "
+    public InelasticCollapseCase() {
+        super("inelastic collapse",
+            "under a law without rest: "
             + "e = 0.05 with 3 bodies, e = 0.95 with 90: every turn ends, by itself or named at the bound on impacts "
             + "(steps have none), and energy never grows, on every rung; on event rungs there are impacts until "
-            + "rounding ends them, and a bound of 20 or 500 on them is reached, and named";
+            + "rounding ends them, and a bound of 20 or 500 on them is reached, and named");
     }
 
     @Override

@@ -17,20 +17,15 @@ import steward.physics.ImpactLaw;
  * ends at the same position. Under the official law they react in one batch; one at a time means a scan of all bodies
  * for each, so the advance for crowds gets all 10,000, and the other one some hundred.
  */
-public final class LatticeCase implements StabilityCase {
+public final class LatticeCase extends StabilityCase {
 
     private static final long SEED = 13;
     private static final double CELL = 4000;
 
-    @Override
-    public String name() {
-        return "lattice of pairs";
-    }
-
-    @Override
-    public String demand() {
-        return "10,000 simultaneous pairs: each has its impact, and the result does not depend on the numbering, bit "
-            + "for bit, on every event rung";
+    public LatticeCase() {
+        super("lattice of pairs",
+            "10,000 simultaneous pairs: each has its impact, and the result does not depend on the numbering, bit "
+            + "for bit, on every event rung");
     }
 
     @Override

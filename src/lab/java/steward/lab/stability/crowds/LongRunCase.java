@@ -16,7 +16,7 @@ import steward.physics.ImpactLaw;
 import steward.physics.Wall;
 
 /** Many elastic impacts in a box: the drift of the energy, and whether the momentum balance is closed. */
-public final class LongRunCase implements StabilityCase {
+public final class LongRunCase extends StabilityCase {
 
     private static final long SEED = 16;
     private static final double MOMENTUM_GAP = 1e-28;
@@ -31,21 +31,13 @@ public final class LongRunCase implements StabilityCase {
 
     /** @param drift the most that the energy may change, relative to itself, after a million impacts */
     public LongRunCase(int bodies, double drift) {
-        this.bodies = bodies;
-        this.drift = drift;
-    }
-
-    @Override
-    public String name() {
-        return "long run of " + bodies;
-    }
-
-    @Override
-    public String demand() {
-        return String.format(Locale.ROOT, "energy within %.0e after 10^6 elastic impacts, on every event rung but "
+        super("long run of " + bodies,
+            String.format(Locale.ROOT, "energy within %.0e after 10^6 elastic impacts, on every event rung but "
             + "official, whose expressions are the server's: it rounds 1 / mass, by which all impulses of a pair are "
             + "off to the same side; momentum between the walls accounted for to %.0e by m (v after - v before), on "
-            + "every event rung", drift, MOMENTUM_GAP);
+            + "every event rung", drift, MOMENTUM_GAP));
+        this.bodies = bodies;
+        this.drift = drift;
     }
 
     @Override

@@ -13,20 +13,15 @@ import steward.physics.ImpactLaw;
 import steward.physics.Wall;
 
 /** One body hits two touching ones symmetrically, and small worlds among walls, each compared with its mirror image. */
-public final class MirrorCase implements StabilityCase {
+public final class MirrorCase extends StabilityCase {
 
     private static final long SEED = 11;
     private static final double SIDE = 700;
 
-    @Override
-    public String name() {
-        return "mirror images";
-    }
-
-    @Override
-    public String demand() {
-        return "mirrored positions with the same ids give mirrored outputs, bit for bit, on every rung; there are "
-            + "impacts";
+    public MirrorCase() {
+        super("mirror images",
+            "mirrored positions with the same ids give mirrored outputs, bit for bit, on every rung; there are "
+            + "impacts");
     }
 
     @Override

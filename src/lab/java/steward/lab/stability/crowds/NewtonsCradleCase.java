@@ -10,21 +10,16 @@ import steward.physics.Bodies;
 import steward.physics.ImpactLaw;
 
 /** Newton's cradle of five: four at rest in a row, in contact or nearly, hit by the fifth. */
-public final class NewtonsCradleCase implements StabilityCase {
+public final class NewtonsCradleCase extends StabilityCase {
 
     private static final int BALLS = 5;
     /** A power of two, small enough that gaps of 1e-15 can be stored beside it. */
     private static final double RADIUS = 0x1p-10;
 
-    @Override
-    public String name() {
-        return "Newton's cradle";
-    }
-
-    @Override
-    public String demand() {
-        return "5 balls with gaps 0, 1e-15, 1e-12: 4 impacts, the last flies off with the speed of the first, the "
-            + "others rest, exactly, on every event rung";
+    public NewtonsCradleCase() {
+        super("Newton's cradle",
+            "5 balls with gaps 0, 1e-15, 1e-12: 4 impacts, the last flies off with the speed of the first, the "
+            + "others rest, exactly, on every event rung");
     }
 
     @Override

@@ -13,20 +13,15 @@ import steward.physics.Bodies;
 import steward.physics.ImpactLaw;
 
 /** Four pods in the space of one to four, under the official law: the minimum impulse drives them apart. */
-public final class OfficialHeapsCase implements StabilityCase {
+public final class OfficialHeapsCase extends StabilityCase {
 
     private static final long SEED = 14;
     private static final int PAUSE = 10_000;
 
-    @Override
-    public String name() {
-        return "four dense pods";
-    }
-
-    @Override
-    public String demand() {
-        return "official rules, 8 million random states: no NaN, no turn at the bound on impacts, on every event rung; "
-            + "the most impacts in a turn is reported";
+    public OfficialHeapsCase() {
+        super("four dense pods",
+            "official rules, 8 million random states: no NaN, no turn at the bound on impacts, on every event rung; "
+            + "the most impacts in a turn is reported");
     }
 
     @Override

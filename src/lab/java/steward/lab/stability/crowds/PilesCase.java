@@ -20,7 +20,7 @@ import steward.physics.Wall;
  * Random piles of 3 to 60 bodies pressed anew each turn: into corners, wedges of 8 to 60 degrees, the rim of an arena,
  * or against each other in free space.
  */
-public final class PilesCase implements StabilityCase {
+public final class PilesCase extends StabilityCase {
 
     private static final long SEED = 32;
     private static final int TURNS = 6;
@@ -38,17 +38,12 @@ public final class PilesCase implements StabilityCase {
     private double growth;
     private double overlap;
 
-    @Override
-    public String name() {
-        return "piles";
-    }
-
-    @Override
-    public String demand() {
-        return "random piles of 3 to 60 bodies, pressed anew each turn into corners, wedges of 8 to 60 degrees, the "
+    public PilesCase() {
+        super("piles",
+            "random piles of 3 to 60 bodies, pressed anew each turn into corners, wedges of 8 to 60 degrees, the "
             + "rim of an arena, or together in free space, e = 0, 0.5, 0.9: no turn has more than 500 impacts or its "
             + "limit, energy never grows (but for 1e-15 of it, by rounding), none overlap by more than 1e-12 of a "
-            + "radius, one by one and as a crowd are the same to the bit; on every event rung";
+            + "radius, one by one and as a crowd are the same to the bit; on every event rung");
     }
 
     @Override

@@ -17,24 +17,19 @@ import steward.physics.ImpactLaw;
  * place, with any gaps, hit by one of any speed. Whatever the rounding of positions makes of the gaps, all impacts are
  * central, so in each one the two exchange their velocities, to the bit.
  */
-public final class RandomCradlesCase implements StabilityCase {
+public final class RandomCradlesCase extends StabilityCase {
 
     private static final long SEED = 15;
     private static final int TOUCHING = 26;
     private static final double ROUNDING = 0x1p-40;
     private static final int[] LENGTHS = {5, 24, 100, 200};
 
-    @Override
-    public String name() {
-        return "random cradles";
-    }
-
-    @Override
-    public String demand() {
-        return "rows of 5, 24, 100 and 200 equal balls, random radii, gaps, places, speeds, to all four sides: as many "
+    public RandomCradlesCase() {
+        super("random cradles",
+            "rows of 5, 24, 100 and 200 equal balls, random radii, gaps, places, speeds, to all four sides: as many "
             + "impacts as gaps, the last ball flies off with the speed of the first, the others rest, exactly, on "
             + "every event rung, one by one and as a crowd; touching rows of 26 with any equal masses too, counted on "
-            + "official";
+            + "official");
     }
 
     @Override

@@ -23,7 +23,7 @@ import steward.physics.Wall;
  * Stability case of rest: piles fall or are pressed on a wall or into a corner, without and with restitution, and must
  * come to rest.
  */
-public final class RestCase implements StabilityCase {
+public final class RestCase extends StabilityCase {
 
     private static final long SEED = 18;
     private static final int TURNS = 40;
@@ -35,19 +35,14 @@ public final class RestCase implements StabilityCase {
     private static final BigDecimal TINY = new BigDecimal(1e-30);
     private static final ImpactLaw SOFT = ImpactLaw.PHYSICS.withRestitution(ImpactLaw.Restitution.MINIMUM);
 
-    @Override
-    public String name() {
-        return "rest";
-    }
-
-    @Override
-    public String demand() {
-        return "columns, grids and staggered rows of 1 to 30 bodies of random radii and masses, with gaps of 0 to 1e-1 "
+    public RestCase() {
+        super("rest",
+            "columns, grids and staggered rows of 1 to 30 bodies of random radii and masses, with gaps of 0 to 1e-1 "
             + "radii and jitter, thrown once or pressed anew each turn against a wall or into a corner, e = 0..0.9: no "
             + "turn has more than 500 impacts or its limit, energy never "
             + "grows (but for 1e-15 of it, by rounding), momentum is booked, one by one and as a crowd are the same to "
             + "the bit; columns without restitution are then at rest; "
-            + "on every event rung";
+            + "on every event rung");
     }
 
     @Override

@@ -16,19 +16,14 @@ import steward.physics.TurnLog;
 import steward.physics.Wall;
 
 /** Worlds of {@link TiedWorlds}: impacts at one time that no double shows, in the order of ids. */
-public final class SimultaneousCase implements StabilityCase {
+public final class SimultaneousCase extends StabilityCase {
 
     private static final long SEED = 32;
 
-    @Override
-    public String name() {
-        return "simultaneous impacts";
-    }
-
-    @Override
-    public String demand() {
-        return "several pairs and walls meet at one time, rational or irrational, in two dimensions: on exact every "
-            + "one reacts in the order of ids, one by one and as a crowd; counted on the others";
+    public SimultaneousCase() {
+        super("simultaneous impacts",
+            "several pairs and walls meet at one time, rational or irrational, in two dimensions: on exact every "
+            + "one reacts in the order of ids, one by one and as a crowd; counted on the others");
     }
 
     @Override

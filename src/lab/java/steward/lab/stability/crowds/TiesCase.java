@@ -20,20 +20,15 @@ import steward.physics.Wall;
  * rest, some touching, so that many impacts have the same instant, also several of one body. One by one and as a crowd,
  * the same pairs must meet in the same order, and everything must be the same to the bit.
  */
-public final class TiesCase implements StabilityCase {
+public final class TiesCase extends StabilityCase {
 
     private static final long SEED = 16;
     private static final ImpactLaw SOFT = ImpactLaw.PHYSICS.withRestitution(ImpactLaw.Restitution.MINIMUM);
 
-    @Override
-    public String name() {
-        return "ties";
-    }
-
-    @Override
-    public String demand() {
-        return "worlds of 24 to 53 bodies on a lattice, with impacts of one body at one instant: as many impacts and "
-            + "in the same order, one by one and as a crowd, and the same bits, on every event rung";
+    public TiesCase() {
+        super("ties",
+            "worlds of 24 to 53 bodies on a lattice, with impacts of one body at one instant: as many impacts and "
+            + "in the same order, one by one and as a crowd, and the same bits, on every event rung");
     }
 
     @Override

@@ -13,20 +13,15 @@ import steward.physics.ImpactLaw;
 import steward.physics.Wall;
 
 /** Five discs in a box fly n turns; then all velocities are reversed and they fly back. */
-public final class TimeReversalCase implements StabilityCase {
+public final class TimeReversalCase extends StabilityCase {
 
     private static final long SEED = 15;
     private static final double OFF = 1e-6;
     private static final int MOST_TURNS = 200;
 
-    @Override
-    public String name() {
-        return "time reversal";
-    }
-
-    @Override
-    public String demand() {
-        return "how many impacts there and back until the start is missed by 1e-6 u: reported on every rung";
+    public TimeReversalCase() {
+        super("time reversal",
+            "how many impacts there and back until the start is missed by 1e-6 u: reported on every rung");
     }
 
     @Override

@@ -24,7 +24,7 @@ import steward.physics.TurnLog;
  * size of a disc after some dozens of impacts of each. The true path is the oracle's, whose 64 digits last several
  * times as long.
  */
-public final class TruePathCase implements StabilityCase {
+public final class TruePathCase extends StabilityCase {
 
     /** Name of the case. */
     public static final String NAME = "true path";
@@ -52,17 +52,12 @@ public final class TruePathCase implements StabilityCase {
             Integer.parseInt(found.group(2)), Integer.parseInt(found.group(3)))).toList();
     }
 
-    @Override
-    public String name() {
-        return NAME;
-    }
-
-    @Override
-    public String demand() {
-        return "3, 10, 30 and 100 discs in a box: impacts "
+    public TruePathCase() {
+        super(NAME,
+            "3, 10, 30 and 100 discs in a box: impacts "
             + "until one is not the true one (another pair, or off by 1e-4 turns), "
             + "the mean of several gases; at least 15 for each disc on every event rung, more no "
-            + "arithmetic can promise";
+            + "arithmetic can promise");
     }
 
     @Override

@@ -10,19 +10,14 @@ import steward.physics.Bodies;
 import steward.physics.ImpactLaw;
 
 /** States that lead to divisions by 0: coincident centres, deep overlap, no relative speed in contact. */
-public final class ContactCase implements StabilityCase {
+public final class ContactCase extends StabilityCase {
 
     private static final double TOLERANCE = 1e-12;
 
-    @Override
-    public String name() {
-        return "degenerate contacts";
-    }
-
-    @Override
-    public String demand() {
-        return "coincident centres, deep overlap, overlap and receding, equal velocities in contact: what the law says "
-            + "(oracle, 1e-12), never NaN, on every event rung under both laws";
+    public ContactCase() {
+        super("degenerate contacts",
+            "coincident centres, deep overlap, overlap and receding, equal velocities in contact: what the law says "
+            + "(oracle, 1e-12), never NaN, on every event rung under both laws");
     }
 
     @Override

@@ -15,19 +15,14 @@ import steward.physics.Segment;
 import steward.physics.Wall;
 
 /** A hit into a corner at exactly 45 degrees, which touches two walls at once, and hits on the end of a segment. */
-public final class CornerCase implements StabilityCase {
+public final class CornerCase extends StabilityCase {
 
     private static final double TOLERANCE = 1e-12;
 
-    @Override
-    public String name() {
-        return "corners and ends";
-    }
-
-    @Override
-    public String demand() {
-        return "45 degrees into a corner, both walls at once: back with the very same speeds, in the very same place; "
-            + "a segment's end as the oracle has it (1e-12); on every event rung";
+    public CornerCase() {
+        super("corners and ends",
+            "45 degrees into a corner, both walls at once: back with the very same speeds, in the very same place; "
+            + "a segment's end as the oracle has it (1e-12); on every event rung");
     }
 
     @Override

@@ -14,20 +14,15 @@ import steward.physics.ImpactLaw;
 import steward.physics.time.ExactPairs;
 
 /** Impacts at the end of the turn, some units in the last place before or behind it. */
-public final class EndOfTurnCase implements StabilityCase {
+public final class EndOfTurnCase extends StabilityCase {
 
     private static final long SEED = 33;
     private static final int MOST_ULPS = 4;
 
-    @Override
-    public String name() {
-        return "end of the turn";
-    }
-
-    @Override
-    public String demand() {
-        return "impacts at t = 1, and places up to " + MOST_ULPS + " ulps off: 0 wrong decisions on exact and "
-            + "compensated, counted on the others";
+    public EndOfTurnCase() {
+        super("end of the turn",
+            "impacts at t = 1, and places up to " + MOST_ULPS + " ulps off: 0 wrong decisions on exact and "
+            + "compensated, counted on the others");
     }
 
     @Override

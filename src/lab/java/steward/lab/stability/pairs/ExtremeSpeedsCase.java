@@ -13,19 +13,14 @@ import steward.physics.ImpactLaw;
 import steward.physics.Segment;
 
 /** Speeds and lengths whose squares underflow or overflow, between bodies and at walls. */
-public final class ExtremeSpeedsCase implements StabilityCase {
+public final class ExtremeSpeedsCase extends StabilityCase {
 
     private static final double TOLERANCE = 1e-12;
 
-    @Override
-    public String name() {
-        return "extreme speeds";
-    }
-
-    @Override
-    public String demand() {
-        return "speeds 1e-310 to 1e200, lengths 1e-310 to 1e300, at walls too: a named refusal or a right answer "
-            + "(oracle, 1e-12), never NaN, infinity or silence, on every event rung";
+    public ExtremeSpeedsCase() {
+        super("extreme speeds",
+            "speeds 1e-310 to 1e200, lengths 1e-310 to 1e300, at walls too: a named refusal or a right answer "
+            + "(oracle, 1e-12), never NaN, infinity or silence, on every event rung");
     }
 
     @Override

@@ -14,22 +14,17 @@ import steward.physics.Bodies;
  * Passes that nearly touch: at R (1 - 10^-k), R (1 + 10^-k), and exactly tangent, one unit in the last place to either
  * side.
  */
-public final class GrazingCase implements StabilityCase {
+public final class GrazingCase extends StabilityCase {
 
     private static final long SEED = 2;
     /** Of velocities: the rounding, and one unit in the last place where it leaves an approach. */
     private static final double MOST_ULPS = 1.51;
 
-    @Override
-    public String name() {
-        return "grazing passes";
-    }
-
-    @Override
-    public String demand() {
-        return "R(1 +- 10^-k), k = 1..16, and tangent +- 1 ulp: 0 wrong decisions on exact and "
+    public GrazingCase() {
+        super("grazing passes",
+            "R(1 +- 10^-k), k = 1..16, and tangent +- 1 ulp: 0 wrong decisions on exact and "
             + "compensated, counted on the others; on exact, positions and velocities within 0.51 ulp, and in contact "
-            + "but for a rounding velocities within 1.51 ulp";
+            + "but for a rounding velocities within 1.51 ulp");
     }
 
     @Override

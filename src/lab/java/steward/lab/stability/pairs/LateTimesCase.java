@@ -17,7 +17,7 @@ import steward.physics.ImpactLaw;
  * turn. There is no clock across turns ({@link steward.physics.Advance} does not know the turn's number), so a late
  * turn of a match is like any other; within one, rounding a time near 1 moves a body by 1e-16 of its speed.
  */
-public final class LateTimesCase implements StabilityCase {
+public final class LateTimesCase extends StabilityCase {
 
     private static final int ROW = 5;
     private static final double RADIUS = 10;
@@ -25,15 +25,10 @@ public final class LateTimesCase implements StabilityCase {
     /** Units in the last place of the position. */
     private static final double MOST_ULPS = 4;
 
-    @Override
-    public String name() {
-        return "late times";
-    }
-
-    @Override
-    public String demand() {
-        return "impacts 1e-9 turns apart at the end of a turn, speeds 1..1e8: no overlap above 4 ulp of the position "
-            + "when they touch, on every event rung whose expressions are ours";
+    public LateTimesCase() {
+        super("late times",
+            "impacts 1e-9 turns apart at the end of a turn, speeds 1..1e8: no overlap above 4 ulp of the position "
+            + "when they touch, on every event rung whose expressions are ours");
     }
 
     @Override

@@ -10,20 +10,15 @@ import steward.physics.Bodies;
 import steward.physics.ImpactLaw;
 
 /** Masses from 1e-300 to 1e300 and infinite ones, at ratios up to 1e600. */
-public final class MassesCase implements StabilityCase {
+public final class MassesCase extends StabilityCase {
 
     private static final double TOLERANCE = 1e-12;
     private static final int[] EXPONENTS = {-300, -200, -100, -30, -15, -1, 0, 1, 15, 30, 100, 200, 300};
 
-    @Override
-    public String name() {
-        return "masses";
-    }
-
-    @Override
-    public String demand() {
-        return "masses 1e-300..1e300, ratios of 1e30, infinite masses alone and meeting: a named refusal or a right "
-            + "answer (oracle, 1e-12), never NaN, infinity or silence, on every event rung";
+    public MassesCase() {
+        super("masses",
+            "masses 1e-300..1e300, ratios of 1e30, infinite masses alone and meeting: a named refusal or a right "
+            + "answer (oracle, 1e-12), never NaN, infinity or silence, on every event rung");
     }
 
     @Override

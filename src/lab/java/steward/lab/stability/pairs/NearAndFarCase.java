@@ -12,23 +12,18 @@ import steward.numerics.SplitMix64;
 import steward.physics.Bodies;
 
 /** Times of impact where the terms of the quadratic cancel: minimally apart, very far apart, far from the origin. */
-public final class NearAndFarCase implements StabilityCase {
+public final class NearAndFarCase extends StabilityCase {
 
     private static final long SEED = 3;
     /** From this family on, positions and velocities are compared too. */
     private static final int WHOLE = 3;
     private static final double MOST_ULPS = 1.51;
 
-    @Override
-    public String name() {
-        return "gaps, distances";
-    }
-
-    @Override
-    public String demand() {
-        return "gap 1e-12 R closing at 1e-9; separation 1e7 R; coordinates near 1e9 with separation 1e3: "
+    public NearAndFarCase() {
+        super("gaps, distances",
+            "gap 1e-12 R closing at 1e-9; separation 1e7 R; coordinates near 1e9 with separation 1e3: "
             + "time of impact within 0.51 ulp on exact, reported on the others; at distance, and at coordinates, "
-            + "of 1e12 no wrong decision, positions within 1 and velocities within 1.51 ulp";
+            + "of 1e12 no wrong decision, positions within 1 and velocities within 1.51 ulp");
     }
 
     @Override

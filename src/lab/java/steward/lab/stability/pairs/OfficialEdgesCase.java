@@ -13,17 +13,12 @@ import steward.physics.HalfPlane;
 import steward.physics.ImpactLaw;
 
 /** The official law at its limits: a row that just touches, the force at the minimum, a pod squeezed against a wall. */
-public final class OfficialEdgesCase implements StabilityCase {
+public final class OfficialEdgesCase extends StabilityCase {
 
-    @Override
-    public String name() {
-        return "official edges";
-    }
-
-    @Override
-    public String demand() {
-        return "a row at rest at exactly 800, the force at 120 and 1 ulp to either side (J = f + max(120, f), "
-            + "exactly), a shielded pod squeezing another against a wall: right, finite and over, on every event rung";
+    public OfficialEdgesCase() {
+        super("official edges",
+            "a row at rest at exactly 800, the force at 120 and 1 ulp to either side (J = f + max(120, f), "
+            + "exactly), a shielded pod squeezing another against a wall: right, finite and over, on every event rung");
     }
 
     @Override

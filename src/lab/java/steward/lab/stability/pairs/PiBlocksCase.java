@@ -18,20 +18,15 @@ import steward.physics.ImpactLaw;
  * Two blocks and a wall: with masses 1 and 100^k the impacts are the first k + 1 digits of pi (G. Galperin, "Playing
  * pool with pi", 2003).
  */
-public final class PiBlocksCase implements StabilityCase {
+public final class PiBlocksCase extends StabilityCase {
 
     private static final List<Integer> DIGITS =
         List.of(3, 31, 314, 3141, 31415, 314159, 3141592, 31415926, 314159265);
     private static final double ENERGY = 1e-12;
 
-    @Override
-    public String name() {
-        return "pi-blocks";
-    }
-
-    @Override
-    public String demand() {
-        return "3, 31, 314, ... impacts for mass ratios 100^k on every event rung; energy to 1e-12 on exact";
+    public PiBlocksCase() {
+        super("pi-blocks",
+            "3, 31, 314, ... impacts for mass ratios 100^k on every event rung; energy to 1e-12 on exact");
     }
 
     @Override

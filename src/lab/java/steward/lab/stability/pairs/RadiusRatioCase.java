@@ -11,18 +11,13 @@ import steward.numerics.SplitMix64;
 import steward.physics.Bodies;
 
 /** A body of 1e6 u and one of 1e-6 u: hits across the front, near its edge, and from near and far. */
-public final class RadiusRatioCase implements StabilityCase {
+public final class RadiusRatioCase extends StabilityCase {
 
     private static final long SEED = 8;
 
-    @Override
-    public String name() {
-        return "radius ratio 1e12";
-    }
-
-    @Override
-    public String demand() {
-        return "0 wrong decisions and time of impact within 0.51 ulp on exact, counted on the others";
+    public RadiusRatioCase() {
+        super("radius ratio 1e12",
+            "0 wrong decisions and time of impact within 0.51 ulp on exact, counted on the others");
     }
 
     @Override

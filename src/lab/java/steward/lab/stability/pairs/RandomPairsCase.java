@@ -11,7 +11,7 @@ import steward.numerics.SplitMix64;
 import steward.physics.Bodies;
 
 /** Random pairs of all sizes, speeds, masses and offsets, a third of them grazing. */
-public final class RandomPairsCase implements StabilityCase {
+public final class RandomPairsCase extends StabilityCase {
 
     private static final long SEED = 20_000;
     /** How many pairs share a seed. */
@@ -21,18 +21,10 @@ public final class RandomPairsCase implements StabilityCase {
 
     /** @param exponents lengths range from about 2^-exponents to 2^exponents */
     public RandomPairsCase(int exponents) {
+        super("random pairs, 2^+-" + exponents,
+            "0 wrong decisions on exact, time, positions, impulse and velocities within 0.51 ulp; counted on the "
+            + "others; seeds " + SEED + " upward, " + BLOCK + " pairs each");
         this.exponents = exponents;
-    }
-
-    @Override
-    public String name() {
-        return "random pairs, 2^+-" + exponents;
-    }
-
-    @Override
-    public String demand() {
-        return "0 wrong decisions on exact, time, positions, impulse and velocities within 0.51 ulp; counted on the "
-            + "others; seeds " + SEED + " upward, " + BLOCK + " pairs each";
     }
 
     @Override

@@ -9,7 +9,7 @@ import steward.physics.Bodies;
 import steward.physics.Motion;
 
 /** The official rounding at the end of a turn, at the numbers where it could go either way. */
-public final class RoundingCase implements StabilityCase {
+public final class RoundingCase extends StabilityCase {
 
     /** Position and floor(x + 0.5) of it, the sum being a double: so 0.49999999999999994 becomes 1. */
     private static final double[][] POSITIONS = {
@@ -22,15 +22,10 @@ public final class RoundingCase implements StabilityCase {
         {-1.9999999999999998, -1}, {-Double.MIN_VALUE, 0}, {Double.MIN_VALUE, 0}, {0x1p52 + 1, 0x1p52 + 1},
         {-123.7, -123}};
 
-    @Override
-    public String name() {
-        return "rounding";
-    }
-
-    @Override
-    public String demand() {
-        return "floor(x + 0.5) at 0.49999999999999994, halves and negative zero, cutting at -0.0: no negative zero "
-            + "left, exactly, on every rung";
+    public RoundingCase() {
+        super("rounding",
+            "floor(x + 0.5) at 0.49999999999999994, halves and negative zero, cutting at -0.0: no negative zero "
+            + "left, exactly, on every rung");
     }
 
     @Override

@@ -16,7 +16,7 @@ import steward.physics.TurnLog;
  * A body on the rim of an arena that moves along it: after a turn it has covered its speed over the room for its
  * centre, in radians, at the same distance and with the same speed.
  */
-public final class SlidingCase implements StabilityCase {
+public final class SlidingCase extends StabilityCase {
 
     private static final long SEED = 17;
     private static final ImpactLaw SOFT = ImpactLaw.PHYSICS.withRestitution(ImpactLaw.Restitution.MINIMUM);
@@ -24,16 +24,11 @@ public final class SlidingCase implements StabilityCase {
     private static final double MOST_ENERGY = 1e-12;
     private static final int MOST_KNOTS = 256;
 
-    @Override
-    public String name() {
-        return "sliding";
-    }
-
-    @Override
-    public String demand() {
-        return "along an arena's rim, random places, radii, up to 6 rad a turn, restitution 0..1, outward or "
+    public SlidingCase() {
+        super("sliding",
+            "along an arena's rim, random places, radii, up to 6 rad a turn, restitution 0..1, outward or "
             + "inward share up to 1e-6: the arc within 1e-6 rad, the energy within 1e-12, at most 256 corners of the "
-            + "path, on every event rung, one by one and as a crowd";
+            + "path, on every event rung, one by one and as a crowd");
     }
 
     @Override

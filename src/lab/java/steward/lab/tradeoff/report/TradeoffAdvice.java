@@ -10,7 +10,7 @@ import steward.lab.tradeoff.TradeoffResult;
 import steward.lab.tradeoff.TradeoffRow;
 
 /** Table and sentences on how to choose. A sentence stands only where the figures bear it out. */
-final class TradeoffAdvice {
+record TradeoffAdvice(TradeoffResult result) {
 
     /** The scenes that the sentences are about. */
     static final String RACE = "official-race";
@@ -31,12 +31,6 @@ final class TradeoffAdvice {
     private static final double RARELY = 0.001;
     /** Of rungs that cost less than this, in turns of {@code double}, the range over JVMs is of no interest. */
     private static final double LEAST_COST = 0.1;
-
-    private final TradeoffResult result;
-
-    TradeoffAdvice(TradeoffResult result) {
-        this.result = result;
-    }
 
     /** The table: a line per kind of scene. */
     String table() {
