@@ -4,18 +4,17 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
-import java.util.concurrent.Callable;
 import picocli.AutoComplete;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Spec;
+import steward.cli.options.ProgramCommand;
 import steward.cli.shared.ExitStatus;
-import steward.cli.streams.Streams;
 
 /** {@code steward completion}: lets a shell complete commands and options. */
 @Command(name = CompletionCommand.NAME, description = "Prints a script for bash and zsh that completes commands.",
     footer = {"", "Example, for the running shell:", "  source <(steward completion)"})
-final class CompletionCommand implements Callable<Integer> {
+final class CompletionCommand extends ProgramCommand {
 
     /** The name of the command. */
     static final String NAME = "completion";
@@ -26,14 +25,9 @@ final class CompletionCommand implements Callable<Integer> {
     /** Name of the resource that stands in its place. */
     private static final String WORDS = "/steward/completion.bash";
 
-    private final Streams streams;
 
     @Spec
     private CommandSpec spec;
-
-    CompletionCommand(Streams streams) {
-        this.streams = streams;
-    }
 
     @Override
     public Integer call() {

@@ -5,23 +5,22 @@ import java.util.Collection;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.Callable;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
+import steward.cli.options.ProgramCommand;
 import steward.cli.options.SandboxOptions;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.UnknownWord;
-import steward.cli.streams.Streams;
 
 /** {@code steward help}: the help of the program, or of a command. */
 @Command(name = HelpCommand.NAME, description = "Prints the help of the program, or of a command.",
     footer = {"", "'steward help sandbox' tells of the options by which bots are isolated.",
         "", "Examples:", "  steward help match", "  steward help league run"})
-final class HelpCommand implements Callable<Integer> {
+final class HelpCommand extends ProgramCommand {
 
     /** The name of the command. */
     static final String NAME = "help";
@@ -29,7 +28,6 @@ final class HelpCommand implements Callable<Integer> {
     /** The word for options that several commands take. */
     private static final String SANDBOX = "sandbox";
 
-    private final Streams streams;
 
     @Spec
     private CommandSpec spec;
@@ -37,10 +35,6 @@ final class HelpCommand implements Callable<Integer> {
     @Parameters(arity = "0..*", paramLabel = "COMMAND", completionCandidates = Commands.class,
         description = "One of the commands, and one of its own commands if it has any.")
     private List<String> words = List.of();
-
-    HelpCommand(Streams streams) {
-        this.streams = streams;
-    }
 
     /** The names of all commands. */
     static final class Commands implements Iterable<String> {

@@ -11,6 +11,7 @@ import steward.cli.explain.ExplainCommand;
 import steward.cli.league.LeagueCommand;
 import steward.cli.machines.MachineCommands;
 import steward.cli.machines.WorkerCommand;
+import steward.cli.options.ProgramCommand;
 import steward.cli.play.DemoCommand;
 import steward.cli.play.MatchCommand;
 import steward.cli.play.PlayCommand;
@@ -137,10 +138,10 @@ public final class Main {
 
     private static CommandLine program(Streams streams, List<String> commands) {
         CommandLine program = new CommandLine(new Main());
-        dress(program);
+        dress(program, streams);
         for (String name : commands) {
-            CommandLine line = new CommandLine(command(name, streams));
-            dress(line);
+            CommandLine line = new CommandLine(command(name));
+            dress(line, streams);
             program.addSubcommand(name, line);
         }
         NumberConverter.register(program);
@@ -160,39 +161,42 @@ public final class Main {
         return program(Streams.standard(), command).getSubcommands().get(command).getCommandSpec();
     }
 
-    private static Object command(String name, Streams streams) {
+    private static Object command(String name) {
         return switch (name) {
-            case "match" -> new MatchCommand(streams);
-            case "run" -> new RunCommand(streams);
-            case "replay" -> new ReplayCommand(streams);
-            case "feed" -> new FeedCommand(streams);
-            case "scene" -> new SceneCommand(streams);
-            case "explain" -> new ExplainCommand(streams);
-            case "demo" -> new DemoCommand(streams);
-            case "league" -> LeagueCommand.spec(streams, MachineCommands.ofLeague(streams));
-            case "worker" -> new WorkerCommand(streams);
-            case "sprt" -> new SprtCommand(streams);
-            case "tune" -> new TuneCommand(streams);
-            case "check" -> new CheckCommand(streams);
-            case "tournament" -> new TournamentCommand(streams);
-            case "simulate" -> new SimulateCommand(streams);
-            case "import" -> new ImportCommand(streams);
-            case "key" -> new KeyCommand(streams);
-            case "referee" -> RefereeCommand.spec(streams);
-            case "play" -> new PlayCommand(streams);
-            case "resident" -> new ResidentCommand(streams, Main::run);
-            case "stability", "tradeoff", "bench" -> Lab.commandOrMissing(name, streams);
-            case "new" -> new NewCommand(streams);
-            case "adopt" -> new AdoptCommand(streams);
-            case "doctor" -> new DoctorCommand(streams);
-            case HelpCommand.NAME -> new HelpCommand(streams);
-            default -> new CompletionCommand(streams);
+            case "match" -> new MatchCommand();
+            case "run" -> new RunCommand();
+            case "replay" -> new ReplayCommand();
+            case "feed" -> new FeedCommand();
+            case "scene" -> new SceneCommand();
+            case "explain" -> new ExplainCommand();
+            case "demo" -> new DemoCommand();
+            case "league" -> LeagueCommand.spec(MachineCommands.ofLeague());
+            case "worker" -> new WorkerCommand();
+            case "sprt" -> new SprtCommand();
+            case "tune" -> new TuneCommand();
+            case "check" -> new CheckCommand();
+            case "tournament" -> new TournamentCommand();
+            case "simulate" -> new SimulateCommand();
+            case "import" -> new ImportCommand();
+            case "key" -> new KeyCommand();
+            case "referee" -> RefereeCommand.spec();
+            case "play" -> new PlayCommand();
+            case "resident" -> new ResidentCommand(Main::run);
+            case "stability", "tradeoff", "bench" -> Lab.commandOrMissing(name);
+            case "new" -> new NewCommand();
+            case "adopt" -> new AdoptCommand();
+            case "doctor" -> new DoctorCommand();
+            case HelpCommand.NAME -> new HelpCommand();
+            default -> new CompletionCommand();
         };
     }
 
-    private static void dress(CommandLine line) {
-        line.getSubcommands().values().forEach(Main::dress);
+    private static void dress(CommandLine line, Streams streams) {
+        line.getSubcommands().values().forEach(each -> dress(each, streams));
         CommandSpec spec = line.getCommandSpec();
+        if (spec.userObject() instanceof ProgramCommand command) {
+            command.on(streams);
+        }
         spec.addMixin("standardOptions", CommandSpec.forAnnotatedObject(new StandardOptions()));
         spec.versionProvider(new Version());
         spec.usageMessage().sortOptions(false);

@@ -8,12 +8,11 @@ import java.time.ZoneOffset;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
-import java.util.concurrent.Callable;
 import java.util.stream.Stream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import steward.bot.InProcessPlayer;
-import steward.cli.options.CallCheck;
+import steward.cli.options.ProgramCommand;
 import steward.cli.options.ThreadsOption;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.FailedException;
@@ -22,7 +21,6 @@ import steward.cli.streams.Interruption;
 import steward.cli.streams.Json;
 import steward.cli.streams.ProgressLine;
 import steward.cli.streams.RunProgress;
-import steward.cli.streams.Streams;
 import steward.files.OutputFiles;
 import steward.lab.capacity.Capacity;
 import steward.lab.capacity.CapacityText;
@@ -49,7 +47,7 @@ import tools.jackson.core.JsonGenerator;
         "", "Examples:", "  steward league capacity", "  steward league capacity --workers 100 --rate 2",
         "", "Exit status: 0 done; 1 nothing was played, as the machine is too busy; 2 the",
         "call is unusable; 130 interrupted."})
-final class CapacityCommand implements Callable<Integer> {
+final class CapacityCommand extends ProgramCommand {
 
     private static final String SCENE = "mad-pod-racing";
     private static final int MOST_WORKERS = 100_000;
@@ -65,8 +63,6 @@ final class CapacityCommand implements Callable<Integer> {
     /** Share of the processors that others may take while figures mean something. */
     private static final double MOST_BUSY = 0.2;
 
-    private final Streams streams;
-    private final CallCheck check = CallCheck.withHelp();
 
     @Option(names = "--workers", paramLabel = "N", defaultValue = "1000", description = "Up to so many workers are "
         + "simulated (default: ${DEFAULT-VALUE}).")
@@ -81,10 +77,6 @@ final class CapacityCommand implements Callable<Integer> {
 
     @Option(names = "--json", description = "Prints one JSON object and nothing else.")
     private boolean json;
-
-    CapacityCommand(Streams streams) {
-        this.streams = streams;
-    }
 
     @Override
     public Integer call() throws InterruptedException {

@@ -18,12 +18,12 @@ import steward.scene.price.MeasuredPrices;
 public final class LabCommands implements Lab {
 
     @Override
-    public Object command(String name, Streams streams) {
+    public Object command(String name) {
         return switch (name) {
-            case "stability" -> new StabilityCommand(streams);
-            case "tradeoff" -> new TradeoffCommand(streams);
-            case "bench" -> new BenchCommand(streams);
-            case "league capacity" -> new CapacityCommand(streams);
+            case "stability" -> new StabilityCommand();
+            case "tradeoff" -> new TradeoffCommand();
+            case "bench" -> new BenchCommand();
+            case "league capacity" -> new CapacityCommand();
             default -> throw new IllegalArgumentException(name);
         };
     }

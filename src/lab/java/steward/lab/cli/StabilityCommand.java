@@ -8,11 +8,11 @@ import java.util.Iterator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import steward.cli.options.CallCheck;
+import steward.cli.options.ProgramCommand;
 import steward.cli.options.TableFolder;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Games;
@@ -21,7 +21,6 @@ import steward.cli.streams.Interruption;
 import steward.cli.streams.Json;
 import steward.cli.streams.ProgressLine;
 import steward.cli.streams.RunProgress;
-import steward.cli.streams.Streams;
 import steward.files.OutputFiles;
 import steward.lab.stability.GoldenHash;
 import steward.lab.stability.StabilityCases;
@@ -46,7 +45,7 @@ import steward.text.TextFormat;
         "      --impacts 1000000000",
         "", "Exit status: 0 every demand is met; 1 one is not; 2 the call cannot be used;",
         "130 Ctrl-C."})
-public final class StabilityCommand implements Callable<Integer> {
+public final class StabilityCommand extends ProgramCommand {
 
     private static final long MOST_IMPACTS = 1_000_000_000_000L;
     /** From so many seconds on a run says beforehand how long it takes. */
@@ -54,8 +53,7 @@ public final class StabilityCommand implements Callable<Integer> {
     /** How long the golden hash takes by run length, approximately; measured on a machine with two cores. */
     private static final int[] GOLDEN_SECONDS = {3, 30, 300};
 
-    private final Streams streams;
-    private final CallCheck check = CallCheck.brief();
+    private final CallCheck brief = CallCheck.brief();
 
     @Option(names = "--long", description = "Plays the long versions: hours.")
     private boolean full;
@@ -107,24 +105,20 @@ public final class StabilityCommand implements Callable<Integer> {
     @Option(names = "--json", description = "Prints one JSON object in place of the table, as --out writes it.")
     private boolean json;
 
-    public StabilityCommand(Streams streams) {
-        this.streams = streams;
-    }
-
     @Override
     public Integer call() {
-        check.exclusive("--long", full, "--quick", quick);
+        brief.exclusive("--long", full, "--quick", quick);
         tables.check(out);
-        check.range("--impacts", impacts, 1, MOST_IMPACTS);
+        brief.range("--impacts", impacts, 1, MOST_IMPACTS);
         RunLength size = full ? RunLength.LONG : quick ? RunLength.SMALL : RunLength.NORMAL;
         if (golden) {
-            check.that(out == null && !json && names.isEmpty() && rungNames.isEmpty() && impacts == null,
+            brief.that(out == null && !json && names.isEmpty() && rungNames.isEmpty() && impacts == null,
                 "--golden is about everything, expected no --out, --json, --case, --rung or --impacts with it");
             return golden(size);
         }
-        List<StabilityCase> cases = check.chosen("--case", names, StabilityCases.all(impacts == null ? 0 : impacts),
+        List<StabilityCase> cases = brief.chosen("--case", names, StabilityCases.all(impacts == null ? 0 : impacts),
             StabilityCase::name, "; ");
-        List<Rung> rungs = check.chosen("--rung", rungNames, Rung.all(), Rung::name, "; ");
+        List<Rung> rungs = brief.chosen("--rung", rungNames, Rung.all(), Rung::name, "; ");
         RunProgress progress = new RunProgress(streams, seconds(cases, rungs, size));
         if (progress.total() >= ANNOUNCED) {
             ProgressLine.announce(streams, TextFormat.about(progress.total()));

@@ -5,11 +5,11 @@ import java.time.LocalDate;
 import java.time.ZoneOffset;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import steward.cli.options.CallCheck;
+import steward.cli.options.ProgramCommand;
 import steward.cli.options.TableFolder;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Games;
@@ -17,7 +17,6 @@ import steward.cli.streams.Interruption;
 import steward.cli.streams.Json;
 import steward.cli.streams.ProgressLine;
 import steward.cli.streams.RunProgress;
-import steward.cli.streams.Streams;
 import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.lab.timing.Machine;
@@ -39,12 +38,11 @@ import steward.text.TextFormat;
         "  steward tradeoff --calibrate my-scene.json",
         "", "Exit status: 0 done; 2 the call or a scene cannot be used; 130 Ctrl-C: what was",
         "measured is kept."})
-public final class TradeoffCommand implements Callable<Integer> {
+public final class TradeoffCommand extends ProgramCommand {
 
     private static final int MOST_JVMS = 99;
 
-    private final Streams streams;
-    private final CallCheck check = CallCheck.brief();
+    private final CallCheck brief = CallCheck.brief();
 
     @Option(names = "--scene", paramLabel = "FILE|NAME", completionCandidates = TradeoffScenes.Names.class,
         description = "Only this scene; can be repeated. A scene file, a "
@@ -76,10 +74,6 @@ public final class TradeoffCommand implements Callable<Integer> {
     @Mixin
     private final PartsOption parts = new PartsOption();
 
-    public TradeoffCommand(Streams streams) {
-        this.streams = streams;
-    }
-
     @Override
     public Integer call() throws InterruptedException {
         if (json && calibrate.isAsked()) {
@@ -101,8 +95,8 @@ public final class TradeoffCommand implements Callable<Integer> {
             return calibrate.run(streams, out, tables.overwrite());
         }
         tables.check(out);
-        check.range("--jvms", jvms, 1, MOST_JVMS);
-        check.exclusive("--quick", quick, "--jvms", jvms != null);
+        brief.range("--jvms", jvms, 1, MOST_JVMS);
+        brief.exclusive("--quick", quick, "--jvms", jvms != null);
         boolean all = scenes.isEmpty();
         boolean headings = all || scenes.contains(TradeoffScenes.HEADINGS);
         List<TradeoffScene> chosen = all ? TradeoffScenes.all()

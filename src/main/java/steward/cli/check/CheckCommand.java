@@ -2,13 +2,13 @@ package steward.cli.check;
 
 import java.io.PrintStream;
 import java.util.List;
-import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import steward.bot.command.BotCommand;
 import steward.cli.options.BuiltinBotWords;
+import steward.cli.options.ProgramCommand;
 import steward.cli.options.ProtocolWord;
 import steward.cli.options.SandboxOptions;
 import steward.cli.options.SceneOptions;
@@ -36,11 +36,10 @@ import steward.text.TextFormat;
         "  steward check codingame:./bot --scene duel",
         "", "Exit status: 0 it is ready; 1 something is wrong; 2 the call is wrong, or the",
         "program is not there."})
-public final class CheckCommand implements Callable<Integer> {
+public final class CheckCommand extends ProgramCommand {
 
     private static final int WIDTH = 80;
 
-    private final Streams streams;
 
     @Parameters(index = "0", paramLabel = "BOT", completionCandidates = BuiltinBotWords.class,
         description = "The bot, [NAME=][json:|codingame:]COMMAND.")
@@ -62,10 +61,6 @@ public final class CheckCommand implements Callable<Integer> {
 
     @Option(names = "--json", description = "Prints one JSON object instead; see below.")
     private boolean json;
-
-    public CheckCommand(Streams streams) {
-        this.streams = streams;
-    }
 
     @Override
     public Integer call() throws InterruptedException {

@@ -4,20 +4,19 @@ import java.io.PrintStream;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import steward.cli.options.AccuracyOption;
 import steward.cli.options.CallCheck;
+import steward.cli.options.ProgramCommand;
 import steward.cli.options.ShippedScenes;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Games;
 import steward.cli.shared.Lab;
 import steward.cli.streams.Colour;
 import steward.cli.streams.Json;
-import steward.cli.streams.Streams;
 import steward.game.GameSetup;
 import steward.physics.Arithmetic;
 import steward.scene.Accuracy;
@@ -31,12 +30,11 @@ import steward.text.TextFormat;
     + "what each adds to the time of a turn.",
     footer = {"", "Examples:", "  steward explain walled-race", "  steward explain my-scene.json --measure",
         "  steward explain my-scene.json --json --no-prices"})
-public final class ExplainCommand implements Callable<Integer> {
+public final class ExplainCommand extends ProgramCommand {
 
     private static final int WIDTH = 100;
     private static final String WARNING = "Warning:";
 
-    private final Streams streams;
 
     @Parameters(index = "0", paramLabel = "SCENE", completionCandidates = ShippedScenes.class,
         description = "A file, - for the standard input, or one of ${COMPLETION-CANDIDATES}.")
@@ -54,10 +52,6 @@ public final class ExplainCommand implements Callable<Integer> {
 
     @Option(names = "--json", description = "Prints one JSON object instead: parts, accuracy, warnings.")
     private boolean json;
-
-    public ExplainCommand(Streams streams) {
-        this.streams = streams;
-    }
 
     @Override
     public Integer call() {

@@ -2,7 +2,6 @@ package steward.cli.league;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -13,9 +12,8 @@ import steward.cli.check.CheckCommand;
 import steward.cli.league.view.LeagueArgument;
 import steward.cli.league.view.LeagueOpening;
 import steward.cli.options.BuiltinBotWords;
-import steward.cli.options.CallCheck;
+import steward.cli.options.ProgramCommand;
 import steward.cli.shared.ExitStatus;
-import steward.cli.streams.Streams;
 import steward.contest.Contest;
 import steward.files.InputException;
 import steward.league.BotIdentity;
@@ -34,9 +32,7 @@ import steward.match.Protocol;
         "  steward league add night 'mine=python3 bot.py' builtin:racer builtin:veteran",
         "  steward league add night 'net=python3 net.py' --file net.py --file model.bin",
         "  steward league add night mine=./mine-arm --platform linux-aarch64 --same"})
-final class AddCommand implements Callable<Integer> {
-
-    private final Streams streams;
+final class AddCommand extends ProgramCommand {
 
     @Mixin
     private final LeagueArgument league = new LeagueArgument();
@@ -51,7 +47,7 @@ final class AddCommand implements Callable<Integer> {
 
     @Option(names = "--check", description = "Tries it first, as 'steward check' does, and adds it only if nothing is "
         + "wrong.")
-    private boolean check;
+    private boolean tried;
 
     @Option(names = "--random", description = "Says that it draws by lot: its games cannot be played again alike.")
     private boolean random;
@@ -64,19 +60,14 @@ final class AddCommand implements Callable<Integer> {
         + "takes this command there.")
     private boolean same;
 
-    AddCommand(Streams streams) {
-        this.streams = streams;
-    }
-
     @Override
     public Integer call() throws InterruptedException {
-        CallCheck options = CallCheck.withHelp();
-        options.that(!same || platform != null, "--same is for --platform, expected both");
-        options.that(platform == null || Platform.isWritten(platform), "--platform: found '" + platform
+        check.that(!same || platform != null, "--same is for --platform, expected both");
+        check.that(platform == null || Platform.isWritten(platform), "--platform: found '" + platform
             + "', expected " + Platform.FORM);
-        options.that(!check || platform == null || platform.equals(Platform.here()), "--check: found a command for "
+        check.that(!tried || platform == null || platform.equals(Platform.here()), "--check: found a command for "
             + platform + ", expected one for this machine, which is " + Platform.here());
-        options.that(!same || !random, "--random: expected none with --same: the bot draws by lot or not");
+        check.that(!same || !random, "--random: expected none with --same: the bot draws by lot or not");
         LeagueFolder folder = league.openToWrite(streams);
         if (files != null && bots.size() > 1) {
             throw new InputException("--file: found " + bots.size() + " bots with it, expected one");
@@ -110,7 +101,7 @@ final class AddCommand implements Callable<Integer> {
         if (other == null) {
             refuseTwins(settings, added);
         }
-        int status = check ? CheckCommand.run(streams, LeagueOpening.contest(folder, settings, streams), entrant)
+        int status = tried ? CheckCommand.run(streams, LeagueOpening.contest(folder, settings, streams), entrant)
             : ExitStatus.DONE;
         if (status != ExitStatus.DONE) {
             streams.err().println("steward: " + added.name() + " is not added");

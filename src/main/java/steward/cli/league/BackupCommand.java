@@ -4,15 +4,14 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
-import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Parameters;
 import steward.cli.league.view.LeagueArgument;
 import steward.cli.league.view.LeagueOpening;
+import steward.cli.options.ProgramCommand;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.FailedException;
-import steward.cli.streams.Streams;
 import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.text.TextFormat;
@@ -24,19 +23,13 @@ import steward.text.TextFormat;
         "league.db: to restore it, put it in the place of the old one while no run is",
         "under way, and remove league.db-wal and league.db-shm.",
         "", "Example:", "  steward league backup night night-copy.db"})
-final class BackupCommand implements Callable<Integer> {
-
-    private final Streams streams;
+final class BackupCommand extends ProgramCommand {
 
     @Mixin
     private final LeagueArgument league = new LeagueArgument();
 
     @Parameters(index = "1", paramLabel = "FILE", description = "Where the copy goes; must not exist.")
     private String file;
-
-    BackupCommand(Streams streams) {
-        this.streams = streams;
-    }
 
     @Override
     public Integer call() {

@@ -8,17 +8,15 @@ import java.util.HashMap;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import steward.cli.league.view.LeagueArgument;
 import steward.cli.league.view.LeagueOpening;
-import steward.cli.options.CallCheck;
+import steward.cli.options.ProgramCommand;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.FailedException;
 import steward.cli.streams.StandardFiles;
-import steward.cli.streams.Streams;
 import steward.files.OutputFiles;
 import steward.league.store.GameStore.Version;
 
@@ -28,10 +26,7 @@ import steward.league.store.GameStore.Version;
         "CSV has a line for each seat, JSON Lines one for each game. 'league import'",
         "takes both. Replays are not in it.",
         "", "Example:", "  steward league export night --out games.csv"})
-final class ExportCommand implements Callable<Integer> {
-
-    private final Streams streams;
-    private final CallCheck check = CallCheck.withHelp();
+final class ExportCommand extends ProgramCommand {
 
     @Mixin
     private final LeagueArgument league = new LeagueArgument();
@@ -54,10 +49,6 @@ final class ExportCommand implements Callable<Integer> {
         public Iterator<String> iterator() {
             return List.of("csv", "jsonl").iterator();
         }
-    }
-
-    ExportCommand(Streams streams) {
-        this.streams = streams;
     }
 
     @Override

@@ -3,15 +3,13 @@ package steward.cli.league;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
-import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import steward.cli.league.view.LeagueArgument;
 import steward.cli.league.view.LeagueOpening;
-import steward.cli.options.CallCheck;
+import steward.cli.options.ProgramCommand;
 import steward.cli.shared.ExitStatus;
-import steward.cli.streams.Streams;
 import steward.files.InputException;
 import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
@@ -25,13 +23,11 @@ import steward.text.TextFormat;
     footer = {"",
         "The bots are called bot-1, bot-2, ...; each is 30 Elo weaker than the one before.",
         "", "Example:", "  steward league init big && steward league generate big --games 1000000"})
-final class GenerateCommand implements Callable<Integer> {
+final class GenerateCommand extends ProgramCommand {
 
     private static final int MOST_BOTS = 1000;
     private static final int MOST_GAMES = 100_000_000;
 
-    private final Streams streams;
-    private final CallCheck check = CallCheck.withHelp();
 
     @Mixin
     private final LeagueArgument league = new LeagueArgument();
@@ -47,10 +43,6 @@ final class GenerateCommand implements Callable<Integer> {
     @Option(names = "--seed", paramLabel = "N", defaultValue = "1",
         description = "The results follow from it (default: ${DEFAULT-VALUE}).")
     private long seed;
-
-    GenerateCommand(Streams streams) {
-        this.streams = streams;
-    }
 
     @Override
     public Integer call() {

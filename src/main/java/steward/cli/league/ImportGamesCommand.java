@@ -9,14 +9,13 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Parameters;
 import steward.cli.league.view.LeagueArgument;
 import steward.cli.league.view.LeagueOpening;
+import steward.cli.options.ProgramCommand;
 import steward.cli.shared.ExitStatus;
-import steward.cli.streams.Streams;
 import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.league.LeagueFolder;
@@ -35,11 +34,10 @@ import steward.text.Utf8Text;
         "A game that the league has already is passed over. All of them are checked",
         "before the first is stored.",
         "", "Example:", "  steward league import night games.csv"})
-final class ImportGamesCommand implements Callable<Integer> {
+final class ImportGamesCommand extends ProgramCommand {
 
     private static final int TOGETHER = 10_000;
 
-    private final Streams streams;
 
     @Mixin
     private final LeagueArgument league = new LeagueArgument();
@@ -47,10 +45,6 @@ final class ImportGamesCommand implements Callable<Integer> {
     @Parameters(index = "1", paramLabel = "FILE", description = "The games; a name that ends in .csv means CSV, any "
         + "other JSON Lines.")
     private String file;
-
-    ImportGamesCommand(Streams streams) {
-        this.streams = streams;
-    }
 
     @Override
     public Integer call() {

@@ -6,19 +6,17 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Iterator;
 import java.util.Optional;
-import java.util.concurrent.Callable;
 import java.util.stream.Stream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import steward.cli.league.view.LeagueArgument;
-import steward.cli.options.CallCheck;
+import steward.cli.options.ProgramCommand;
 import steward.cli.options.SceneOptions;
 import steward.cli.options.SeedOption;
 import steward.cli.options.ShippedScenes;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Games;
-import steward.cli.streams.Streams;
 import steward.contest.KeptReplays;
 import steward.files.InputException;
 import steward.files.OutputFiles;
@@ -34,10 +32,7 @@ import steward.text.NearestName;
         "else stands in league.json and can be changed there.",
         "", "Example:",
         "  steward league init night --scene mad-pod-racing --keep lost"})
-final class InitCommand implements Callable<Integer> {
-
-    private final Streams streams;
-    private final CallCheck check = CallCheck.withHelp();
+final class InitCommand extends ProgramCommand {
 
     @Mixin
     private final LeagueArgument league = new LeagueArgument();
@@ -65,10 +60,6 @@ final class InitCommand implements Callable<Integer> {
         public Iterator<String> iterator() {
             return Arrays.stream(KeptReplays.values()).map(KeptReplays::word).iterator();
         }
-    }
-
-    InitCommand(Streams streams) {
-        this.streams = streams;
     }
 
     @Override

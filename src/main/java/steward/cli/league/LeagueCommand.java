@@ -2,7 +2,6 @@ package steward.cli.league;
 
 import java.util.LinkedHashMap;
 import java.util.Map;
-import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -12,7 +11,7 @@ import steward.cli.league.view.GamesCommand;
 import steward.cli.league.view.LeagueSprtCommand;
 import steward.cli.league.view.PageCommand;
 import steward.cli.league.view.TableCommand;
-import steward.cli.streams.Streams;
+import steward.cli.options.ProgramCommand;
 
 /** {@code steward league}: bots that play each other for as long as one likes, every game kept. */
 @Command(name = "league", synopsisSubcommandLabel = "COMMAND",
@@ -32,28 +31,22 @@ import steward.cli.streams.Streams;
         "  steward league --self-check --leagues 1000",
         "", "Exit status: 0 done; 1 it could not be carried out to its end; 2 the call or",
         "the league is unusable; 130 interrupted (what was over is stored)."})
-public final class LeagueCommand implements Callable<Integer> {
-
-    private final Streams streams;
+public final class LeagueCommand extends ProgramCommand {
 
     @Spec
     private CommandSpec spec;
 
     @Mixin
-    private final SelfCheckOptions check = new SelfCheckOptions();
-
-    private LeagueCommand(Streams streams) {
-        this.streams = streams;
-    }
+    private final SelfCheckOptions selfCheck = new SelfCheckOptions();
 
     /**
      * The command with those in it.
      *
      * @param more commands by their names, {@code run} among them; others are listed behind those that are here
      */
-    public static CommandSpec spec(Streams streams, Map<String, Object> more) {
-        CommandSpec spec = CommandSpec.forAnnotatedObject(new LeagueCommand(streams));
-        Map<String, Object> commands = commands(streams);
+    public static CommandSpec spec(Map<String, Object> more) {
+        CommandSpec spec = CommandSpec.forAnnotatedObject(new LeagueCommand());
+        Map<String, Object> commands = commands();
         commands.putAll(more);                         // also in the place of one that is there
         commands.forEach((name, command) ->
             spec.addSubcommand(name, CommandSpec.forAnnotatedObject(command)));
@@ -61,33 +54,33 @@ public final class LeagueCommand implements Callable<Integer> {
         return spec;
     }
 
-    private static Map<String, Object> commands(Streams streams) {
+    private static Map<String, Object> commands() {
         Map<String, Object> commands = new LinkedHashMap<>();
-        commands.put("init", new InitCommand(streams));
-        commands.put("add", new AddCommand(streams));
-        commands.put("retire", new RetireCommand(streams));
-        commands.put("resume", new ResumeCommand(streams));
-        commands.put("rename", new RenameCommand(streams));
-        commands.put("list", new ListCommand(streams));
+        commands.put("init", new InitCommand());
+        commands.put("add", new AddCommand());
+        commands.put("retire", new RetireCommand());
+        commands.put("resume", new ResumeCommand());
+        commands.put("rename", new RenameCommand());
+        commands.put("list", new ListCommand());
         commands.put("run", null);                      // its options are known further up
-        commands.put("table", new TableCommand(streams));
-        commands.put("games", new GamesCommand(streams));
-        commands.put("page", new PageCommand(streams));
-        commands.put("export", new ExportCommand(streams));
-        commands.put("import", new ImportGamesCommand(streams));
-        commands.put("backup", new BackupCommand(streams));
-        commands.put("verify", new VerifyCommand(streams));
-        commands.put("prune", new PruneCommand(streams));
-        commands.put("sprt", new LeagueSprtCommand(streams));
-        commands.put("demo", new LeagueDemoCommand(streams));
-        commands.put("generate", new GenerateCommand(streams));
+        commands.put("table", new TableCommand());
+        commands.put("games", new GamesCommand());
+        commands.put("page", new PageCommand());
+        commands.put("export", new ExportCommand());
+        commands.put("import", new ImportGamesCommand());
+        commands.put("backup", new BackupCommand());
+        commands.put("verify", new VerifyCommand());
+        commands.put("prune", new PruneCommand());
+        commands.put("sprt", new LeagueSprtCommand());
+        commands.put("demo", new LeagueDemoCommand());
+        commands.put("generate", new GenerateCommand());
         return commands;
     }
 
     @Override
     public Integer call() throws InterruptedException {
-        if (check.isAsked()) {
-            return check.run(streams);
+        if (selfCheck.isAsked()) {
+            return selfCheck.run(streams);
         }
         throw new ParameterException(spec.commandLine(), "found no command, expected one of "
             + String.join(", ", spec.subcommands().keySet()));

@@ -5,15 +5,14 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Comparator;
 import java.util.List;
-import java.util.concurrent.Callable;
 import java.util.stream.Stream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
-import picocli.CommandLine;
 import steward.cli.league.run.NoServing;
 import steward.cli.league.run.RunCommand;
 import steward.cli.league.view.PageCommand;
 import steward.cli.league.view.TableCommand;
+import steward.cli.options.ProgramCommand;
 import steward.cli.shared.ExitStatus;
 import steward.cli.streams.Streams;
 import steward.contest.KeptReplays;
@@ -27,7 +26,7 @@ import steward.league.LeagueSettings;
 @Command(name = "demo", description = "Plays a small league of the bots that come with the program, in less than a "
     + "minute, and writes its page.",
     footer = {"", "--json: as in 'league table --json'.", "", "Example:", "  steward league demo --out demo"})
-final class LeagueDemoCommand implements Callable<Integer> {
+final class LeagueDemoCommand extends ProgramCommand {
 
     /** Exists in the folder of the project only. */
     private static final String SOURCES = "src/main/java/steward/cli/league/LeagueDemoCommand.java";
@@ -37,7 +36,6 @@ final class LeagueDemoCommand implements Callable<Integer> {
     /** A demo is no contest: on a busy machine bots get the time they need. */
     private static final double TIME_FACTOR = 10;
 
-    private final Streams streams;
 
     @Option(names = "--out", paramLabel = "DIR", description = "The folder of the league; it must be new (default: in "
         + "the folder of Steward's own sources build/league-demo, which is replaced; elsewhere a temporary one).")
@@ -49,10 +47,6 @@ final class LeagueDemoCommand implements Callable<Integer> {
 
     @Option(names = "--json", description = "Prints one JSON object and nothing else.")
     private boolean json;
-
-    LeagueDemoCommand(Streams streams) {
-        this.streams = streams;
-    }
 
     @Override
     public Integer call() throws Exception {
@@ -72,25 +66,19 @@ final class LeagueDemoCommand implements Callable<Integer> {
         say(told, "steward league run " + path + " --threads " + threads + " --for " + time);
         told.out().println();
         told.out().flush();
-        int status = run(new RunCommand(told, new NoServing()), path.toString(), "--threads", threads, "--for",
-            time);
+        int status = new RunCommand(new NoServing()).run(told, path.toString(), "--threads", threads, "--for", time);
         if (status != ExitStatus.DONE) {
             return status;
         }
         Path page = path.resolve("league.html");
         told.out().println();
         say(told, "steward league page " + path + " --out " + page);
-        status = run(new PageCommand(told), path.toString(), "--out", page.toString());
-        return json ? run(new TableCommand(streams), path.toString(), "--json") : status;
+        status = new PageCommand().run(told, path.toString(), "--out", page.toString());
+        return json ? new TableCommand().run(streams, path.toString(), "--json") : status;
     }
 
     private static void say(Streams told, String line) {
         told.out().println("$ " + line);
-    }
-
-    private static int run(Callable<Integer> command, String... arguments) throws Exception {
-        new CommandLine(command).parseArgs(arguments);
-        return command.call();
     }
 
     private static Path usual() throws IOException {

@@ -5,14 +5,13 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import steward.cli.league.view.LeagueArgument;
+import steward.cli.options.ProgramCommand;
 import steward.cli.shared.ExitStatus;
 import steward.cli.streams.Json;
-import steward.cli.streams.Streams;
 import steward.json.JsonObject;
 import steward.league.LeagueBot;
 import steward.league.LeagueFolder;
@@ -25,19 +24,13 @@ import steward.text.TextFormat;
     footer = {"", "--json: scene, pairing, bots (name, command, listed, retired, random, platforms",
         "(platform, command), versions (name, games, program)).",
         "", "Example:", "  steward league list night"})
-final class ListCommand implements Callable<Integer> {
-
-    private final Streams streams;
+final class ListCommand extends ProgramCommand {
 
     @Mixin
     private final LeagueArgument league = new LeagueArgument();
 
     @Option(names = "--json", description = "Prints one JSON object instead; see below.")
     private boolean json;
-
-    ListCommand(Streams streams) {
-        this.streams = streams;
-    }
 
     @Override
     public Integer call() {

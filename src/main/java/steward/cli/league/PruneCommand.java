@@ -7,7 +7,6 @@ import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
-import java.util.concurrent.Callable;
 import java.util.concurrent.TimeUnit;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -17,9 +16,8 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import steward.cli.league.view.LeagueArgument;
 import steward.cli.league.view.LeagueOpening;
-import steward.cli.options.CallCheck;
+import steward.cli.options.ProgramCommand;
 import steward.cli.shared.ExitStatus;
-import steward.cli.streams.Streams;
 import steward.league.LeagueFolder;
 import steward.league.StoredGame;
 import steward.text.TextFormat;
@@ -32,13 +30,11 @@ import steward.text.TextFormat;
         "", "Examples:",
         "  steward league prune night --keep lost --older 30d",
         "  steward league prune night --keep none --dry-run"})
-final class PruneCommand implements Callable<Integer> {
+final class PruneCommand extends ProgramCommand {
 
     private static final Pattern AGE = Pattern.compile("([0-9]{1,6})([hd])");
     private static final long A_DAY_MS = TimeUnit.DAYS.toMillis(1);
 
-    private final Streams streams;
-    private final CallCheck check = CallCheck.withHelp();
 
     @Mixin
     private final LeagueArgument league = new LeagueArgument();
@@ -73,10 +69,6 @@ final class PruneCommand implements Callable<Integer> {
         private String text() {
             return TextFormat.count(files, "replay") + ", " + Sizes.text(bytes);
         }
-    }
-
-    PruneCommand(Streams streams) {
-        this.streams = streams;
     }
 
     @Override

@@ -2,14 +2,13 @@ package steward.cli.league;
 
 import java.nio.file.Files;
 import java.util.Objects;
-import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Parameters;
 import steward.cli.league.view.LeagueArgument;
 import steward.cli.league.view.LeagueOpening;
+import steward.cli.options.ProgramCommand;
 import steward.cli.shared.ExitStatus;
-import steward.cli.streams.Streams;
 import steward.files.InputException;
 import steward.league.LeagueBot;
 import steward.league.LeagueFolder;
@@ -20,9 +19,7 @@ import steward.league.store.GameStore;
 /** {@code steward league rename}: another name for a bot. */
 @Command(name = "rename", description = "Gives a bot another name; its games are under that name then.",
     footer = {"", "Example:", "  steward league rename night mine careful"})
-final class RenameCommand implements Callable<Integer> {
-
-    private final Streams streams;
+final class RenameCommand extends ProgramCommand {
 
     @Mixin
     private final LeagueArgument league = new LeagueArgument();
@@ -32,10 +29,6 @@ final class RenameCommand implements Callable<Integer> {
 
     @Parameters(index = "2", paramLabel = "NEW-NAME", description = "What it is to be called.")
     private String other;
-
-    RenameCommand(Streams streams) {
-        this.streams = streams;
-    }
 
     @Override
     public Integer call() {

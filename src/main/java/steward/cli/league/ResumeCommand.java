@@ -1,14 +1,13 @@
 package steward.cli.league;
 
 import java.nio.file.Files;
-import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Parameters;
 import steward.cli.league.view.LeagueArgument;
 import steward.cli.league.view.LeagueOpening;
+import steward.cli.options.ProgramCommand;
 import steward.cli.shared.ExitStatus;
-import steward.cli.streams.Streams;
 import steward.league.LeagueBot;
 import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
@@ -19,19 +18,13 @@ import steward.league.LeagueSettings;
         "Its failures so far do not pause it again; later ones do. A bot whose program has",
         "changed plays by itself: it is a new version.",
         "", "Example:", "  steward league resume night mine"})
-final class ResumeCommand implements Callable<Integer> {
-
-    private final Streams streams;
+final class ResumeCommand extends ProgramCommand {
 
     @Mixin
     private final LeagueArgument league = new LeagueArgument();
 
     @Parameters(index = "1", paramLabel = "NAME", description = "The bot.")
     private String name;
-
-    ResumeCommand(Streams streams) {
-        this.streams = streams;
-    }
 
     @Override
     public Integer call() {

@@ -1,14 +1,13 @@
 package steward.cli.league;
 
-import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import steward.cli.league.view.LeagueArgument;
 import steward.cli.league.view.LeagueOpening;
+import steward.cli.options.ProgramCommand;
 import steward.cli.shared.ExitStatus;
-import steward.cli.streams.Streams;
 import steward.league.LeagueBot;
 import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
@@ -16,9 +15,7 @@ import steward.league.LeagueSettings;
 /** {@code steward league retire}: a bot plays no more. */
 @Command(name = "retire", description = "Lets a bot play no more; its games stay.",
     footer = {"", "Example:", "  steward league retire night mine"})
-final class RetireCommand implements Callable<Integer> {
-
-    private final Streams streams;
+final class RetireCommand extends ProgramCommand {
 
     @Mixin
     private final LeagueArgument league = new LeagueArgument();
@@ -28,10 +25,6 @@ final class RetireCommand implements Callable<Integer> {
 
     @Option(names = "--back", description = "Lets it play again.")
     private boolean back;
-
-    RetireCommand(Streams streams) {
-        this.streams = streams;
-    }
 
     @Override
     public Integer call() {

@@ -3,14 +3,13 @@ package steward.cli.league;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import steward.cli.league.view.LeagueArgument;
+import steward.cli.options.ProgramCommand;
 import steward.cli.shared.ExitStatus;
 import steward.cli.streams.Json;
-import steward.cli.streams.Streams;
 import steward.files.InputException;
 import steward.json.JsonObject;
 import steward.league.FolderLock;
@@ -30,7 +29,7 @@ import steward.text.TextFormat;
         "expected; the first 100), more, setAside (rows, games, copy) or null.",
         "", "Exit status: 0 every row can be used, or now can; 1 some cannot.",
         "", "Example:", "  steward league verify night --drop"})
-final class VerifyCommand implements Callable<Integer> {
+final class VerifyCommand extends ProgramCommand {
 
     /** Rows that are listed at most. */
     private static final int LISTED = 100;
@@ -38,7 +37,6 @@ final class VerifyCommand implements Callable<Integer> {
     /** The word of SQLite for a database that is whole. */
     private static final String SOUND = "ok";
 
-    private final Streams streams;
 
     @Mixin
     private final LeagueArgument league = new LeagueArgument();
@@ -48,10 +46,6 @@ final class VerifyCommand implements Callable<Integer> {
 
     @Option(names = "--json", description = "Prints one JSON object instead; see below.")
     private boolean json;
-
-    VerifyCommand(Streams streams) {
-        this.streams = streams;
-    }
 
     @Override
     public Integer call() {

@@ -3,14 +3,12 @@ package steward.cli.machines;
 import java.nio.file.Path;
 import java.time.Instant;
 import java.util.List;
-import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
-import steward.cli.options.CallCheck;
+import steward.cli.options.ProgramCommand;
 import steward.cli.shared.ExitStatus;
 import steward.cli.streams.Json;
-import steward.cli.streams.Streams;
 import steward.files.OutputFiles;
 import steward.json.JsonObject;
 import steward.league.LeagueFolder;
@@ -37,12 +35,10 @@ import steward.text.TextFormat;
         "  steward league worker add night attic",
         "  steward league worker invite night --count 40 --until 2030-12-24",
         "  steward league worker revoke night attic"})
-final class LeagueWorkerCommand implements Callable<Integer> {
+final class LeagueWorkerCommand extends ProgramCommand {
 
     private static final List<String> ACTIONS = List.of("add", "invite", "revoke", "pardon", "list", "renew");
 
-    private final Streams streams;
-    private final CallCheck check = CallCheck.withHelp();
 
     @Parameters(index = "0", paramLabel = "ACTION", description = "add, invite, revoke, pardon, list or "
         + "renew.")
@@ -72,10 +68,6 @@ final class LeagueWorkerCommand implements Callable<Integer> {
 
     @Option(names = "--json", description = "With list: prints one JSON object instead; see below.")
     private boolean json;
-
-    LeagueWorkerCommand(Streams streams) {
-        this.streams = streams;
-    }
 
     @Override
     public Integer call() {

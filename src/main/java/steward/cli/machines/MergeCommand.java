@@ -2,17 +2,15 @@ package steward.cli.machines;
 
 import java.nio.file.Path;
 import java.util.List;
-import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import steward.cli.league.view.LeagueArgument;
 import steward.cli.league.view.LeagueOpening;
-import steward.cli.options.CallCheck;
+import steward.cli.options.ProgramCommand;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Games;
-import steward.cli.streams.Streams;
 import steward.contest.Contest;
 import steward.files.OutputFiles;
 import steward.league.FolderLock;
@@ -36,12 +34,10 @@ import steward.text.TextFormat;
         "A part in which anything is wrong is refused as a whole. Games that the league",
         "has are passed over: merging again changes nothing.",
         "", "Example:", "  steward league merge night part*.db"})
-final class MergeCommand implements Callable<Integer> {
+final class MergeCommand extends ProgramCommand {
 
     private static final int PERCENT = 100;
 
-    private final Streams streams;
-    private final CallCheck check = CallCheck.withHelp();
 
     @Mixin
     private final LeagueArgument league = new LeagueArgument();
@@ -53,10 +49,6 @@ final class MergeCommand implements Callable<Integer> {
         + "many of the games behind the first 20 of a part (default: ${DEFAULT-VALUE}); 0 for none, not in the first "
         + "20 either.")
     private int again;
-
-    MergeCommand(Streams streams) {
-        this.streams = streams;
-    }
 
     @Override
     @SuppressWarnings("try")                           // the lock is only held

@@ -1,7 +1,6 @@
 package steward.cli.machines;
 
 import java.nio.file.Path;
-import java.util.concurrent.Callable;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.regex.Matcher;
@@ -12,11 +11,10 @@ import picocli.CommandLine.Option;
 import steward.cli.league.run.RunCommand;
 import steward.cli.league.view.LeagueArgument;
 import steward.cli.league.view.LeagueOpening;
-import steward.cli.options.CallCheck;
+import steward.cli.options.ProgramCommand;
 import steward.cli.options.ThreadsOption;
 import steward.cli.shared.ExitStatus;
 import steward.cli.streams.Interruption;
-import steward.cli.streams.Streams;
 import steward.contest.Contest;
 import steward.files.OutputFiles;
 import steward.league.LeagueFolder;
@@ -40,13 +38,11 @@ import steward.text.TextFormat;
         "  steward league merge night part*.db",
         "", "Exit status: 0 the part or the time is over; 1 games could not be stored; 2 the",
         "call or the league is unusable; 130 interrupted."})
-final class ShardCommand implements Callable<Integer> {
+final class ShardCommand extends ProgramCommand {
 
     private static final Pattern PART = Pattern.compile("([0-9]{1,5})/([0-9]{1,5})");
     private static final int MOST_PARTS = 10_000;
 
-    private final Streams streams;
-    private final CallCheck check = CallCheck.withHelp();
 
     @Mixin
     private final LeagueArgument league = new LeagueArgument();
@@ -71,10 +67,6 @@ final class ShardCommand implements Callable<Integer> {
 
     @Option(names = "--quiet", description = "Prints nothing at the end.")
     private boolean quiet;
-
-    ShardCommand(Streams streams) {
-        this.streams = streams;
-    }
 
     @Override
     public Integer call() throws InterruptedException {

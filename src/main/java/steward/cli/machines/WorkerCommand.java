@@ -5,7 +5,6 @@ import java.net.InetSocketAddress;
 import java.net.UnknownHostException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.concurrent.Callable;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Supplier;
 import picocli.CommandLine.Command;
@@ -14,7 +13,7 @@ import picocli.CommandLine.Option;
 import steward.bot.command.Platform;
 import steward.bot.isolation.Isolation;
 import steward.cli.league.run.RunCommand;
-import steward.cli.options.CallCheck;
+import steward.cli.options.ProgramCommand;
 import steward.cli.options.SandboxOptions;
 import steward.cli.options.ThreadsOption;
 import steward.cli.shared.ExitStatus;
@@ -41,16 +40,14 @@ import steward.text.TextFormat;
         "", "Exit status: 0 told to end; 1 broken: what the league says cannot be used; 2 the",
         "call or a file is unusable; 3 refused: the token, the program's version or the",
         "league is another than expected; 130 interrupted, 143 terminated."})
-public final class WorkerCommand implements Callable<Integer> {
+public final class WorkerCommand extends ProgramCommand {
 
     private static final String VARIABLE = "STEWARD_TOKEN";
     /** Digits of the broker's key in the name of a file, so that a machine may play for several leagues. */
     private static final int BROKER_DIGITS = 8;
 
-    private final Streams streams;
     /** The streams with a log; set when the command is called. */
     private Streams log;
-    private final CallCheck check = CallCheck.withHelp();
 
     @Option(names = "--join", required = true, paramLabel = "HOST:PORT", description = "Where the league listens.")
     private String address;
@@ -97,10 +94,6 @@ public final class WorkerCommand implements Callable<Integer> {
     private final SandboxOptions sandbox = new SandboxOptions();
 
     /** The command. */
-    public WorkerCommand(Streams streams) {
-        this.streams = streams;
-    }
-
     @Override
     public Integer call() throws InterruptedException {
         threads.check();

@@ -4,12 +4,12 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import steward.bot.command.CommandLine;
 import steward.cli.options.AccuracyOption;
+import steward.cli.options.ProgramCommand;
 import steward.cli.replay.ReplayCommand;
 import steward.cli.replay.TextMap;
 import steward.cli.shared.ExitStatus;
@@ -29,7 +29,7 @@ import steward.text.TextFormat;
 @Command(name = "demo", description = "Plays two of the bots that come with the program, veteran and racer, against "
     + "each other, verifies the replay and draws a map of the race.",
     footer = {"", "--json: as in 'steward match --json'.", "", "Example:", "  steward demo --seed 7"})
-public final class DemoCommand implements Callable<Integer> {
+public final class DemoCommand extends ProgramCommand {
 
     private static final String SCENE = "mad-pod-racing";
     /** Exists in the folder of the project only. */
@@ -38,7 +38,6 @@ public final class DemoCommand implements Callable<Integer> {
     /** A demo is no contest: on a busy machine bots get the time they need. */
     private static final int TIME_FACTOR = 10;
 
-    private final Streams streams;
 
     @Option(names = "--out", paramLabel = "FILE",
         description = "Where the replay goes; replaced if it exists (default: a temporary folder; in the folder of "
@@ -54,10 +53,6 @@ public final class DemoCommand implements Callable<Integer> {
 
     @Option(names = "--json", description = "Prints one JSON object and nothing else.")
     private boolean json;
-
-    public DemoCommand(Streams streams) {
-        this.streams = streams;
-    }
 
     @Override
     public Integer call() throws InterruptedException {

@@ -3,13 +3,12 @@ package steward.cli.play;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import steward.bot.TimeBasis;
 import steward.cli.options.BuiltinBotWords;
-import steward.cli.options.CallCheck;
+import steward.cli.options.ProgramCommand;
 import steward.cli.options.ProtocolWord;
 import steward.cli.options.SandboxOptions;
 import steward.cli.options.SceneOptions;
@@ -18,7 +17,6 @@ import steward.cli.options.TimeLimitOptions;
 import steward.cli.shared.Games;
 import steward.cli.shared.Verbosity;
 import steward.cli.streams.StandardFiles;
-import steward.cli.streams.Streams;
 import steward.contest.Contest;
 import steward.contest.Series;
 import steward.files.OutputFiles;
@@ -49,12 +47,10 @@ import steward.replay.sign.SigningKey;
         "later, use --view or --out.",
         "", "Exit status: 0 there is a result; 1 there is none, or --strict and a bot failed;",
         "2 wrong call; 130 interrupted (of many games, those that are over are told)."})
-public final class MatchCommand implements Callable<Integer> {
+public final class MatchCommand extends ProgramCommand {
 
     private static final int MOST_LEVEL = 20;
 
-    private final Streams streams;
-    private final CallCheck check = CallCheck.withHelp();
 
     @Mixin
     private final SceneOptions scene = new SceneOptions();
@@ -107,10 +103,6 @@ public final class MatchCommand implements Callable<Integer> {
 
     @Mixin
     private final SandboxOptions sandbox = new SandboxOptions();
-
-    public MatchCommand(Streams streams) {
-        this.streams = streams;
-    }
 
     @Override
     public Integer call() throws InterruptedException {

@@ -4,19 +4,18 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import steward.cli.options.BuiltinBotWords;
+import steward.cli.options.ProgramCommand;
 import steward.cli.options.SandboxOptions;
 import steward.cli.options.SceneOptions;
 import steward.cli.options.SeedOption;
 import steward.cli.options.TimeLimitOptions;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Games;
-import steward.cli.streams.Streams;
 import steward.codingame.LeagueAttributes;
 import steward.codingame.LeagueJson;
 import steward.contest.Contest;
@@ -48,9 +47,7 @@ import steward.text.TextFormat;
         "  cmd_play_game = \"steward play --json-league %%DIR%%/%%P1%% %%DIR%%/%%P2%%\"",
         "", "Exit status: 0 there is a result, also if a bot failed; 1 there is none; 2 wrong",
         "call."})
-public final class PlayCommand implements Callable<Integer> {
-
-    private final Streams streams;
+public final class PlayCommand extends ProgramCommand {
 
     @Option(names = "--json-league", required = true, description = "Prints the result in this form, the only one.")
     private boolean league;
@@ -74,10 +71,6 @@ public final class PlayCommand implements Callable<Integer> {
 
     @Mixin
     private final SandboxOptions sandbox = new SandboxOptions();
-
-    public PlayCommand(Streams streams) {
-        this.streams = streams;
-    }
 
     @Override
     public Integer call() throws InterruptedException, IOException {

@@ -3,14 +3,13 @@ package steward.cli.play;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import steward.bot.TimeBasis;
 import steward.cli.options.AccuracyOption;
-import steward.cli.options.CallCheck;
+import steward.cli.options.ProgramCommand;
 import steward.cli.options.SandboxOptions;
 import steward.cli.options.SceneOptions;
 import steward.cli.options.SeedOption;
@@ -19,7 +18,6 @@ import steward.cli.options.TimeLimitOptions;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Games;
 import steward.cli.shared.RefusedCall;
-import steward.cli.streams.Streams;
 import steward.codingame.OldReferee;
 import steward.contest.Contest;
 import steward.files.InputException;
@@ -53,10 +51,8 @@ import tools.jackson.databind.node.ObjectNode;
         "  java -jar cg-brutaltester.jar -o -r 'steward referee --old' -p1 ./mine \\",
         "      -p2 ./other -n 100",
         "", "Exit status: 0 there is a result; 1 there is none; 2 wrong call."})
-public final class RefereeCommand implements Callable<Integer>, RefusedCall {
+public final class RefereeCommand extends ProgramCommand implements RefusedCall {
 
-    private final Streams streams;
-    private final CallCheck check = CallCheck.withHelp();
     private CommandSpec spec;
 
     @Option(names = "-d", paramLabel = "KEY=VALUE",
@@ -97,13 +93,9 @@ public final class RefereeCommand implements Callable<Integer>, RefusedCall {
     @Mixin
     private final SandboxOptions sandbox = new SandboxOptions();
 
-    private RefereeCommand(Streams streams) {
-        this.streams = streams;
-    }
-
     /** The command with the options of its players, which have numbers in their names. */
-    public static CommandSpec spec(Streams streams) {
-        RefereeCommand command = new RefereeCommand(streams);
+    public static CommandSpec spec() {
+        RefereeCommand command = new RefereeCommand();
         command.spec = CommandSpec.forAnnotatedObject(command);
         command.spec.parser().posixClusteredShortOptionsAllowed(false);
         RefereeArguments.addPlayers(command.spec);

@@ -4,14 +4,13 @@ import java.io.OutputStream;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import steward.bot.isolation.Isolation;
 import steward.cli.options.AccuracyOption;
-import steward.cli.options.CallCheck;
+import steward.cli.options.ProgramCommand;
 import steward.cli.options.SeedOption;
 import steward.cli.options.ShippedScenes;
 import steward.cli.shared.ExitStatus;
@@ -20,7 +19,6 @@ import steward.cli.shared.Games;
 import steward.cli.streams.Interruption;
 import steward.cli.streams.Json;
 import steward.cli.streams.ProgressLine;
-import steward.cli.streams.Streams;
 import steward.contest.Contest;
 import steward.contest.ReplayFile;
 import steward.files.InputException;
@@ -42,10 +40,7 @@ import steward.match.MatchResult;
         "  steward run bowl --turns 200 --accuracy exact --out bowl.jsonl --csv bowl",
         "  steward replay bowl.jsonl --verify",
         "", "Exit status: 0 it was played to its end; 1 it was not; 2 wrong call."})
-public final class RunCommand implements Callable<Integer> {
-
-    private final Streams streams;
-    private final CallCheck check = CallCheck.withHelp();
+public final class RunCommand extends ProgramCommand {
 
     @Parameters(index = "0", paramLabel = "SCENE", completionCandidates = ShippedScenes.class,
         description = "A file, - for the standard input, or the name of a shipped scene.")
@@ -74,10 +69,6 @@ public final class RunCommand implements Callable<Integer> {
 
     @Mixin
     private final DisplayOptions show = new DisplayOptions();
-
-    public RunCommand(Streams streams) {
-        this.streams = streams;
-    }
 
     @Override
     public Integer call() throws InterruptedException {

@@ -5,16 +5,15 @@ import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
-import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import steward.cli.options.CallCheck;
+import steward.cli.options.ProgramCommand;
 import steward.cli.options.ShippedScenes;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Games;
 import steward.cli.streams.Json;
-import steward.cli.streams.Streams;
 import steward.game.GameType;
 import steward.guest.GuestType;
 import steward.json.JsonObject;
@@ -27,9 +26,7 @@ import steward.text.TextFormat;
     footer = {"", "Examples:", "  steward scene", "  steward scene walled-race > my-scene.json",
         "  steward scene --schema > scene.schema.json",
         "", "--json: scenes (name, game, players, about)."})
-public final class SceneCommand implements Callable<Integer> {
-
-    private final Streams streams;
+public final class SceneCommand extends ProgramCommand {
 
     @Parameters(index = "0", arity = "0..1", paramLabel = "NAME", completionCandidates = ShippedScenes.class,
         description = "One of ${COMPLETION-CANDIDATES}.")
@@ -41,10 +38,6 @@ public final class SceneCommand implements Callable<Integer> {
 
     @Option(names = "--json", description = "Prints all names in one JSON object; see below.")
     private boolean json;
-
-    public SceneCommand(Streams streams) {
-        this.streams = streams;
-    }
 
     @Override
     public Integer call() {

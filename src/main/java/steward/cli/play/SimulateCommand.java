@@ -4,14 +4,13 @@ import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStreamReader;
 import java.nio.charset.StandardCharsets;
-import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
+import steward.cli.options.ProgramCommand;
 import steward.cli.options.SceneOptions;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Games;
 import steward.cli.streams.StandardFiles;
-import steward.cli.streams.Streams;
 import steward.files.InputException;
 import steward.game.GameSetup;
 
@@ -29,16 +28,10 @@ import steward.game.GameSetup;
         "race; other games have lines of their own, which their pages in docs/ show.",
         "", "Example:", "  steward simulate < tests.txt",
         "", "Exit status: 0 done; 2 a line is wrong or missing: the error names it."})
-public final class SimulateCommand implements Callable<Integer> {
-
-    private final Streams streams;
+public final class SimulateCommand extends ProgramCommand {
 
     @Mixin
     private final SceneOptions scene = new SceneOptions();
-
-    public SimulateCommand(Streams streams) {
-        this.streams = streams;
-    }
 
     @Override
     public Integer call() {

@@ -4,7 +4,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -12,12 +11,11 @@ import picocli.CommandLine.Parameters;
 import steward.bot.command.BotCommand;
 import steward.bot.process.Debugger;
 import steward.cli.options.BuiltinBotWords;
-import steward.cli.options.CallCheck;
+import steward.cli.options.ProgramCommand;
 import steward.cli.options.ProtocolWord;
 import steward.cli.options.RefereeOption;
 import steward.cli.shared.PlayerChoice;
 import steward.cli.streams.StandardFiles;
-import steward.cli.streams.Streams;
 import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.match.Protocol;
@@ -62,10 +60,7 @@ import steward.replay.verify.Resimulation;
         "      -- ./mybot",
         "", "Exit status: 0 every answer that was compared is the same; 1 some differ;",
         "2 wrong call or file."})
-public final class FeedCommand implements Callable<Integer> {
-
-    private final Streams streams;
-    private final CallCheck check = CallCheck.withHelp();
+public final class FeedCommand extends ProgramCommand {
 
     @Parameters(index = "0", paramLabel = "REPLAY",
         description = "The recorded match; - is the standard input.")
@@ -113,10 +108,6 @@ public final class FeedCommand implements Callable<Integer> {
 
     @Option(names = "--json", description = "Prints one JSON object instead; see below.")
     private boolean json;
-
-    public FeedCommand(Streams streams) {
-        this.streams = streams;
-    }
 
     @Override
     public Integer call() throws InterruptedException {

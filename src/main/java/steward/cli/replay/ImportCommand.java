@@ -8,7 +8,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
-import java.util.concurrent.Callable;
 import java.util.zip.GZIPInputStream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ITypeConverter;
@@ -19,12 +18,12 @@ import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import picocli.CommandLine.TypeConversionException;
 import steward.bot.command.CommandLine;
+import steward.cli.options.ProgramCommand;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.FailedException;
 import steward.cli.shared.Games;
 import steward.cli.streams.Json;
 import steward.cli.streams.StandardFiles;
-import steward.cli.streams.Streams;
 import steward.codingame.recording.DifferentGameException;
 import steward.codingame.recording.RecordingImport;
 import steward.files.InputException;
@@ -51,12 +50,11 @@ import steward.text.Utf8Text.NotUtf8Exception;
         "  curl ... | steward import - --out - | steward replay - --verify",
         "", "Exit status: 0 imported; 1 a line of the server differs; 2 the file or the call",
         "is wrong: the error names the frame and the line."})
-public final class ImportCommand implements Callable<Integer> {
+public final class ImportCommand extends ProgramCommand {
 
     private static final String RECORDING = "a recording";
     private static final String BYTE_ORDER_MARK = "\uFEFF";
 
-    private final Streams streams;
 
     @Spec
     private CommandSpec spec;
@@ -78,10 +76,6 @@ public final class ImportCommand implements Callable<Integer> {
 
     @Option(names = "--json", description = "Prints one JSON object instead of words; see below.")
     private boolean json;
-
-    public ImportCommand(Streams streams) {
-        this.streams = streams;
-    }
 
     @Override
     public Integer call() throws InterruptedException {

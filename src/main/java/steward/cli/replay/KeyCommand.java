@@ -3,14 +3,13 @@ package steward.cli.replay;
 import java.nio.file.Path;
 import java.util.Iterator;
 import java.util.List;
-import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
+import steward.cli.options.ProgramCommand;
 import steward.cli.shared.ExitStatus;
-import steward.cli.streams.Streams;
 import steward.files.OutputFiles;
 import steward.replay.sign.SignerKey;
 import steward.replay.sign.SigningKey;
@@ -31,9 +30,7 @@ import steward.text.NearestName;
         "  steward replay m.jsonl --verify --signed-by mine.key.pub",
         "  steward key show mine.key.pub",
         "", "Exit status: 0 done; 2 the file or the call is wrong."})
-public final class KeyCommand implements Callable<Integer> {
-
-    private final Streams streams;
+public final class KeyCommand extends ProgramCommand {
 
     @Spec
     private CommandSpec spec;
@@ -51,10 +48,6 @@ public final class KeyCommand implements Callable<Integer> {
         public Iterator<String> iterator() {
             return List.of("new", "show").iterator();
         }
-    }
-
-    public KeyCommand(Streams streams) {
-        this.streams = streams;
     }
 
     @Override

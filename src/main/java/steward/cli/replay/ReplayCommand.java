@@ -7,22 +7,20 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
-import java.util.concurrent.Callable;
 import java.util.stream.Stream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import steward.bot.isolation.SandboxLevel;
-import steward.cli.options.CallCheck;
 import steward.cli.options.OptionSection;
+import steward.cli.options.ProgramCommand;
 import steward.cli.options.RefereeOption;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.FailedException;
 import steward.cli.shared.Pages;
 import steward.cli.shared.PlayerChoice;
 import steward.cli.streams.StandardFiles;
-import steward.cli.streams.Streams;
 import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.replay.ReplayReader;
@@ -64,14 +62,12 @@ import steward.text.NearestName;
         "", "Exit status: 0 done; 1 not verified: something differs from what the rules",
         "give, or is missing, or is signed by another key or none; 2 the file or the",
         "call is wrong."})
-public final class ReplayCommand implements Callable<Integer> {
+public final class ReplayCommand extends ProgramCommand {
 
     private static final List<String> LEVELS = Stream.of(SandboxLevel.values()).map(SandboxLevel::word).toList();
 
     private static final double MOST_TURNS = 1e9;
 
-    private final Streams streams;
-    private final CallCheck check = CallCheck.withHelp();
 
     @Parameters(index = "0", paramLabel = "FILE",
         description = "The replay; - is the standard input.")
@@ -167,10 +163,6 @@ public final class ReplayCommand implements Callable<Integer> {
     @Option(names = "--json", description = "Prints one JSON object instead: the summary, a turn, impacts or the "
         + "verification; see below.")
     private boolean json;
-
-    public ReplayCommand(Streams streams) {
-        this.streams = streams;
-    }
 
     @Override
     public Integer call() throws InterruptedException {

@@ -10,7 +10,6 @@ import java.nio.channels.SocketChannel;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
-import java.util.concurrent.Callable;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.ToIntBiFunction;
@@ -19,7 +18,7 @@ import picocli.CommandLine.Option;
 import steward.bot.isolation.SandboxLevel;
 import steward.bot.isolation.SandboxSupport;
 import steward.cli.league.run.RunCommand;
-import steward.cli.options.CallCheck;
+import steward.cli.options.ProgramCommand;
 import steward.cli.shared.ExitStatus;
 import steward.cli.streams.Streams;
 import steward.files.InputException;
@@ -35,9 +34,8 @@ import steward.files.InputException;
         "", "Example, for another --idle, or to have it before the first match:",
         "  steward resident --idle 8h &",
         "", "Exit status: 0 it was idle for so long; 2 wrong call, or there is one."})
-public final class ResidentCommand implements Callable<Integer> {
+public final class ResidentCommand extends ProgramCommand {
 
-    private final Streams streams;
     private final ToIntBiFunction<Streams, String[]> program;
     private final AtomicInteger sessions = new AtomicInteger();
     private volatile long lastNanos;
@@ -51,14 +49,12 @@ public final class ResidentCommand implements Callable<Integer> {
     private String socket;
 
     /** @param program runs a command, its name first, and returns its exit status */
-    public ResidentCommand(Streams streams, ToIntBiFunction<Streams, String[]> program) {
-        this.streams = streams;
+    public ResidentCommand(ToIntBiFunction<Streams, String[]> program) {
         this.program = program;
     }
 
     @Override
     public Integer call() {
-        CallCheck check = CallCheck.withHelp();
         long idleNanos = RunCommand.nanos("--idle", idle);
         check.that(socket != null, "found no --socket and no client that names one, expected an installation made with "
             + "a C compiler, on Linux");

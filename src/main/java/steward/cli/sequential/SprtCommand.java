@@ -3,12 +3,11 @@ package steward.cli.sequential;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
-import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import steward.cli.options.BuiltinBotWords;
-import steward.cli.options.CallCheck;
+import steward.cli.options.ProgramCommand;
 import steward.cli.options.ProtocolWord;
 import steward.cli.options.SandboxOptions;
 import steward.cli.options.SceneOptions;
@@ -18,7 +17,6 @@ import steward.cli.options.TimeLimitOptions;
 import steward.cli.play.StoredSeries;
 import steward.cli.shared.Games;
 import steward.cli.shared.Verbosity;
-import steward.cli.streams.Streams;
 import steward.contest.Contest;
 import steward.files.OutputFiles;
 import steward.game.GameSetup;
@@ -37,10 +35,7 @@ import steward.league.sequential.Gsprt;
         "  steward sprt --bot ./new --bot ./old --elo0 -5 --elo1 5 --into night",
         "", "Exit status: 0 it was decided, or has played --games; 1 games have no result, or",
         "a bot failed in 10 games in a row; 2 wrong call; 130 interrupted."})
-public final class SprtCommand implements Callable<Integer> {
-
-    private final Streams streams;
-    private final CallCheck check = CallCheck.withHelp();
+public final class SprtCommand extends ProgramCommand {
 
     @Mixin
     private final SceneOptions scene = new SceneOptions();
@@ -83,10 +78,6 @@ public final class SprtCommand implements Callable<Integer> {
 
     @Mixin
     private final SandboxOptions sandbox = new SandboxOptions();
-
-    public SprtCommand(Streams streams) {
-        this.streams = streams;
-    }
 
     @Override
     public Integer call() throws InterruptedException {

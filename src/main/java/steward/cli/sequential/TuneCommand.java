@@ -7,7 +7,6 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.Callable;
 import java.util.concurrent.TimeUnit;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -18,6 +17,7 @@ import steward.bot.command.BotCommand;
 import steward.cli.options.BuiltinBotWords;
 import steward.cli.options.CallCheck;
 import steward.cli.options.OptionSection;
+import steward.cli.options.ProgramCommand;
 import steward.cli.options.ProtocolWord;
 import steward.cli.options.SandboxOptions;
 import steward.cli.options.SceneOptions;
@@ -32,7 +32,6 @@ import steward.cli.shared.Games;
 import steward.cli.shared.Verbosity;
 import steward.cli.streams.Interruption;
 import steward.cli.streams.Json;
-import steward.cli.streams.Streams;
 import steward.contest.Contest;
 import steward.contest.FailureCounts;
 import steward.contest.FailureStreaks;
@@ -62,7 +61,7 @@ import steward.text.TextFormat;
         "      --against builtin:veteran --games 4000 --into night",
         "", "Exit status: 0 done; 1 games have no result, or a bot failed in",
         "10 games in a row; 2 wrong call; 130 interrupted."})
-public final class TuneCommand implements Callable<Integer> {
+public final class TuneCommand extends ProgramCommand {
 
     private static final long TELL_NANOS = TimeUnit.SECONDS.toNanos(10);
     private static final int MOST_SEEDS = 1000;
@@ -77,8 +76,6 @@ public final class TuneCommand implements Callable<Integer> {
     /** Form of a parameter. Other braces may be the bot's own business. */
     private static final Pattern PLACEHOLDER = Pattern.compile("\\{\\w+:[^{}\"]*}");
 
-    private final Streams streams;
-    private final CallCheck check = CallCheck.withHelp();
 
     @Mixin
     private final SceneOptions scene = new SceneOptions();
@@ -158,10 +155,6 @@ public final class TuneCommand implements Callable<Integer> {
     private long told = System.nanoTime();
 
     private record Failures(Contest contest, FailureCounts counts) {
-    }
-
-    public TuneCommand(Streams streams) {
-        this.streams = streams;
     }
 
     @Override

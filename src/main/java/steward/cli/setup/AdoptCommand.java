@@ -6,16 +6,15 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
-import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import steward.bot.command.CommandLine;
 import steward.bot.isolation.Isolation;
+import steward.cli.options.ProgramCommand;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.FailedException;
 import steward.cli.shared.Pages;
-import steward.cli.streams.Streams;
 import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.guest.Adoption;
@@ -28,9 +27,7 @@ import steward.guest.RefereeFault;
         "  steward adopt SpringChallenge2023 --as ants --engine 4.3.0",
         "", "Exit status: 0 written; 1 no trial game came to its end; 2 the project cannot be",
         "built, or the call is wrong."})
-public final class AdoptCommand implements Callable<Integer> {
-
-    private final Streams streams;
+public final class AdoptCommand extends ProgramCommand {
 
     @Parameters(index = "0", paramLabel = "DIR|JAR",
         description = "The folder of the project, or a jar with all in it.")
@@ -46,10 +43,6 @@ public final class AdoptCommand implements Callable<Integer> {
 
     @Option(names = "--overwrite", description = "Replaces a scene that exists.")
     private boolean overwrite;
-
-    public AdoptCommand(Streams streams) {
-        this.streams = streams;
-    }
 
     @Override
     public Integer call() {

@@ -2,13 +2,12 @@ package steward.cli.setup;
 
 import java.io.PrintStream;
 import java.util.List;
-import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
+import steward.cli.options.ProgramCommand;
 import steward.cli.shared.ExitStatus;
 import steward.cli.streams.Colour;
 import steward.cli.streams.Json;
-import steward.cli.streams.Streams;
 import steward.json.JsonObject;
 import steward.text.TextFormat;
 
@@ -17,20 +16,15 @@ import steward.text.TextFormat;
     + "isolation of bots, compilers and interpreters, the browser, the temporary folder.",
     footer = {"", "--json: works, and items (about, name, works, detail).",
         "", "Example:", "  steward doctor", "", "Exit status: 0, whatever was found."})
-public final class DoctorCommand implements Callable<Integer> {
+public final class DoctorCommand extends ProgramCommand {
 
     private static final int NAME = 20;
     private static final int WIDTH = 80;
     private static final String INDENT = " ".repeat(2 + 5 + NAME);
 
-    private final Streams streams;
 
     @Option(names = "--json", description = "Prints one JSON object instead; see below.")
     private boolean json;
-
-    public DoctorCommand(Streams streams) {
-        this.streams = streams;
-    }
 
     @Override
     public Integer call() throws InterruptedException {

@@ -6,16 +6,15 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Iterator;
 import java.util.List;
-import java.util.concurrent.Callable;
 import java.util.stream.Stream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import steward.bot.command.CommandLine;
+import steward.cli.options.ProgramCommand;
 import steward.cli.options.ProtocolWord;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Games;
-import steward.cli.streams.Streams;
 import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.match.Protocol;
@@ -28,9 +27,7 @@ import steward.text.NearestName;
     footer = {"", "Examples:", "  steward new python mybot", "  steward new python mybot --protocol codingame",
         "  steward new cpp mybot --simulator",
         "", "Exit status: 0 written; 2 the folder is not empty, or cannot be written into."})
-public final class NewCommand implements Callable<Integer> {
-
-    private final Streams streams;
+public final class NewCommand extends ProgramCommand {
 
     @Parameters(index = "0", paramLabel = "LANGUAGE", completionCandidates = Languages.class,
         description = "One of ${COMPLETION-CANDIDATES}.")
@@ -50,10 +47,6 @@ public final class NewCommand implements Callable<Integer> {
     @Option(names = "--simulator", description = "Writes, in cpp for the pod race, a bot that searches, with "
         + "steward_podrace.hpp: the official turn to the last bit, in one header.")
     private boolean simulator;
-
-    public NewCommand(Streams streams) {
-        this.streams = streams;
-    }
 
     /** The games that have bots to start from. */
     static final class GameIds implements Iterable<String> {

@@ -16,7 +16,7 @@ import steward.scene.price.MeasuredPrices;
 public interface Lab {
 
     /** Creates one of the lab's commands: stability, tradeoff, bench or league capacity. */
-    Object command(String name, Streams streams);
+    Object command(String name);
 
     /** Measures what the parts of a scene add to a turn, each in JVMs of its own; shows progress on a terminal. */
     MeasuredPrices measurePrices(Streams streams, GameSetup setup);
@@ -47,8 +47,8 @@ public interface Lab {
     }
 
     /** Creates one of the lab's commands, or without the lab one in its place that only says so. */
-    static Object commandOrMissing(String name, Streams streams) {
-        return find().map(lab -> lab.command(name, streams)).orElseGet(() -> new Missing(name));
+    static Object commandOrMissing(String name) {
+        return find().map(lab -> lab.command(name)).orElseGet(() -> new Missing(name));
     }
 
     /** Command of a lab that is not there. */

@@ -7,11 +7,9 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.Callable;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
-import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -24,7 +22,7 @@ import steward.cli.league.view.LeagueOpening;
 import steward.cli.league.view.OwnValues;
 import steward.cli.league.view.PageCommand;
 import steward.cli.league.view.TableCommand;
-import steward.cli.options.CallCheck;
+import steward.cli.options.ProgramCommand;
 import steward.cli.options.ProtocolWord;
 import steward.cli.options.ShippedScenes;
 import steward.cli.options.ThreadsOption;
@@ -67,15 +65,13 @@ import steward.text.TextFormat;
         "  steward tournament submissions --games 10 --page results --threads auto",
         "", "Exit status: 0 done, whatever programs do; 1 it could not be brought to its end;",
         "2 the call or the folder is unusable; 130 interrupted, the same command goes on."})
-public final class TournamentCommand implements Callable<Integer> {
+public final class TournamentCommand extends ProgramCommand {
 
     static final String PAGES = "bots";
     private static final String INDEX = "index.html";
     private static final List<String> LEVELS = List.of("auto", "strict", "light", "off");
     private static final int MOST_GAMES = 100_000;
 
-    private final Streams streams;
-    private final CallCheck check = CallCheck.withHelp();
 
     @Parameters(index = "0", paramLabel = "FOLDER", description = "The folder with the programs.")
     private String folder;
@@ -133,10 +129,6 @@ public final class TournamentCommand implements Callable<Integer> {
         }
     }
 
-    public TournamentCommand(Streams streams) {
-        this.streams = streams;
-    }
-
     @Override
     public Integer call() throws Exception {
         check.range("--games", games, 1, MOST_GAMES);
@@ -170,7 +162,7 @@ public final class TournamentCommand implements Callable<Integer> {
             + "interrupted, the same command goes on.").write(into.resolve(INDEX));
         long total = total(league, bots, empty.players());
         streams.err().println("Everybody meets everybody: " + TextFormat.count(total, "game") + " in all");
-        int status = run(new RunCommand(json ? streams.withoutOutput() : streams, new NoServing()),
+        int status = new RunCommand(new NoServing()).run(json ? streams.withoutOutput() : streams,
             league.path().toString(), "--games", "" + total, "--pause-after", "0", "--threads",
             "" + threads.count(streams));
         finish(league, into, entries);
@@ -290,11 +282,6 @@ public final class TournamentCommand implements Callable<Integer> {
         }
     }
 
-    private static int run(Callable<Integer> command, String... arguments) throws Exception {
-        new CommandLine(command).parseArgs(arguments);
-        return command.call();
-    }
-
     /** The table, the pages of authors with their games, and the page of the league. */
     private void finish(LeagueFolder league, Path into, List<Entry> entries) throws Exception {
         try (LeagueOpening.Opened opened = LeagueOpening.read(league)) {
@@ -330,7 +317,7 @@ public final class TournamentCommand implements Callable<Integer> {
             }
         }
         Streams told = json ? streams.withoutOutput() : streams;
-        run(new PageCommand(told), league.path().toString(), "--out", into.resolve("league.html").toString());
+        new PageCommand().run(told, league.path().toString(), "--out", into.resolve("league.html").toString());
         told.out().println("Written: " + into.resolve(INDEX) + ", " + into.resolve("table.csv")
             + ", and a page for each author in " + into.resolve(PAGES));
     }

@@ -7,7 +7,6 @@ import java.time.ZoneOffset;
 import java.util.ArrayList;
 import java.util.Iterator;
 import java.util.List;
-import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
@@ -15,6 +14,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import steward.cli.options.CallCheck;
+import steward.cli.options.ProgramCommand;
 import steward.cli.options.TableFolder;
 import steward.cli.shared.ExitStatus;
 import steward.cli.streams.Interruption;
@@ -39,7 +39,7 @@ import steward.text.TextFormat;
         "  steward bench --long --out results",
         "", "Exit status: 0 done; 1 something could not be measured; 2 the call cannot be",
         "used; 130 Ctrl-C."})
-public final class BenchCommand implements Callable<Integer> {
+public final class BenchCommand extends ProgramCommand {
 
     private static final List<Integer> BODIES = List.of(100, 1000, 10_000, 100_000);
     private static final List<Integer> QUICK_BODIES = List.of(100, 1000);
@@ -49,8 +49,7 @@ public final class BenchCommand implements Callable<Integer> {
     /** How long an interrupted run may take to report its results so far, in milliseconds. */
     private static final long PATIENCE_MS = 2000;
 
-    private final Streams streams;
-    private final CallCheck check = CallCheck.brief();
+    private final CallCheck brief = CallCheck.brief();
     private final Thread measuring = Thread.currentThread();
     private final CountDownLatch told = new CountDownLatch(1);
     private volatile boolean interrupted;
@@ -112,17 +111,13 @@ public final class BenchCommand implements Callable<Integer> {
         }
     }
 
-    public BenchCommand(Streams streams) {
-        this.streams = streams;
-    }
-
     @Override
     public Integer call() {
-        check.exclusive("--long", full, "--quick", quick);
+        brief.exclusive("--long", full, "--quick", quick);
         tables.check(out);
-        check.games(games);
-        check.threads(threads);
-        List<Section> sections = check.chosen("--only", only, sections(), Section::name, ", ");
+        brief.games(games);
+        brief.threads(threads);
+        List<Section> sections = brief.chosen("--only", only, sections(), Section::name, ", ");
         sections = where("--tools", tools, TOOLS, sections);
         sections = where("--sdk", sdk, REFEREES, sections);
         if (out == null) {
@@ -149,15 +144,15 @@ public final class BenchCommand implements Callable<Integer> {
     /** Leaves a part out whose folder is not named; it is an error to ask for it by name. */
     private List<Section> where(String option, String folder, String part, List<Section> sections) {
         if (folder != null) {
-            check.that(Files.isDirectory(OutputFiles.path(folder)), option + ": found no folder '" + folder + "'");
+            brief.that(Files.isDirectory(OutputFiles.path(folder)), option + ": found no folder '" + folder + "'");
             return sections;
         }
-        check.that(!only.contains(part), "--only " + part + ": expected " + option + " with it");
+        brief.that(!only.contains(part), "--only " + part + ": expected " + option + " with it");
         return sections.stream().filter(section -> !section.name().equals(part)).toList();
     }
 
     private List<Section> sections() {
-        bodies.forEach(count -> check.range("--bodies", count, 1, MOST_BODIES));
+        bodies.forEach(count -> brief.range("--bodies", count, 1, MOST_BODIES));
         List<Integer> crowds = new ArrayList<>(!bodies.isEmpty() ? bodies : quick ? QUICK_BODIES : BODIES);
         if (full && bodies.isEmpty()) {
             crowds.add(MILLION);

@@ -2,7 +2,6 @@ package steward.cli.league.run;
 
 import java.lang.management.ManagementFactory;
 import java.util.List;
-import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.TimeUnit;
@@ -20,12 +19,12 @@ import steward.cli.league.view.TableText;
 import steward.cli.league.view.WorkerBooks;
 import steward.cli.options.CallCheck;
 import steward.cli.options.OptionSection;
+import steward.cli.options.ProgramCommand;
 import steward.cli.options.ThreadsOption;
 import steward.cli.options.WatchOptions;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Games;
 import steward.cli.streams.Interruption;
-import steward.cli.streams.Streams;
 import steward.contest.Contest;
 import steward.files.InputException;
 import steward.league.FolderLock;
@@ -59,13 +58,9 @@ import steward.text.TextFormat;
         "", "Exit status: 0 an end was reached; 1 broken: games could not be stored, or no",
         "machine can play them; 2 the call or the league is unusable; 130 interrupted,",
         "143 terminated."})
-public final class RunCommand implements Callable<Integer> {
+public final class RunCommand extends ProgramCommand {
 
     private static final Pattern TIME = Pattern.compile("([0-9]{1,9})([smhd])");
-
-    /** With a log instead of plain errors once the command is called, where that is wanted. */
-    private Streams streams;
-    private final CallCheck check = CallCheck.withHelp();
 
     @Mixin
     private final LeagueArgument league = new LeagueArgument();
@@ -122,8 +117,7 @@ public final class RunCommand implements Callable<Integer> {
     private boolean json;
 
     /** @param serving an object with options that let other machines play */
-    public RunCommand(Streams streams, Serving serving) {
-        this.streams = streams;
+    public RunCommand(Serving serving) {
         this.serving = serving;
     }
 

@@ -10,18 +10,16 @@ import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.Callable;
 import java.util.function.Consumer;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
-import steward.cli.options.CallCheck;
+import steward.cli.options.ProgramCommand;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.FailedException;
 import steward.cli.shared.FailureJson;
 import steward.cli.shared.Pages;
 import steward.cli.streams.Json;
-import steward.cli.streams.Streams;
 import steward.contest.Failure;
 import steward.files.InputException;
 import steward.files.OutputFiles;
@@ -40,12 +38,10 @@ import tools.jackson.core.JsonGenerator;
         "  steward league games night --failed",
         "  steward league games night --bot mine --lost",
         "  steward league games night --bot mine --lost --open"})
-public final class GamesCommand implements Callable<Integer> {
+public final class GamesCommand extends ProgramCommand {
 
     private static final int MOST = 1_000_000;
 
-    private final Streams streams;
-    private final CallCheck check = CallCheck.withHelp();
 
     @Mixin
     private final LeagueArgument league = new LeagueArgument();
@@ -68,10 +64,6 @@ public final class GamesCommand implements Callable<Integer> {
 
     @Option(names = "--view", paramLabel = "HTML", description = "Writes the page of that replay to this file.")
     private String view;
-
-    public GamesCommand(Streams streams) {
-        this.streams = streams;
-    }
 
     @Override
     public Integer call() throws InterruptedException {

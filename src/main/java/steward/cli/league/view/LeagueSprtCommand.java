@@ -1,19 +1,18 @@
 package steward.cli.league.view;
 
 import java.util.List;
-import java.util.concurrent.Callable;
 import java.util.stream.Stream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import steward.cli.options.CallCheck;
+import steward.cli.options.ProgramCommand;
 import steward.cli.options.ThreadsOption;
 import steward.cli.play.StoredSeries;
 import steward.cli.sequential.SprtOptions;
 import steward.cli.sequential.SprtRun;
 import steward.cli.shared.Verbosity;
-import steward.cli.streams.Streams;
 import steward.contest.Contest;
 import steward.files.InputException;
 import steward.league.LeagueFolder;
@@ -28,9 +27,7 @@ import steward.match.Protocol;
         "As 'steward sprt', with the scene, the limits and the sandbox of the league. Its",
         "games are stored in it. The first bot is the new one, the second the old one.",
         "", "Example:", "  steward league sprt night mine old --elo1 10"})
-public final class LeagueSprtCommand implements Callable<Integer> {
-
-    private final Streams streams;
+public final class LeagueSprtCommand extends ProgramCommand {
 
     @Mixin
     private final LeagueArgument league = new LeagueArgument();
@@ -53,10 +50,6 @@ public final class LeagueSprtCommand implements Callable<Integer> {
 
     @Option(names = "--json", description = "Prints one JSON object and nothing else.")
     private boolean json;
-
-    public LeagueSprtCommand(Streams streams) {
-        this.streams = streams;
-    }
 
     @Override
     public Integer call() throws InterruptedException {

@@ -7,15 +7,14 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import steward.cli.options.CallCheck;
+import steward.cli.options.ProgramCommand;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.FailedException;
 import steward.cli.shared.Pages;
-import steward.cli.streams.Streams;
 import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.league.StoredGame;
@@ -30,14 +29,13 @@ import steward.text.TextFormat;
         "The page has the table, who beats whom, the ratings over games, the last games,",
         "and of the kept replays the latest, each one click away.",
         "", "Example:", "  steward league page night --out night.html --open"})
-public final class PageCommand implements Callable<Integer> {
+public final class PageCommand extends ProgramCommand {
 
     /** Games that the page lists. */
     private static final int LISTED = 2000;
     /** Kept replays that it has at most. */
     private static final int REPLAYS = 200;
 
-    private final Streams streams;
 
     @Mixin
     private final LeagueArgument league = new LeagueArgument();
@@ -48,10 +46,6 @@ public final class PageCommand implements Callable<Integer> {
 
     @Option(names = "--open", description = "Opens it in the browser.")
     private boolean open;
-
-    public PageCommand(Streams streams) {
-        this.streams = streams;
-    }
 
     @Override
     public Integer call() throws InterruptedException {

@@ -4,16 +4,14 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
-import java.util.concurrent.Callable;
 import java.util.function.Consumer;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
-import steward.cli.options.CallCheck;
+import steward.cli.options.ProgramCommand;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.FailedException;
 import steward.cli.streams.Json;
-import steward.cli.streams.Streams;
 import steward.files.OutputFiles;
 import steward.league.StoredGame;
 import steward.league.page.LeagueJson;
@@ -28,12 +26,10 @@ import steward.text.TextFormat;
 @Command(name = "table", description = "Prints the table of a league: ratings with their bars, and who beat whom.",
     footer = {"", "Examples:", "  steward league table night", "  steward league table night --csv > night.csv",
         "  steward league table night --plots plots"})
-public final class TableCommand implements Callable<Integer> {
+public final class TableCommand extends ProgramCommand {
 
     private static final double NANOS_PER_MS = 1e6;
 
-    private final Streams streams;
-    private final CallCheck check = CallCheck.withHelp();
 
     @Mixin
     private final LeagueArgument league = new LeagueArgument();
@@ -57,10 +53,6 @@ public final class TableCommand implements Callable<Integer> {
     @Option(names = "--plots", paramLabel = "DIR", description = "Writes the ratings with their bars and the ratings "
         + "over games into this folder, as PNG and SVG.")
     private String plots;
-
-    public TableCommand(Streams streams) {
-        this.streams = streams;
-    }
 
     @Override
     public Integer call() {

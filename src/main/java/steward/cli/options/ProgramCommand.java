@@ -1,0 +1,28 @@
+package steward.cli.options;
+
+import java.util.concurrent.Callable;
+
+import picocli.CommandLine;
+import steward.cli.streams.Streams;
+
+/** Command of the program: a call that is checked, and prints to the streams that the program gives it. */
+public abstract class ProgramCommand implements Callable<Integer> {
+
+    /** Refuses options that do not go together; its refusals name the command's help. */
+    protected final CallCheck check = CallCheck.withHelp();
+
+    /** The program's streams; there before {@link #call} is. */
+    protected Streams streams;
+
+    /** Gives the command its streams. */
+    public final ProgramCommand on(Streams given) {
+        streams = given;
+        return this;
+    }
+
+    /** Runs the command as a part of another one, with arguments of its own. */
+    public final int run(Streams given, String... arguments) throws Exception {
+        new CommandLine(this).parseArgs(arguments);
+        return on(given).call();
+    }
+}
