@@ -11,5 +11,4 @@ import steward.json.JsonNumbers;
  * @param state   commands and states, as a replay keeps them
  * @param drawing what there is to draw
  */
-public record FrameCodec(BotFrames frames, StateCodec state, Drawing drawing) {
-}
+public record FrameCodec(BotFrames frames, StateCodec state, Drawing drawing) { }

@@ -10,8 +10,7 @@ public final class ShownSeed {
 
     private static final Pattern LINE = Pattern.compile("(?m)^\\s*seed=(-?[0-9]{1,19})\\s*$");
 
-    private ShownSeed() {
-    }
+    private ShownSeed() { }
 
     /**
      * Reads the seed; empty if there is none.

@@ -41,8 +41,7 @@ public interface StateCodec {
     }
 
     /** Takes back what commands were read for a player since the last turn. */
-    default void clearCommand(int player) {
-    }
+    default void clearCommand(int player) { }
 
     /** As {@link #readCommand}, of what a faulty answer has given before its fault. */
     default String readPartialCommand(JsonParser in, int player) {

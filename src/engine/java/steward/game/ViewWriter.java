@@ -26,8 +26,7 @@ public interface ViewWriter {
      * @param view    its lines; line 0 is the number, and what the server says behind it
      * @param summary its lines
      */
-    record Frame(List<String> view, List<String> summary) {
-    }
+    record Frame(List<String> view, List<String> summary) { }
 
     /** Words for people where {@link #ANY} and {@link #REST} stand; each a plural. */
     List<String> notCompared();

@@ -6,8 +6,7 @@ import tools.jackson.core.JsonGenerator;
 /** The shapes of a drawing and of a state, for any game to write; walls are written by {@link WallJson}. */
 public final class DrawingJson {
 
-    private DrawingJson() {
-    }
+    private DrawingJson() { }
 
     /** The field {@code field}: the rectangle that is shown. */
     public static void field(JsonGenerator out, double x, double y, double width, double height) {

@@ -30,8 +30,7 @@ public final class JsonNumbers {
     private static final ThreadLocal<char[]> DIGITS =
         ThreadLocal.withInitial(() -> new char[ShortestDecimal.MAXIMUM_LENGTH]);
 
-    private JsonNumbers() {
-    }
+    private JsonNumbers() { }
 
     /** A field with a finite number. */
     public static void write(JsonGenerator out, String name, double value) {

@@ -9,8 +9,7 @@ import tools.jackson.core.ObjectWriteContext;
 /** Writes a JSON object from its first brace to its last. */
 public final class JsonObject {
 
-    private JsonObject() {
-    }
+    private JsonObject() { }
 
     /** @param fields writes everything between the braces */
     public static byte[] of(Consumer<JsonGenerator> fields) {

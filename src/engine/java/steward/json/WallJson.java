@@ -10,8 +10,7 @@ import tools.jackson.core.JsonGenerator;
 /** Walls in a drawing, in the shapes of scene files, for any game to use. */
 public final class WallJson {
 
-    private WallJson() {
-    }
+    private WallJson() { }
 
     /** The field {@code walls}, an array in the order of the walls' indices; nothing if there are none. */
     public static void write(JsonGenerator out, List<Wall> walls) {

@@ -23,8 +23,7 @@ public final class ErrorFree {
 
     private static final boolean FAST_FMA = FusedMultiplyAdd.hasFastFma();
 
-    private ErrorFree() {
-    }
+    private ErrorFree() { }
 
     /*
      * Sum (O. Moller 1965; D. E. Knuth, "The Art of Computer Programming" 2, 4.2.2, theorem B). With s = RN(a + b) the

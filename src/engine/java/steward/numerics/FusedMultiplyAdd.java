@@ -6,8 +6,7 @@ import java.lang.management.ManagementFactory;
 /** Test for a fused multiply-add instruction of the processor. */
 final class FusedMultiplyAdd {
 
-    private FusedMultiplyAdd() {
-    }
+    private FusedMultiplyAdd() { }
 
     /**
      * True if {@code Math.fma} is compiled to one instruction: HotSpot's flag {@code UseFMA}, which the JVM sets from

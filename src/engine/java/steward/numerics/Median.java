@@ -5,8 +5,7 @@ import java.util.stream.DoubleStream;
 /** The middle of some values. */
 public final class Median {
 
-    private Median() {
-    }
+    private Median() { }
 
     /** Returns the middle of the values in their order; of an even number, the mean of the two in the middle. */
     public static double of(double... values) {

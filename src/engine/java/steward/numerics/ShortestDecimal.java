@@ -41,8 +41,7 @@ public final class ShortestDecimal {
     private static final int HIGHEST_K = -9;
     private static final long[] POWERS = table();
 
-    private ShortestDecimal() {
-    }
+    private ShortestDecimal() { }
 
     private static long[] table() {
         long[] table = new long[2 * (HIGHEST_K - LOWEST_K + 1)];

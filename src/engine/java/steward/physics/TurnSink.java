@@ -11,12 +11,10 @@ public interface TurnSink {
     default void impact(double time, int a, int b, double ax, double ay, double bx, double by,
                         double normalX, double normalY, double impulse, double energy, double massA, double massB,
                         double vaxBefore, double vayBefore, double vaxAfter, double vayAfter,
-                        double vbxBefore, double vbyBefore, double vbxAfter, double vbyAfter) {
-    }
+                        double vbxBefore, double vbyBefore, double vbxAfter, double vbyAfter) { }
 
     /** A knot of a body's path: the place of an impact, or the place after a positional correction. */
-    default void knot(int bodyId, double time, double x, double y) {
-    }
+    default void knot(int bodyId, double time, double x, double y) { }
 
     /**
      * Receives an act of a game's {@link Reaction} or official expressions, in the order of time; the meaning is the
@@ -30,8 +28,7 @@ public interface TurnSink {
      * @param p    a number of the game
      * @param q    the same
      */
-    default void fact(double time, int kind, int a, int b, double x, double y, double p, double q) {
-    }
+    default void fact(double time, int kind, int a, int b, double x, double y, double p, double q) { }
 
     /**
      * The bound on impacts was reached. The bodies that are then still in contact, and those that come into contact
@@ -39,6 +36,5 @@ public interface TurnSink {
      *
      * @param bodyIds the bodies that kept their place, ascending; allocated, because this is rare
      */
-    default void impactLimit(double time, int[] bodyIds) {
-    }
+    default void impactLimit(double time, int[] bodyIds) { }
 }

@@ -9,5 +9,4 @@ package steward.scene;
  * @param radius      above 0
  * @param restitution 0..1
  */
-public record Bumper(double x, double y, double radius, double restitution) {
-}
+public record Bumper(double x, double y, double radius, double restitution) { }

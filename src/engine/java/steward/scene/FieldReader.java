@@ -17,8 +17,7 @@ final class FieldReader {
     private static final Map<String, Function<Block, Wall>> WALLS = Map.of("segment", FieldReader::segment,
         "half-plane", FieldReader::halfPlane, "arena", FieldReader::arena, "box", box -> null);
 
-    private FieldReader() {
-    }
+    private FieldReader() { }
 
     static Field read(Block block) {
         double x = block.number("x", -Block.MAXIMUM, Block.MAXIMUM, 0);

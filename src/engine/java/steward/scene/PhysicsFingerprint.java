@@ -33,8 +33,7 @@ public final class PhysicsFingerprint {
             Stream.of(new Segment(300, 900, 1500, 1700, 1), new Arena(1200, 1200, 1600, 0.8))).toList();
     private static final ImpactLaw SOFT = ImpactLaw.PHYSICS.withRestitution(ImpactLaw.Restitution.MINIMUM);
 
-    private PhysicsFingerprint() {
-    }
+    private PhysicsFingerprint() { }
 
     /**
      * Plays the turns of a law on every rung of the ladder that has it, up to {@value #MOST_STEPS} steps.

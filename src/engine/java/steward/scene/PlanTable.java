@@ -6,8 +6,7 @@ import java.util.function.Function;
 /** A plan as text: one line per part with in or out, optionally its price, its name and the reason. */
 public final class PlanTable {
 
-    private PlanTable() {
-    }
+    private PlanTable() { }
 
     /** Plain text, every line ended by a newline. */
     public static String of(Plan plan) {

@@ -28,8 +28,7 @@ public final class SceneFiles {
 
     private static final String SUFFIX = ".json";
 
-    private SceneFiles() {
-    }
+    private SceneFiles() { }
 
     /** The names that {@link #load} knows; none when the program runs without its resources. */
     public static List<String> shipped() {

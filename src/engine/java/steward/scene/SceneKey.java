@@ -19,8 +19,7 @@ public final class SceneKey {
 
     private static final List<String> LEFT_OUT = List.of(SceneReader.SCHEMA, "name", "time", "accuracy");
 
-    private SceneKey() {
-    }
+    private SceneKey() { }
 
     /** A hash of the rest of the scene: 16 hexadecimal digits. */
     public static String of(Scene scene) {

@@ -33,8 +33,7 @@ public final class SceneReader {
     /** Names the JSON Schema for editors; stands at the top of a file and means nothing here. */
     static final String SCHEMA = "$schema";
 
-    private SceneReader() {
-    }
+    private SceneReader() { }
 
     /**
      * Leaves the game's blocks unread: their reader calls {@link Block#done()} on the scene's root at the end.

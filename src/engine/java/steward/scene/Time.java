@@ -6,5 +6,4 @@ package steward.scene;
  * @param firstAnswerMs for the first answer, its start included, in milliseconds
  * @param answerMs      for every later answer, in milliseconds
  */
-public record Time(int firstAnswerMs, int answerMs) {
-}
+public record Time(int firstAnswerMs, int answerMs) { }

@@ -6,8 +6,7 @@ import java.io.Reader;
 /** Lines of an input that may be of any length: one that goes on and on is left before it fills the memory. */
 public final class BoundedLine {
 
-    private BoundedLine() {
-    }
+    private BoundedLine() { }
 
     /**
      * Reads up to the next line feed.

@@ -10,8 +10,7 @@ import java.util.Optional;
  */
 public final class NearestName {
 
-    private NearestName() {
-    }
+    private NearestName() { }
 
     /**
      * @param word  as written

@@ -11,8 +11,7 @@ public final class TextFormat {
     private static final double MINUTE = 60;
     private static final int ROUND_SECONDS = 10;
 
-    private TextFormat() {
-    }
+    private TextFormat() { }
 
     /** A number for a table: at most {@code decimals} decimals, no trailing zeros, no negative zero. */
     public static String number(double value, int decimals) {

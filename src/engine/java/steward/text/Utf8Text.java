@@ -16,8 +16,7 @@ public final class Utf8Text {
 
     private static final int BUFFER = 1 << 13;
 
-    private Utf8Text() {
-    }
+    private Utf8Text() { }
 
     /** Bytes that are not UTF-8; the message says where and which. */
     public static final class NotUtf8Exception extends CharacterCodingException {

@@ -26,6 +26,5 @@ public interface Bot {
      *
      * @param line the end frame, without line end
      */
-    default void end(String line) {
-    }
+    default void end(String line) { }
 }

@@ -7,5 +7,4 @@ package steward.bot;
  * @param processors how many it used on average, over the last 100 ms of such time
  * @param holdable   whether it can be held on this machine
  */
-public record Burner(int player, double processors, boolean holdable) {
-}
+public record Burner(int player, double processors, boolean holdable) { }

@@ -26,8 +26,7 @@ public final class FaultMessages {
     private static final Pattern MEASURED =
         Pattern.compile(" \\((waited|used) [^()]*\\)|[:;] (computed \\d|this system does not show ).*");
 
-    private FaultMessages() {
-    }
+    private FaultMessages() { }
 
     /** {@code no answer within 75 ms (waited 76 ms)}. */
     public static String late(long limitNanos, long waitedNanos) {

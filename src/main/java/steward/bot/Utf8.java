@@ -3,8 +3,7 @@ package steward.bot;
 /** Finds character boundaries in UTF-8 bytes that were cut at an arbitrary place. */
 public final class Utf8 {
 
-    private Utf8() {
-    }
+    private Utf8() { }
 
     /**
      * The largest count, at most {@code count}, for which the bytes from {@code from} do not end inside a character.

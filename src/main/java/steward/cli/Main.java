@@ -66,8 +66,7 @@ public final class Main {
     /** The commands that are about all commands. */
     private static final List<String> TAKES_ALL = List.of(CompletionCommand.NAME, HelpCommand.NAME);
 
-    private Main() {
-    }
+    private Main() { }
 
     /** The names of all commands, in listed order. */
     public static List<String> commands() {

@@ -63,8 +63,7 @@ public final class GameResultLog implements MatchListener {
     private FrameCodec codec;
     private boolean[] in;
 
-    private record Tooltip(String text, int turn) {
-    }
+    private record Tooltip(String text, int turn) { }
 
     /**
      * True if a file holds a game result, ours or another referee's: a JSON object with the fields {@code errors} and

@@ -10,8 +10,7 @@ import steward.match.MatchResult.PlayerResult;
  */
 public final class GameResultScores {
 
-    private GameResultScores() {
-    }
+    private GameResultScores() { }
 
     /**
      * Per player. Ahead of all players that failed as programs, a score is the number of players behind; from the best

@@ -29,8 +29,7 @@ public final class LeagueAttributes implements MatchListener {
      * @param player the player it is about, or -1 for the match
      * @param turn   the turn, or -1 for the whole match
      */
-    record Attribute(String name, int player, int turn, String value) {
-    }
+    record Attribute(String name, int player, int turn, String value) { }
 
     @Override
     public void commands(Turn turn) {

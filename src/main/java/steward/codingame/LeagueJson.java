@@ -19,8 +19,7 @@ public final class LeagueJson {
     private static final String SEED = "seed";
     private static final Pattern WHOLE = Pattern.compile("[-+]?\\d{1,18}");
 
-    private LeagueJson() {
-    }
+    private LeagueJson() { }
 
     /** Fields of the object, which the caller has opened and closes. */
     public static void write(JsonGenerator out, long seed, MatchResult result, LeagueAttributes ofTurns) {

@@ -13,8 +13,7 @@ public final class FailureCounts {
     private final Map<List<Object>, List<Found>> kinds = new LinkedHashMap<>();
     private int games;
 
-    private record Found(FailureKind.Occurrence occurrence, Failure failure) {
-    }
+    private record Found(FailureKind.Occurrence occurrence, Failure failure) { }
 
     /** None yet of games between the bots of a contest. */
     public FailureCounts(Contest contest) {

@@ -17,8 +17,7 @@ public record FailureKind(int entrant, List<Occurrence> occurrences, Failure fir
      * @param game the game
      * @param turn in which the bot failed
      */
-    public record Occurrence(Series.Played game, int turn) {
-    }
+    public record Occurrence(Series.Played game, int turn) { }
 
     /** The game of the first. */
     public Series.Played game() {

@@ -123,8 +123,7 @@ public final class PairedPlay {
         }
     }
 
-    private record Game(int number, long seed, int rotation) {
-    }
+    private record Game(int number, long seed, int rotation) { }
 
     /**
      * @param first  the first seed

@@ -64,8 +64,7 @@ public final class SeriesPlay {
      * @param before  the same game as it was played before, which this one is to replace, or {@code null}
      */
     private record Game(int number, long seed, int rotation, Attempts attempts, GameLog log, ReplayFile file,
-                        String refused, Series.Played before) {
-    }
+                        String refused, Series.Played before) { }
 
     /** Returns the series that is played. */
     public Series series() {

@@ -11,8 +11,7 @@ import java.util.function.IntFunction;
 /** Daemon threads, each of which works until nothing is left to do. */
 public final class WorkerThreads {
 
-    private WorkerThreads() {
-    }
+    private WorkerThreads() { }
 
     /**
      * Works until all threads are done. As soon as one fails the others are interrupted.

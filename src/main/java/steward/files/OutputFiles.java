@@ -19,8 +19,7 @@ import java.util.Set;
 /** Opens the files that replays and pages are written to, before the match is played. */
 public final class OutputFiles {
 
-    private OutputFiles() {
-    }
+    private OutputFiles() { }
 
     /** A path as it was typed. */
     public static Path path(String typed) {

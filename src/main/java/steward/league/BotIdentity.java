@@ -33,8 +33,7 @@ public final class BotIdentity {
      * @param stamp size, time and place
      * @param hash  of its bytes
      */
-    private record Content(String stamp, String hash) {
-    }
+    private record Content(String stamp, String hash) { }
 
     /** @param environment the variables that bots are passed by name, and their values */
     public BotIdentity(Map<String, String> environment) {

@@ -5,8 +5,7 @@ import java.util.List;
 /** The name of a game: what is played by whom, so that the same game has the same name wherever it is played. */
 public final class GameName {
 
-    private GameName() {
-    }
+    private GameName() { }
 
     /**
      * @param season     its key has the scene, the limits, the time mode and the version of the rules

@@ -22,8 +22,7 @@ final class LeagueText {
     private static final Map<String, String> FLAGS = Map.of("--network", "network", "--clean-env", "cleanEnvironment");
     private static final Map<String, String> LISTS = Map.of("--env", "environment", "--visible", "visible");
 
-    private LeagueText() {
-    }
+    private LeagueText() { }
 
     static String write(LeagueSettings settings) {
         List<String> fields = new ArrayList<>();

@@ -23,8 +23,7 @@ public final class RepeatedGroups {
     private final Map<List<Integer>, Repeats> seen = new HashMap<>();
     private final Map<List<Integer>, Integer> inARow = new HashMap<>();
 
-    private record Game(long transcript, int... lineup) {
-    }
+    private record Game(long transcript, int... lineup) { }
 
     /** @param alone true if each bot plays alone */
     public RepeatedGroups(boolean alone) {

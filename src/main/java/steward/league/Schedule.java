@@ -60,8 +60,7 @@ public final class Schedule {
      * @param seed     its seed
      * @param lineup   the versions by seat
      */
-    public record Task(int decision, long seed, int... lineup) {
-    }
+    public record Task(int decision, long seed, int... lineup) { }
 
     /**
      * @param firstSeed of decision 0

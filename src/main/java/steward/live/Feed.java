@@ -28,6 +28,5 @@ interface Feed {
      * @param bytes shared by all viewers
      * @param next  the position behind them
      */
-    record Piece(byte[] bytes, long next) {
-    }
+    record Piece(byte[] bytes, long next) { }
 }

@@ -55,8 +55,7 @@ final class HttpService implements AutoCloseable {
     private volatile boolean closed;
 
     /** A page that somebody waits for. */
-    private record PageRequest(Connection connection, String path) {
-    }
+    private record PageRequest(Connection connection, String path) { }
 
     private HttpService(ServerSocketChannel listening, AllowedHosts names, Site site, Viewers viewers,
                         long silentNanos) throws IOException {

@@ -18,8 +18,7 @@ public final class PagePicture {
     private static final String SIZE = "1200,630";
     private static final int MOST_SECONDS = 60;
 
-    private PagePicture() {
-    }
+    private PagePicture() { }
 
     /**
      * Takes the picture.

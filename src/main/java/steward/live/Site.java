@@ -25,6 +25,5 @@ interface Site {
     }
 
     /** Called when a page that was made has been sent to the last byte. */
-    default void sent(byte[] page) {
-    }
+    default void sent(byte[] page) { }
 }

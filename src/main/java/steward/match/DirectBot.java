@@ -24,6 +24,5 @@ public interface DirectBot {
     }
 
     /** The match is over. */
-    default void end() {
-    }
+    default void end() { }
 }

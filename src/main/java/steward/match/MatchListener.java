@@ -7,18 +7,14 @@ import steward.game.Game;
 public interface MatchListener {
 
     /** Before the first turn; the game and its codec may be read in every later call, never changed. */
-    default void start(Game game, FrameCodec codec) {
-    }
+    default void start(Game game, FrameCodec codec) { }
 
     /** All players have been asked and faults are recorded; the turn is about to be played. */
-    default void commands(Turn turn) {
-    }
+    default void commands(Turn turn) { }
 
     /** The turn has been played. */
-    default void played(Turn turn) {
-    }
+    default void played(Turn turn) { }
 
     /** The match has its result. */
-    default void end(MatchResult result) {
-    }
+    default void end(MatchResult result) { }
 }

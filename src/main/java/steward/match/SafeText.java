@@ -12,8 +12,7 @@ public final class SafeText {
     private static final int BYTES_PER_CHARACTER = 4;
     private static final char REPLACEMENT = '\uFFFD';
 
-    private SafeText() {
-    }
+    private SafeText() { }
 
     /** The beginning of a line, with question marks for characters that steer a terminal or reorder the text. */
     public static String line(byte[] bytes, int length) {

@@ -24,8 +24,7 @@ public final class InputHash {
     /** The increment of {@link StateHash}. */
     private static final long GAMMA = 0x9E3779B97F4A7C15L;
 
-    private InputHash() {
-    }
+    private InputHash() { }
 
     /**
      * The bytes, then every text: its length and characters, or -1 for none.

@@ -27,8 +27,7 @@ public final class JsonLine {
      * A field: where its name stands, and the text of a scalar (null for JSON null), or where an object or array
      * stands in the line.
      */
-    private record Value(int nameFrom, JsonToken token, String text, int from, int to) {
-    }
+    private record Value(int nameFrom, JsonToken token, String text, int from, int to) { }
 
     private final String where;
     private final byte[] bytes;

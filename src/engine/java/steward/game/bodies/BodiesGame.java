@@ -38,8 +38,7 @@ public final class BodiesGame extends AbstractGame {
      * @param x to the right
      * @param y downwards
      */
-    public record Thrust(double x, double y) {
-    }
+    public record Thrust(double x, double y) { }
 
     /** A game before its first turn. */
     public BodiesGame(Layout layout, PlayRules rules, Plan plan, int players, long seed) {

@@ -9,8 +9,7 @@ import steward.physics.TurnLog;
  */
 public final class CheckpointSweep {
 
-    private CheckpointSweep() {
-    }
+    private CheckpointSweep() { }
 
     /**
      * @param log         holds the knots of the path between start and end, those of all bodies

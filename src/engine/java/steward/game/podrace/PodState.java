@@ -13,5 +13,4 @@ package steward.game.podrace;
  * @param passed      how many checkpoints it has passed; the next is number {@code (passed + 1) % n}
  */
 public record PodState(double x, double y, double vx, double vy, double heading, int shieldTimer, boolean boostLeft,
-                       int passed) {
-}
+                       int passed) { }

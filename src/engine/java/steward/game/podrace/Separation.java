@@ -31,8 +31,7 @@ final class Separation {
     private static final int POINTS = 4;
 
     /** A grown bumper or segment: all places up to a radius from a segment; for a bumper its ends are one. */
-    private record Capsule(double ax, double ay, double bx, double by, double radius) {
-    }
+    private record Capsule(double ax, double ay, double bx, double by, double radius) { }
 
     private final List<Capsule> capsules = new ArrayList<>();
     private final List<Wall> outer = new ArrayList<>();

@@ -7,8 +7,7 @@ public final class StartPlaces {
     private static final double START_OFFSET = 500;
     static final double START_SPACING = 1000;
 
-    private StartPlaces() {
-    }
+    private StartPlaces() { }
 
     /**
      * Side by side across checkpoint 0, facing checkpoint 1, {@code [n][x, y]}: offsets -500, +500, -1500, +1500, ...

@@ -62,8 +62,7 @@ public final class OfficialMaps {
     /** How many there are. */
     public static final int COUNT = (int) MAPS.lines().count();
 
-    private OfficialMaps() {
-    }
+    private OfficialMaps() { }
 
     /** The number of each map, in their order. */
     public static List<Integer> numbers() {

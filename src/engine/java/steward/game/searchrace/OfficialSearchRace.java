@@ -18,8 +18,7 @@ public final class OfficialSearchRace {
     public static final double DEGREES = 57.29577951308232;
     private static final double RADIANS = 0.017453292519943295;
 
-    private OfficialSearchRace() {
-    }
+    private OfficialSearchRace() { }
 
     /**
      * The heading after a command to turn toward a place: by at most 18 degrees.

@@ -52,8 +52,7 @@ public abstract sealed class ContactResponse {
         }
 
         @Override
-        public void releaseSeparatedPairs(Bodies bodies) {
-        }
+        public void releaseSeparatedPairs(Bodies bodies) { }
     }
 
     /** {@code ASK} contacts are decided by the reaction. */

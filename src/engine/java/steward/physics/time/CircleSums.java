@@ -13,8 +13,7 @@ import steward.numerics.ErrorFree;
 /** The low parts of sums of products of numbers that are two doubles each, given what has been rounded. */
 public final class CircleSums {
 
-    private CircleSums() {
-    }
+    private CircleSums() { }
 
     /** Of p q + r s = sum, rounded, with the rounded products pq and rs. */
     public static double dot(double p, double pLow, double q, double qLow, double r, double rLow, double s,

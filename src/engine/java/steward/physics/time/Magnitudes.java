@@ -31,8 +31,7 @@ public final class Magnitudes {
     private static final double LARGEST = 0x1p1000;
     private static final double LARGEST_MOMENTUM = 0x1p1020;
 
-    private Magnitudes() {
-    }
+    private Magnitudes() { }
 
     /**
      * True if all lengths are 0 or 6.3e-61..1.6e60, all speeds 0 or 2e-211..1.6e60, all masses 5e-91..2e90 or infinite.

@@ -21,8 +21,7 @@ public final class SimultaneousImpacts {
 
     private static final Comparator<Impact> BY_TIME = Comparator.comparing(Impact::exact);
 
-    private record Impact(int a, int b, long rank, double time, double timeLow, AlgebraicTime exact) {
-    }
+    private record Impact(int a, int b, long rank, double time, double timeLow, AlgebraicTime exact) { }
 
     private final Wall[] walls;
     private final List<Impact> impacts = new ArrayList<>();

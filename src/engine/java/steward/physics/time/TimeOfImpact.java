@@ -18,8 +18,7 @@ public final class TimeOfImpact {
 
     private static final double NEVER = Double.POSITIVE_INFINITY;
 
-    private TimeOfImpact() {
-    }
+    private TimeOfImpact() { }
 
     /**
      * Circle and wall of any shape. For a body larger than an arena, the room for its centre is 0.

@@ -69,8 +69,7 @@ public final class JsonProblem {
         Translation.of("Numeric value \\((.*?)\\) out of range", "found the number $1, which is too large"),
         Translation.of("Invalid numeric value", "found a number that is not spelt as JSON spells them"));
 
-    private JsonProblem() {
-    }
+    private JsonProblem() { }
 
     /** Returns the kind of value that begins at a token, such as {@code an object}. */
     public static String kind(JsonToken token) {

@@ -8,8 +8,7 @@ import steward.text.NearestName;
 /** Form of numbers, ranges and choices in errors and plans. */
 public final class Wording {
 
-    private Wording() {
-    }
+    private Wording() { }
 
     /** The shortest usual notation: 120, 0.15, 1e-5. */
     public static String number(double value) {

@@ -10,5 +10,4 @@ import java.util.List;
  * @param turn   a turn of the whole scene, in nanoseconds
  * @param rounds how many rounds were used
  */
-public record MeasuredPrices(List<PartPrice> prices, PartPrice turn, int rounds) {
-}
+public record MeasuredPrices(List<PartPrice> prices, PartPrice turn, int rounds) { }

@@ -18,8 +18,7 @@ public record GroupSection(String name, String about, List<Group> groups) implem
      * @param unit       what is counted
      * @param contenders the textbook's way first
      */
-    public record Group(String unit, List<Contender> contenders) {
-    }
+    public record Group(String unit, List<Contender> contenders) { }
 
     @Override
     public int steps(Effort effort) {

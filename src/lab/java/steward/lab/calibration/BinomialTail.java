@@ -14,8 +14,7 @@ public final class BinomialTail {
     /** The confidence with which a calibration shows a share. */
     public static final double CONFIDENCE = 0.99;
 
-    private BinomialTail() {
-    }
+    private BinomialTail() { }
 
     /**
      * P(X &lt;= k).

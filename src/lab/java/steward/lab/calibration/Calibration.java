@@ -67,8 +67,7 @@ public final class Calibration {
     private TimingSamples samples;
 
     /** The results of a block of states. */
-    private record Block(double[][] errors, double[] work, int withImpacts) {
-    }
+    private record Block(double[][] errors, double[] work, int withImpacts) { }
 
     /**
      * The figures of a calibration.
@@ -79,8 +78,7 @@ public final class Calibration {
      * @param sample      a hash of the errors of the first block
      */
     public record Figures(int states, int withImpacts, double unitNanos, List<AccuracyFigures.OfRung> rungs,
-                          String sample) {
-    }
+                          String sample) { }
 
     /**
      * @param setup  a scene, opened on {@link #PLAYED_ON}

@@ -67,8 +67,7 @@ public final class PartByPartPhysics {
      * @param advance made of these parts, on the scene's rung
      * @param motion  the end of a turn
      */
-    public record Step(String part, boolean in, PhysicsParts parts, Advance advance, Motion motion) {
-    }
+    public record Step(String part, boolean in, PhysicsParts parts, Advance advance, Motion motion) { }
 
     private PartByPartPhysics(GameSetup setup, List<Wall> someWalls) {
         scene = setup.scene();

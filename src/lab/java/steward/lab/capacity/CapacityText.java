@@ -17,8 +17,7 @@ public final class CapacityText {
         "reading what workers say", "playing the game again", "asking its bots again", "schedule, pairing",
         "storing");
 
-    private CapacityText() {
-    }
+    private CapacityText() { }
 
     /** All of it. @param machine where and when it was measured, in words */
     public static List<String> of(Capacity capacity, String machine) {

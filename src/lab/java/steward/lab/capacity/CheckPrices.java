@@ -31,8 +31,7 @@ public record CheckPrices(double check, double again, double turns, double bytes
     private static final double NANOS = 1e9;
     private static final double NANOS_PER_US = 1e3;
 
-    private record Sent(ExpectedGame expected, byte[] transcript, int turns) {
-    }
+    private record Sent(ExpectedGame expected, byte[] transcript, int turns) { }
 
     /** Something that is done with a game. */
     private interface Work {

@@ -124,11 +124,9 @@ public final class MeasuredLeague {
      * @param seconds     while it is measured
      * @param slots       games at the same time
      */
-    public record Effort(double perSecond, double warmSeconds, double seconds, int slots) {
-    }
+    public record Effort(double perSecond, double warmSeconds, double seconds, int slots) { }
 
-    private record Reading(long nanos, long process, long games, Map<Kind, Long> kinds) {
-    }
+    private record Reading(long nanos, long process, long games, Map<Kind, Long> kinds) { }
 
     /** @param folder where leagues are made */
     public MeasuredLeague(MeasuredBots bots, Path folder) {

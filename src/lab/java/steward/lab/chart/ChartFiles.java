@@ -32,8 +32,7 @@ public final class ChartFiles {
     private static final int PADDING = 4;
     private static final float THIN = 0.8f;
 
-    private ChartFiles() {
-    }
+    private ChartFiles() { }
 
     /** The tag that shows a page's reader the picture that suits it, of two files in the page's folder. */
     public static String tag(String light, String dark, String words) {

@@ -17,8 +17,7 @@ final class GoldenSuite {
 
     private static final String ACCURACY = "\"accuracy\"\\s*:\\s*\\{[^}]*}";
 
-    private GoldenSuite() {
-    }
+    private GoldenSuite() { }
 
     /** Returns the number of parts, of all games. */
     static int count() {

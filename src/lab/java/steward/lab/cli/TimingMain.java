@@ -14,8 +14,7 @@ import steward.scene.SceneReader;
 /** The program of a JVM that times one kind of turns for another JVM; people do not call it. */
 public final class TimingMain {
 
-    private TimingMain() {
-    }
+    private TimingMain() { }
 
     /** @throws IOException if the other JVM cannot be reached */
     public static void main(String[] arguments) throws IOException {

@@ -12,8 +12,7 @@ final class TradeoffSeconds {
     /** Another scene takes about as long as a race. */
     private static final int[] OTHER = {12, 8, 12};
 
-    private TradeoffSeconds() {
-    }
+    private TradeoffSeconds() { }
 
     static double of(String scene, boolean quick, int jvms) {
         int[] seconds = SECONDS.getOrDefault(scene, OTHER);

@@ -19,8 +19,7 @@ public final class Decimals {
     /** Two numbers of a state that are nearer than this, relative to their size, differ only by rounding. */
     static final BigDecimal SAME = BigDecimal.ONE.movePointLeft(COUNT - 16);
 
-    private Decimals() {
-    }
+    private Decimals() { }
 
     /** @throws NumberFormatException if the number is not finite */
     public static BigDecimal of(double value) {

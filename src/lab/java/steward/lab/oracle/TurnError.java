@@ -8,5 +8,4 @@ package steward.lab.oracle;
  * @param invented computed impacts that do not happen
  * @param energy   error of the kinetic energy, as a share of the true one; at least 0
  */
-public record TurnError(double position, int missed, int invented, double energy) {
-}
+public record TurnError(double position, int missed, int invented, double energy) { }

@@ -33,8 +33,7 @@ public final class GoldenHash {
     /** How many worlds there are, each on every rung. */
     public static final int WORLDS = 4;
 
-    private GoldenHash() {
-    }
+    private GoldenHash() { }
 
     /**
      * A named hash.
@@ -42,8 +41,7 @@ public final class GoldenHash {
      * @param name unique in the suite
      * @param hash of all bits of the part
      */
-    public record Part(String name, long hash) {
-    }
+    public record Part(String name, long hash) { }
 
     /** The hash of all parts in their order. */
     public static long total(List<Part> parts) {

@@ -36,8 +36,7 @@ import steward.lab.trial.StabilityCase;
 /** The rows of the stability table, in order; the only place that lists them. */
 public final class StabilityCases {
 
-    private StabilityCases() {
-    }
+    private StabilityCases() { }
 
     /** All cases. */
     public static List<StabilityCase> all() {

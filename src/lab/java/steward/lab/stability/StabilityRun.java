@@ -10,5 +10,4 @@ import steward.lab.trial.RunLength;
  * @param version of the program
  * @param machine on which
  */
-public record StabilityRun(RunLength length, String date, String version, String machine) {
-}
+public record StabilityRun(RunLength length, String date, String version, String machine) { }

@@ -30,8 +30,7 @@ public final class StabilitySeconds {
 
     private final Map<String, double[]> rows = new HashMap<>();
 
-    private StabilitySeconds() {
-    }
+    private StabilitySeconds() { }
 
     /** Reads the resource. */
     public static StabilitySeconds read() {

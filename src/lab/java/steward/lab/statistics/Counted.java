@@ -8,8 +8,7 @@ final class Counted {
 
     private static final int CHUNK = 50;
 
-    private Counted() {
-    }
+    private Counted() { }
 
     /** Plays one league. */
     interface League {

@@ -21,8 +21,7 @@ record ExactCheck(int clusters) {
     static final double STEP = 5;
 
     /** A way in which the games can go: how many seeds one won, shared and lost; and what is found then. */
-    private record Way(int won, int shared, int lost, Difference found) {
-    }
+    private record Way(int won, int shared, int lost, Difference found) { }
 
     /**
      * Over some strengths.

@@ -31,8 +31,7 @@ record FixedCheck(MadeUpLeague league, int... clusters) {
      * @param bars  how often those of differences held
      * @param ranks how often the range of a bot had all ranks that it shares; that of the bot where it was least often
      */
-    record Outcome(Coverage bars, double ranks) {
-    }
+    record Outcome(Coverage bars, double ranks) { }
 
     Outcome run(int threads, long leagues, long seed) throws InterruptedException {
         int bots = league.bots();

@@ -34,8 +34,7 @@ record SprtCheck(Gsprt test, double at, double ties, double push, int alike) {
      * @param theory   what was expected
      * @param held     share of the tests at whose end the truth was in the range
      */
-    record Outcome(double accepted, double mean, ExpectedLength theory, double held) {
-    }
+    record Outcome(double accepted, double mean, ExpectedLength theory, double held) { }
 
     /** Observations that surely decide nothing, and one: half of those that would be needed if all went one way. */
     private int steps(ScoreCounts counted) {

@@ -11,8 +11,7 @@ public final class Machine {
 
     private static final Path LINUX = Path.of("/proc/cpuinfo");
 
-    private Machine() {
-    }
+    private Machine() { }
 
     /** A readable line. */
     public static String line() {

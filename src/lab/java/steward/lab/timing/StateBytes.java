@@ -11,8 +11,7 @@ import steward.physics.PassingPairs;
 /** States as bytes: one JVM draws them, others time turns that begin with them. */
 public final class StateBytes {
 
-    private StateBytes() {
-    }
+    private StateBytes() { }
 
     /** @throws IOException if they cannot be written */
     public static void write(DataOutputStream out, List<Bodies> states) throws IOException {

@@ -6,5 +6,4 @@ package steward.lab.timing;
  * @param nanos a turn's CPU time, in nanoseconds
  * @param bytes a turn's allocation; NaN where the JVM does not tell it
  */
-public record Stretch(double nanos, double bytes) {
-}
+public record Stretch(double nanos, double bytes) { }

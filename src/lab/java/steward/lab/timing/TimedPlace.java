@@ -16,6 +16,5 @@ public interface TimedPlace extends AutoCloseable {
     Stretch round(double least);
 
     @Override
-    default void close() {
-    }
+    default void close() { }
 }

@@ -4,8 +4,7 @@ package steward.lab.timing;
 public interface TimedTurns {
 
     /** Prepares the next turns; not timed. */
-    default void prepare() {
-    }
+    default void prepare() { }
 
     /** Plays the turns that were prepared. */
     void run();

@@ -26,8 +26,7 @@ public final class TimingChild {
     static final byte DONE = 3;
     static final byte FAILED = 4;
 
-    private TimingChild() {
-    }
+    private TimingChild() { }
 
     /** Makes the turns that a job is about. */
     @FunctionalInterface

@@ -24,8 +24,7 @@ public final class GrazingPasses {
     /** The sum of two radii, in u: two pods. */
     private static final double TOUCH = 800;
 
-    private GrazingPasses() {
-    }
+    private GrazingPasses() { }
 
     /** Law and contacts; there are no walls. */
     public static PhysicsParts parts() {

@@ -5,8 +5,7 @@ package steward.lab.tradeoff;
  */
 final class ParetoFront {
 
-    private ParetoFront() {
-    }
+    private ParetoFront() { }
 
     /**
      * Returns which points are on the front: those that no other point beats in one respect while being at least as

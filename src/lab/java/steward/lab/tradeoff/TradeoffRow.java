@@ -47,6 +47,5 @@ public record TradeoffRow(String scene, String rung, int states, long impacts, i
      * @param nanosPerImpact the same by the impacts that the rung computes; NaN if there are none
      * @param bytesPerTurn   allocated; NaN where the JVM does not provide it
      */
-    public record Cost(double nanosPerTurn, double low, double high, double nanosPerImpact, double bytesPerTurn) {
-    }
+    public record Cost(double nanosPerTurn, double low, double high, double nanosPerImpact, double bytesPerTurn) { }
 }

@@ -21,5 +21,4 @@ import steward.physics.PhysicsParts;
  * @param mostSteps rungs with more steps per turn are left out
  */
 public record TradeoffScene(String name, String about, String inChild, PhysicsParts parts, Motion motion,
-                            Supplier<Bodies> source, int states, int freeRuns, int freeTurns, int mostSteps) {
-}
+                            Supplier<Bodies> source, int states, int freeRuns, int freeTurns, int mostSteps) { }

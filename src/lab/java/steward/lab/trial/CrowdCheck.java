@@ -26,8 +26,7 @@ public final class CrowdCheck {
 
     private static final int IDLE_TURNS = 100;
 
-    private CrowdCheck() {
-    }
+    private CrowdCheck() { }
 
     /**
      * Result of a trial.

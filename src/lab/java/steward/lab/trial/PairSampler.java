@@ -6,8 +6,7 @@ import steward.physics.Bodies;
 /** Draws two bodies at random that meet or nearly meet, for cases and tests. */
 public final class PairSampler {
 
-    private PairSampler() {
-    }
+    private PairSampler() { }
 
     /**
      * A pair that passes at a given distance.

@@ -27,8 +27,7 @@ public class Probe implements TurnSink {
     }
 
     /** Called when two have touched, with their centres at that time; for a wall b is negative. */
-    public void touched(int a, int b, double ax, double ay, double bx, double by) {
-    }
+    public void touched(int a, int b, double ax, double ay, double bx, double by) { }
 
     @Override
     public void impactLimit(double time, int[] bodyIds) {

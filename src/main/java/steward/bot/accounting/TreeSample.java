@@ -27,8 +27,7 @@ public record TreeSample(long at, boolean shown, int processes, long steps, Map<
      * @param slices   how often it has got one
      * @param runnable whether it runs or waits for a processor now
      */
-    public record ThreadTimes(long run, long waited, long slices, boolean runnable) {
-    }
+    public record ThreadTimes(long run, long waited, long slices, boolean runnable) { }
 
     /** Before the first process of a tree was started. */
     public static TreeSample beforeStart(long at, long idle) {

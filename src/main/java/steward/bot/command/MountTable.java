@@ -14,8 +14,7 @@ final class MountTable {
 
     private static final Path FILE = Path.of("/proc/self/mounts");
 
-    private MountTable() {
-    }
+    private MountTable() { }
 
     /** The mount point of a file system that holds the file and forbids to execute what it holds, or {@code null}. */
     static String noexec(Path file) {

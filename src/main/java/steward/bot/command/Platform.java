@@ -13,8 +13,7 @@ public final class Platform {
     private static final Pattern WRITTEN = Pattern.compile(
         "(linux|macos|windows)-(x86_64|aarch64|arm|loongarch64|ppc64le|riscv64|s390x|x86)");
 
-    private Platform() {
-    }
+    private Platform() { }
 
     /** True if a text names a platform. */
     public static boolean isWritten(String text) {

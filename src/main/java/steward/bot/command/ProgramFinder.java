@@ -13,8 +13,7 @@ public final class ProgramFinder {
     private static final String FALLBACK_PATH = "/usr/bin:/bin";
     private static final Pattern SOURCE = Pattern.compile(".*\\.(c|cc|cpp|cs|go|java|kt|rs|swift)");
 
-    private ProgramFinder() {
-    }
+    private ProgramFinder() { }
 
     /** The program's file, or {@code null} if the system would find none that it may execute. */
     public static Path find(String program) {

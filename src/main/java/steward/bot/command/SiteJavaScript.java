@@ -17,8 +17,7 @@ public final class SiteJavaScript {
     private static final Set<String> PROGRAMS = Set.of("node", "nodejs");
     private static final String BEFORE = "/steward/codingame/site.js";
 
-    private SiteJavaScript() {
-    }
+    private SiteJavaScript() { }
 
     /** The command with these functions, if it is {@code node FILE}, and otherwise as it is: options may be any. */
     public static List<String> words(List<String> words) {

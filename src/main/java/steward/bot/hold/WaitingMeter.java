@@ -20,8 +20,7 @@ public final class WaitingMeter {
     /** Time seen that is enough to name a bot beside which another was late, in nanoseconds. */
     static final long LEAST_SEEN = 15_000_000;
 
-    private record Interval(long passed, long used) {
-    }
+    private record Interval(long passed, long used) { }
 
     private final Deque<Interval> last = new ArrayDeque<>();
     private long passed;

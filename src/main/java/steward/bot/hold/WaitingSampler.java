@@ -25,8 +25,7 @@ public final class WaitingSampler implements Runnable {
         void look();
     }
 
-    private WaitingSampler() {
-    }
+    private WaitingSampler() { }
 
     private static final class Shared {
         static final WaitingSampler INSTANCE = start();

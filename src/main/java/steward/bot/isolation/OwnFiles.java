@@ -40,8 +40,7 @@ final class OwnFiles {
 
     private final Set<Path> found = new LinkedHashSet<>();
 
-    private OwnFiles() {
-    }
+    private OwnFiles() { }
 
     /** Files and folders, absolute; also such as need not be hidden anywhere. */
     static Set<Path> of(List<String> command) {

@@ -28,8 +28,7 @@ public final class ProcessTree {
     private static final int PARENT = 1;
     private static final int SESSION = 3;
 
-    private ProcessTree() {
-    }
+    private ProcessTree() { }
 
     /**
      * A process and its descendants, in no order but that the process is first; the process alone where it has ended

@@ -19,8 +19,7 @@ public final class SandboxSupport {
      */
     private static final int INSIDE = 42;
 
-    private SandboxSupport() {
-    }
+    private SandboxSupport() { }
 
     private static final class Light {
         static final String PROBLEM = tried(SandboxLevel.LIGHT);

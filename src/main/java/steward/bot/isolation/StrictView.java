@@ -33,8 +33,7 @@ record StrictView(Map<Path, Entry> entries) {
      *
      * @param target of a link, as it is written; otherwise {@code null}
      */
-    record Entry(Treatment treatment, Path target) {
-    }
+    record Entry(Treatment treatment, Path target) { }
 
     /** Collects paths without symbolic links, and the links that led to them. */
     private static final class Resolver {

@@ -30,8 +30,7 @@ final class SystemFiles {
     /** Of each version of Java on Debian, to which its own folder links. */
     private static final String JAVA = "java-";
 
-    private SystemFiles() {
-    }
+    private SystemFiles() { }
 
     private static final class Found {
         static final List<Path> PATHS = Stream.of(INSTALLED.stream(), BY_HAND.stream(),

@@ -16,8 +16,7 @@ public final class DaemonThreadPool {
         return thread;
     });
 
-    private DaemonThreadPool() {
-    }
+    private DaemonThreadPool() { }
 
     /**
      * Runs the work at once, on a thread of its own.

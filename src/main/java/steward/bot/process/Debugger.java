@@ -20,8 +20,7 @@ public final class Debugger {
     /** How the debugger is to start the bot. */
     private static final String WRAPPER = "set exec-wrapper sh -c 'exec \"$@\" <&3 >&4 3<&- 4>&-' sh";
 
-    private Debugger() {
-    }
+    private Debugger() { }
 
     /** True if a command starts a supported debugger: gdb. */
     public static boolean is(List<String> command) {

@@ -15,8 +15,7 @@ final class HoldFolder {
 
     private Path folder;
 
-    private HoldFolder() {
-    }
+    private HoldFolder() { }
 
     private static final class Shared {
         static final HoldFolder INSTANCE = new HoldFolder();

@@ -9,8 +9,7 @@ import steward.bot.isolation.Launch;
 /** A program that runs once without input, and writes to files. */
 public final class ProgramRun {
 
-    private ProgramRun() {
-    }
+    private ProgramRun() { }
 
     /**
      * Runs a program.

@@ -25,8 +25,7 @@ final class StderrHolders {
 
     private static final Path PROC = Path.of("/proc");
 
-    private StderrHolders() {
-    }
+    private StderrHolders() { }
 
     /**
      * Kills what has the file open, among the processes that were started after the bot.

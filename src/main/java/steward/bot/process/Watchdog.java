@@ -26,8 +26,7 @@ final class Watchdog implements Runnable {
 
     private volatile Thread thread;
 
-    private Watchdog() {
-    }
+    private Watchdog() { }
 
     private static final class Shared {
         static final Watchdog INSTANCE = start();

@@ -23,8 +23,7 @@ public final class Advice {
     private static final Map<String, String> COMPILE = Map.of(".java", "javac", ".cpp", "g++ -O2 -o bot", ".cc",
         "g++ -O2 -o bot", ".c", "gcc -O2 -o bot", ".rs", "rustc -O", ".cs", "dotnet build", ".go", "go build");
 
-    private Advice() {
-    }
+    private Advice() { }
 
     /** Explanation of a failure and of what to do, in a few sentences. */
     static String of(Failure failure, Contest contest) {

@@ -37,8 +37,7 @@ public record BotCheck(Contest contest, List<Tried> games) {
      * @param turns   what it was sent and answered
      */
     public record Tried(String against, MatchResult result, Failure failure, long worst,
-                        List<Dialog.Turn> turns) {
-    }
+                        List<Dialog.Turn> turns) { }
 
     /**
      * Tries a bot.

@@ -34,8 +34,7 @@ public final class Dialog implements Player {
      * @param fault    how it failed, or {@code null}
      * @param nanos    how long it took
      */
-    public record Turn(int number, String received, String answer, String stderr, String fault, long nanos) {
-    }
+    public record Turn(int number, String received, String answer, String stderr, String fault, long nanos) { }
 
     Dialog(Player player) {
         this.player = player;

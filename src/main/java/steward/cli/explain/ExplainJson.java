@@ -13,8 +13,7 @@ import tools.jackson.core.JsonGenerator;
 /** A scene explained to programs: one JSON object on one line. */
 final class ExplainJson {
 
-    private ExplainJson() {
-    }
+    private ExplainJson() { }
 
     /**
      * @param prices {@code null} for none; otherwise each part that has one has a field, {@code nanosPerTurn} if they

@@ -32,8 +32,7 @@ final class GameFile {
     /** Characters of a line; a game of 100 seats has less. */
     private static final int LONGEST = 1 << 20;
 
-    private GameFile() {
-    }
+    private GameFile() { }
 
     /** The heads of the columns. */
     static void csvHead(PrintStream out) {
@@ -71,8 +70,7 @@ final class GameFile {
     }
 
     /** A game of a file. */
-    record Found(String place, Map<String, String> game, List<Map<String, String>> seats) {
-    }
+    record Found(String place, Map<String, String> game, List<Map<String, String>> seats) { }
 
     /** Takes the games of a file, one by one. */
     interface Taker {

@@ -7,8 +7,7 @@ final class Sizes {
 
     private static final double KILO = 1000;
 
-    private Sizes() {
-    }
+    private Sizes() { }
 
     /** Such as {@code 312 kB}. */
     static String text(long bytes) {

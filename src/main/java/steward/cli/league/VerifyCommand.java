@@ -116,8 +116,7 @@ final class VerifyCommand extends ProgramCommand {
     }
 
     /** Rows set aside, the games that needed them, and the database as it was. */
-    private record Dropped(long rows, long games, Path copy) {
-    }
+    private record Dropped(long rows, long games, Path copy) { }
 
     private static Dropped drop(LeagueFolder folder, GameStore store) {
         Path copy = copyOf(folder);

@@ -8,8 +8,7 @@ import steward.cli.shared.Lab;
 /** Commands of a league that are about several machines. */
 public final class MachineCommands {
 
-    private MachineCommands() {
-    }
+    private MachineCommands() { }
 
     /** The commands by their names, in listed order. */
     public static Map<String, Object> ofLeague() {

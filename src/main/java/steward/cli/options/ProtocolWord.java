@@ -17,8 +17,7 @@ public final class ProtocolWord {
         }
     }
 
-    private ProtocolWord() {
-    }
+    private ProtocolWord() { }
 
     /** The protocol of that name; the call is refused if there is none. */
     public static Protocol parse(String word) {

@@ -22,8 +22,7 @@ public final class FailureReport {
     static final int GAMES_SHOWN = 8;
     private static final int KINDS_SHOWN = 10;
 
-    private FailureReport() {
-    }
+    private FailureReport() { }
 
     /** The kinds with their first games, last lines of stderr and hints. */
     public static void print(PrintStream out, Colour colour, Contest contest, List<FailureKind> kinds) {

@@ -22,8 +22,7 @@ final class MatchJson {
 
     private static final double NANOS_PER_MS = 1e6;
 
-    private MatchJson() {
-    }
+    private MatchJson() { }
 
     static void print(Streams streams, Contest contest, long seed, MatchResult result, List<Failure> failures,
                       Path file) {

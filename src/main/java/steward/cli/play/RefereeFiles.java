@@ -23,8 +23,7 @@ final class RefereeFiles {
     private static final String PAGE_SIGNATURE = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n"
         + "<meta charset=\"utf-8\">\n<meta http-equiv=\"Content-Security-Policy\"";
 
-    private RefereeFiles() {
-    }
+    private RefereeFiles() { }
 
     /** The page beside a replay. */
     static Path pageOf(Path replay) {

@@ -11,8 +11,7 @@ import tools.jackson.core.JsonGenerator;
 /** A bot's behaviour in a recorded match, for programs: one JSON object. */
 final class FeedJson {
 
-    private FeedJson() {
-    }
+    private FeedJson() { }
 
     /**
      * Fields of the object.

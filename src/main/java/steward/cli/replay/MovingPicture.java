@@ -43,8 +43,7 @@ final class MovingPicture {
     private long places;
 
     /** A moment of a body, in turns since the first that is shown. */
-    private record Knot(double time, double x, double y) {
-    }
+    private record Knot(double time, double x, double y) { }
 
     /** A body over the turns. */
     private static final class Track {
@@ -59,8 +58,7 @@ final class MovingPicture {
     }
 
     /** A zone that a game made while it went, with the turns at whose end it was there. */
-    private record Zone(Map<?, ?> shape, List<Integer> turns) {
-    }
+    private record Zone(Map<?, ?> shape, List<Integer> turns) { }
 
     private MovingPicture(Map<?, ?> field) {
         left = Json.number(field.get("x"));

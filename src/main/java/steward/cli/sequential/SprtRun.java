@@ -59,8 +59,7 @@ public final class SprtRun {
      * @param keepGoing true if a bot that fails in every game does not end it
      * @param random    true if a bot draws by lot, so that equal games count and do not end it
      */
-    public record Ending(long budget, boolean keepGoing, boolean random) {
-    }
+    public record Ending(long budget, boolean keepGoing, boolean random) { }
 
     /**
      * @param ending when it ends without a decision

@@ -27,8 +27,7 @@ record SprtText(Gsprt test, String one, String other) {
      * @param allFailed in a game of which all players failed in the same turn
      * @param repeats   that only repeat games
      */
-    record Unused(long without, long allFailed, long repeats) {
-    }
+    record Unused(long without, long allFailed, long repeats) { }
 
     private String model() {
         return test.model().name().toLowerCase(Locale.ROOT);

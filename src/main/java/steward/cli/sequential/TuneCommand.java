@@ -154,8 +154,7 @@ public final class TuneCommand extends ProgramCommand {
     private boolean fresh;
     private long told = System.nanoTime();
 
-    private record Failures(Contest contest, FailureCounts counts) {
-    }
+    private record Failures(Contest contest, FailureCounts counts) { }
 
     @Override
     public Integer call() throws InterruptedException {

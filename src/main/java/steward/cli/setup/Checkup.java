@@ -41,11 +41,9 @@ final class Checkup {
      * @param works   whether it can be used
      * @param detail  the version, or why it cannot be used
      */
-    record Item(String about, String name, boolean works, String detail) {
-    }
+    record Item(String about, String name, boolean works, String detail) { }
 
-    private Checkup() {
-    }
+    private Checkup() { }
 
     /** All of it; takes some seconds, since programs are started. */
     static List<Item> all() throws InterruptedException {

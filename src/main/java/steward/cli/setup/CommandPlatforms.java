@@ -31,8 +31,7 @@ final class CommandPlatforms {
 
     private static final String LINUX = "linux";
 
-    private CommandPlatforms() {
-    }
+    private CommandPlatforms() { }
 
     /** @throws IllegalArgumentException if nothing is said of the command */
     static Need of(String command) {

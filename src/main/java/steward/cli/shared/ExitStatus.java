@@ -13,6 +13,5 @@ public final class ExitStatus {
     /** Refused by another program: a league does not take a worker. */
     public static final int REFUSED = 3;
 
-    private ExitStatus() {
-    }
+    private ExitStatus() { }
 }

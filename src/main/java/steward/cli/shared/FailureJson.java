@@ -12,8 +12,7 @@ public final class FailureJson {
 
     private static final double NANOS_PER_MS = 1e6;
 
-    private FailureJson() {
-    }
+    private FailureJson() { }
 
     /** The turn, and what may help. */
     public static void write(JsonGenerator out, Failure failure) {

@@ -9,8 +9,7 @@ public final class FailureText {
 
     private static final int LONGEST_LAST = 120;
 
-    private FailureText() {
-    }
+    private FailureText() { }
 
     /** Prints the lines below the one with the reason: the last lines of its stderr, and hints. */
     public static void print(PrintStream out, Failure failure, String indent) {

@@ -20,8 +20,7 @@ public final class Games {
     /** The game that commands play unless another is called for. */
     public static final String FIRST = "pod-race";
 
-    private Games() {
-    }
+    private Games() { }
 
     /** All games: those of the program, and those of the user's jars. */
     public static GameTypes types() {

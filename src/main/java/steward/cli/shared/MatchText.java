@@ -14,8 +14,7 @@ import steward.text.TextFormat;
 /** The result of a match as readable text. */
 public final class MatchText {
 
-    private MatchText() {
-    }
+    private MatchText() { }
 
     /** One line: the winner, the ending, the turn; of a player alone, the score. */
     public static String headline(String scene, long seed, MatchResult result) {

@@ -10,8 +10,7 @@ public final class OutOfMemory {
     /** Causes can be nested without end. */
     private static final int DEEPEST = 20;
 
-    private OutOfMemory() {
-    }
+    private OutOfMemory() { }
 
     /** True if a lack of memory is the problem or one of its causes. */
     public static boolean isBehind(Throwable problem) {

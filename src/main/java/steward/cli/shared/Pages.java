@@ -20,8 +20,7 @@ public final class Pages {
 
     private static final int TITLE = 80;
 
-    private Pages() {
-    }
+    private Pages() { }
 
     /** A page's heading. */
     public static String title(List<String> players) {

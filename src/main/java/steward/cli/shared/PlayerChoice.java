@@ -10,8 +10,7 @@ public final class PlayerChoice {
     /** Characters of the list of names that are shown: they come from a file. */
     private static final int LONGEST_LIST = 500;
 
-    private PlayerChoice() {
-    }
+    private PlayerChoice() { }
 
     /**
      * The player's number.

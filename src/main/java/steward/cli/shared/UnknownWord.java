@@ -10,8 +10,7 @@ import steward.text.NearestName;
 /** The error messages for unknown words of a call. */
 public final class UnknownWord {
 
-    private UnknownWord() {
-    }
+    private UnknownWord() { }
 
     /** Names such a word of a command, and the nearest that would mean something. */
     static String message(CommandLine command, String word) {

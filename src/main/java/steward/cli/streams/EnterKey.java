@@ -6,8 +6,7 @@ import java.util.concurrent.CompletableFuture;
 /** Waits for Enter at the terminal. */
 public final class EnterKey {
 
-    private EnterKey() {
-    }
+    private EnterKey() { }
 
     /** Completes with the next end of a line, or at the end of the input. A thread waits for it, perhaps for ever. */
     public static CompletableFuture<Void> pressed(Streams streams) {

@@ -21,8 +21,7 @@ import tools.jackson.core.ObjectWriteContext;
  */
 public final class Json {
 
-    private Json() {
-    }
+    private Json() { }
 
     /** Reads one object. */
     public static Map<String, Object> object(byte[] json) {

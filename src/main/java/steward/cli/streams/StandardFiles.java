@@ -18,8 +18,7 @@ public final class StandardFiles {
 
     private static final String DASH = "-";
 
-    private StandardFiles() {
-    }
+    private StandardFiles() { }
 
     /** True if a file as it was typed is one of the standard streams; {@code null} is not. */
     public static boolean is(String typed) {

@@ -11,8 +11,7 @@ final class Html {
     static final String END = "</main></body></html>\n";
     private static final String STYLE = "/steward/tournament/page.css";
 
-    private Html() {
-    }
+    private Html() { }
 
     /** The page up to its heading. */
     static String head(String title) {

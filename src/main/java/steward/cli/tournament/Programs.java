@@ -35,8 +35,7 @@ record Programs(List<Program> programs, List<String> others) {
      * @param name   in the table: letters and digits of any language, dots, underscores and hyphens
      * @param source a file, or a folder with a file {@code run}
      */
-    record Program(String name, Path source, Kind kind) {
-    }
+    record Program(String name, Path source, Kind kind) { }
 
     /**
      * Finds the programs.

@@ -68,8 +68,7 @@ record Workshop(Path folder, Isolation isolation, long limitMs) {
      * @param files   that it consists of
      * @param problem why it cannot run, what the compiler said; or {@code null}
      */
-    record Ready(Program program, List<String> command, List<Path> files, String problem) {
-    }
+    record Ready(Program program, List<String> command, List<Path> files, String problem) { }
 
     /** Makes a program ready, unless that has been done with the same source. */
     Ready make(Program program) throws InterruptedException {

@@ -62,8 +62,7 @@ record GameRecording(double[][] checkpoints, State start, ShownFrame first, List
      * @param shield         whether it was raised in the turn that led here
      * @param nextCheckpoint index of the next checkpoint
      */
-    record Pod(double x, double y, double vx, double vy, double heading, boolean shield, int nextCheckpoint) {
-    }
+    record Pod(double x, double y, double vx, double vy, double heading, boolean shield, int nextCheckpoint) { }
 
     /**
      * Counters of a player.
@@ -71,8 +70,7 @@ record GameRecording(double[][] checkpoints, State start, ShownFrame first, List
      * @param rank      0 for the best
      * @param turnsLeft to pass a checkpoint
      */
-    record Counter(int rank, int turnsLeft) {
-    }
+    record Counter(int rank, int turnsLeft) { }
 
     /**
      * An impact.
@@ -85,6 +83,5 @@ record GameRecording(double[][] checkpoints, State start, ShownFrame first, List
      * @param meanVx  half the sum of the two speeds before the impact, rounded
      */
     record Impact(double time, int a, long ax, long ay, int b, long bx, long by, double impulse, long meanVx,
-                  long meanVy) {
-    }
+                  long meanVy) { }
 }

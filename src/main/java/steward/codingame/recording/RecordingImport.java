@@ -20,8 +20,7 @@ public interface RecordingImport {
      * @param turns  how many turns the replay has
      * @param ending how the game ended by our rules, or {@code null} if the recording ends before
      */
-    record Imported(int turns, String ending) {
-    }
+    record Imported(int turns, String ending) { }
 
     /**
      * Writes the replay.

@@ -22,8 +22,7 @@ public final class LeagueJson {
     /** Places above and below a bot to which its differences are told of more bots. */
     private static final int NEAR = 10;
 
-    private LeagueJson() {
-    }
+    private LeagueJson() { }
 
     /** The fields of the table: the season, games, bots by rank, and the crosstable by the same order, workers. */
     public static void table(JsonGenerator out, Season season, LeagueTable table, List<WorkerRow> workers) {

@@ -35,8 +35,7 @@ public final class LeaguePage {
     private static final String GENERATOR = "<meta name=\"generator\" content=\"steward league\">";
     private static final int HEAD = 2000;
 
-    private LeaguePage() {
-    }
+    private LeaguePage() { }
 
     /** True if a file is a page that was written here, or is empty. */
     public static boolean isOne(Path file) {

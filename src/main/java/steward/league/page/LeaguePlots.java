@@ -39,8 +39,7 @@ public final class LeaguePlots {
     private static final Color[] COLOURS = {new Color(0x0072B2), new Color(0xD55E00), new Color(0x009E73),
         new Color(0xCC79A7), new Color(0xE69F00), new Color(0x56B4E9), new Color(0x222222), new Color(0x7A5195)};
 
-    private LeaguePlots() {
-    }
+    private LeaguePlots() { }
 
     /**
      * Writes {@code ratings} and {@code path}, each with {@code .png} and {@code .svg}, replacing older ones.

@@ -29,8 +29,7 @@ public final class TunePlot {
     /** Pixels between the numbers of steps. */
     private static final int TICKS = 80;
 
-    private TunePlot() {
-    }
+    private TunePlot() { }
 
     /**
      * Writes {@code tune.png} and {@code tune.svg}, replacing older ones.

@@ -16,8 +16,7 @@ public final class KnownResults {
     private final boolean alone;
     private final TreeMap<Integer, List<Game>> later = new TreeMap<>();
 
-    private record Game(long seed, int[] lineup, double score, long transcript, int... ranks) {
-    }
+    private record Game(long seed, int[] lineup, double score, long transcript, int... ranks) { }
 
     /** None yet of a season's games. */
     public KnownResults(Season season) {

@@ -8,8 +8,7 @@ public final class Looks {
 
     private static final int SHARE = 32;
 
-    private Looks() {
-    }
+    private Looks() { }
 
     /** The last look at or before a decision. */
     public static int of(int decision) {

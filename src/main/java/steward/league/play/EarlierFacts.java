@@ -13,8 +13,7 @@ import steward.scene.json.SceneException;
 /** Transcripts and own values of games that an earlier version stored, from the replays that were kept. */
 public final class EarlierFacts {
 
-    private EarlierFacts() {
-    }
+    private EarlierFacts() { }
 
     /** Adds what is missing. A game whose replay is missing or cannot be played again stays without. */
     public static void add(LeagueFolder folder, GameStore store, GameTypes types) {

@@ -16,8 +16,7 @@ public interface Elsewhere {
      * @param settings of the league as it began
      * @param members  by seat
      */
-    record Game(Schedule.Task task, LeagueSettings settings, List<Member> members) {
-    }
+    record Game(Schedule.Task task, LeagueSettings settings, List<Member> members) { }
 
     /**
      * Waits for a place for more games, which then is taken.

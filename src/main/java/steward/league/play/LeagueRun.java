@@ -80,8 +80,7 @@ public final class LeagueRun {
      * @param games   that the schedule has in all when the run ends; {@code Long.MAX_VALUE} for no end
      * @param nanos   after which no game is begun; {@code Long.MAX_VALUE} for no end
      */
-    public record Limits(int threads, long games, long nanos) {
-    }
+    public record Limits(int threads, long games, long nanos) { }
 
     /**
      * A run that is to begin.

@@ -33,8 +33,7 @@ public final class AnytimeBar {
      */
     private static final double[] PARTS = {0.8, 0.1, 0.1};
 
-    private AnytimeBar() {
-    }
+    private AnytimeBar() { }
 
     /**
      * Half the width.

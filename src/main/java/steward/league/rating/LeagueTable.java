@@ -23,8 +23,7 @@ public record LeagueTable(List<Row> rows, Results results, Ratings ratings) {
      * @param random  whether the bot draws by lot
      * @param active  whether it plays
      */
-    public record Entry(int version, String name, boolean random, boolean active) {
-    }
+    public record Entry(int version, String name, boolean random, boolean active) { }
 
     /**
      * A row.
@@ -119,8 +118,7 @@ public record LeagueTable(List<Row> rows, Results results, Ratings ratings) {
      * @param row    whose bot wins more than the ratings tell
      * @param column against whose
      */
-    public record Surprise(int row, int column, Residual residual) {
-    }
+    public record Surprise(int row, int column, Residual residual) { }
 
     /** All pairs whose games say something else, the surest first. */
     public List<Surprise> surprises() {

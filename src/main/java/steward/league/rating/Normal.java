@@ -11,8 +11,7 @@ public final class Normal {
     private static final double FARTHEST = 38;
     private static final int HALVINGS = 70;
 
-    private Normal() {
-    }
+    private Normal() { }
 
     /** The density. */
     public static double density(double x) {

@@ -151,8 +151,7 @@ public final class RatingFit {
      * @param contrast by bot, what the sum has of its rating; together 0
      * @param value    in natural units
      */
-    private record Held(double[] contrast, double value) {
-    }
+    private record Held(double[] contrast, double value) { }
 
     /**
      * The best fit in which a sum of ratings has a value.
@@ -160,8 +159,7 @@ public final class RatingFit {
      * @param fit  its covariance is that of the step
      * @param step that would come next if the sum was let go; in natural units
      */
-    record HeldFit(RatingFit fit, double... step) {
-    }
+    record HeldFit(RatingFit fit, double... step) { }
 
     /**
      * Fits with a sum of ratings held.

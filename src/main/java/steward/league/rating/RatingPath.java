@@ -30,8 +30,7 @@ public record RatingPath(List<LeagueTable.Entry> entries, List<Point> points) {
      * @param ratings by entry, in Elo; NaN for those without games
      * @param bars    likewise
      */
-    public record Point(long games, double[] ratings, double... bars) {
-    }
+    public record Point(long games, double[] ratings, double... bars) { }
 
     /** Collects points. */
     public static final class Collector {

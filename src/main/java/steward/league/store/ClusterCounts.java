@@ -27,8 +27,7 @@ final class ClusterCounts {
     private final Map<Cluster, long[]> open = new LinkedHashMap<>();
     private final Map<Pattern, long[]> counts = new LinkedHashMap<>();
 
-    private record Cluster(long seed, int group) {
-    }
+    private record Cluster(long seed, int group) { }
 
     /** Games of one cluster in ascending order. */
     private record Pattern(long... games) {

@@ -34,8 +34,7 @@ public final class GameLine {
     /** Fields that games exported by earlier versions do not have. */
     public static final List<String> OPTIONAL = List.of(GameLine.TRANSCRIPT, GameLine.VALUES);
 
-    private GameLine() {
-    }
+    private GameLine() { }
 
     /** The fields of a game, in the order of {@link #GAME}; absent ones are empty. */
     public static Map<String, String> game(StoredGame game, Season season) {

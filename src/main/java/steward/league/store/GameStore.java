@@ -319,8 +319,7 @@ public final class GameStore implements AutoCloseable {
      * @param seed     its seed
      * @param lineup   the versions by seat, apart by blanks
      */
-    public record SetAside(int decision, long seed, String lineup) {
-    }
+    public record SetAside(int decision, long seed, String lineup) { }
 
     /**
      * Sets games of a machine aside: they stay, under other names, have no result, and belong to no decision.
@@ -360,8 +359,7 @@ public final class GameStore implements AutoCloseable {
      * @param id     its number
      * @param replay its path in the folder of replays
      */
-    public record Unknown(long id, String replay) {
-    }
+    public record Unknown(long id, String replay) { }
 
     /** Games whose transcripts can be computed from their replays. */
     public List<Unknown> unknown() {

@@ -18,8 +18,7 @@ final class NativeLibrary {
     private static final String PATH = "org.sqlite.lib.path";
     private static final String NAME = "org.sqlite.lib.name";
 
-    private NativeLibrary() {
-    }
+    private NativeLibrary() { }
 
     /**
      * Makes sure that it is there, before the first connection.

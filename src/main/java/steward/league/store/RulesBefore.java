@@ -18,8 +18,7 @@ public final class RulesBefore {
 
     private static final Pattern LIVE = Pattern.compile("\\n *\"rules\": \"live\",");
 
-    private RulesBefore() {
-    }
+    private RulesBefore() { }
 
     /** The text of the scene before, if the league names a shipped one and its last season was played by that. */
     static Optional<String> scene(LeagueFolder folder, LeagueSettings settings, Season last) {

@@ -93,8 +93,7 @@ final class SchemaVersion {
     /** The newest one. */
     static final int NEWEST = STEPS.size();
 
-    private SchemaVersion() {
-    }
+    private SchemaVersion() { }
 
     /**
      * Refuses what is no league's database, or a newer one's.

@@ -10,8 +10,7 @@ import steward.text.TextFormat;
 /** Opening of the season in which a league goes on. */
 public final class SeasonOpening {
 
-    private SeasonOpening() {
-    }
+    private SeasonOpening() { }
 
     /**
      * Opens the season that the settings mean.

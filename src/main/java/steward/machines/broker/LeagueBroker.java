@@ -74,8 +74,7 @@ public final class LeagueBroker implements AutoCloseable {
      * @param worker its name, as the broker knows it
      * @param bytes  of the message
      */
-    public record Report(String worker, byte[] bytes) {
-    }
+    public record Report(String worker, byte[] bytes) { }
 
     /**
      * Starts.

@@ -13,8 +13,7 @@ public final class LongScene {
     /** Most bytes of a scene: lines of the longest CSV file, each character escaped, and the scene around them. */
     private static final int LONGEST = 2 * JsonLimits.ROW_BYTES + JsonLimits.BYTES;
 
-    private LongScene() {
-    }
+    private LongScene() { }
 
     /** Returns the scene, compressed, or {@code null} if it fits into one piece as it is. */
     public static Bundle of(String scene) {

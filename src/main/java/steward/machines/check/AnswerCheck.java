@@ -47,8 +47,7 @@ public final class AnswerCheck {
      * @param text      where, what was recorded, and what the bot answers here
      * @param failsHere true if the bot fails here and was not recorded to
      */
-    public record Otherwise(String text, boolean failsHere) {
-    }
+    public record Otherwise(String text, boolean failsHere) { }
 
     /**
      * Asks a bot again.

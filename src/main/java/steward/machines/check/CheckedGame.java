@@ -30,6 +30,5 @@ public record CheckedGame(int turns, GameFacts facts, List<Seat> seats, long nan
      * @param firstNanos as it was measured there
      */
     public record Seat(int rank, double score, String fault, int answers, long meanNanos, long worstNanos,
-                       long firstNanos) {
-    }
+                       long firstNanos) { }
 }

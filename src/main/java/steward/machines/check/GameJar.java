@@ -10,8 +10,7 @@ public final class GameJar {
 
     private static final String NONE = "none";
 
-    private GameJar() {
-    }
+    private GameJar() { }
 
     /** Returns the digest of the installed jar with the scene's game, or {@code none}. */
     public static String installed(GameTypes types, String scene) {

@@ -23,8 +23,7 @@ public final class GzipText {
     /** Room for a usual text, in bytes: it grows where that is not enough. */
     private static final int USUAL = 1 << 16;
 
-    private GzipText() {
-    }
+    private GzipText() { }
 
     /** Compresses. */
     public static byte[] compressed(byte[] bytes) {

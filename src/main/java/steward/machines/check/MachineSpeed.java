@@ -16,8 +16,7 @@ public final class MachineSpeed {
     private static final int ROUNDS = 400_000;
     private static final double HUNDRED = 100;
 
-    private MachineSpeed() {
-    }
+    private MachineSpeed() { }
 
     /** Returns the speed: the best of some samples of a few milliseconds, as all that interferes only slows down. */
     public static int measure() {

@@ -22,8 +22,7 @@ public final class RulesFingerprint {
     private static final int TURNS = 40;
     private static final int SEEDS = 3;
 
-    private RulesFingerprint() {
-    }
+    private RulesFingerprint() { }
 
     /** 16 hexadecimal digits. */
     public static String of(GameSetup setup) {

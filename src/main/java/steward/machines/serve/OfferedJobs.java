@@ -57,16 +57,14 @@ final class OfferedJobs {
     }
 
     /** A job, the bundles that it needs, and what comes of it: {@code null} if somebody else has to play it. */
-    private record Offer(Set<String> needs, int games, CompletableFuture<Told> told) {
-    }
+    private record Offer(Set<String> needs, int games, CompletableFuture<Told> told) { }
 
     /**
      * A worker's report on the games of a job that it has begun.
      *
      * @param nanos for which it has had the job
      */
-    record Told(String worker, List<WorkerWord.Played> games, long nanos) {
-    }
+    record Told(String worker, List<WorkerWord.Played> games, long nanos) { }
 
     /**
      * None are offered yet.

@@ -96,8 +96,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
      * @param version    of this program
      * @param scaled     true if the time limits of a worker are scaled by the speed that it has measured
      */
-    public record Service(InetSocketAddress address, double share, long leaseNanos, String version, boolean scaled) {
-    }
+    public record Service(InetSocketAddress address, double share, long leaseNanos, String version, boolean scaled) { }
 
     /**
      * Begins to serve.

@@ -14,5 +14,4 @@ import java.util.List;
  * @param doubts   what is doubtful by the answers of its bots, a sentence each
  */
 public record WorkerSeen(String name, int slots, double rate, String version, long silentMs, boolean caught,
-                         List<String> doubts) {
-}
+                         List<String> doubts) { }

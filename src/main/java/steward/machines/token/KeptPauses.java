@@ -27,8 +27,7 @@ public final class KeptPauses {
      * @param length in milliseconds, whole seconds
      * @param began  milliseconds since 1970
      */
-    public record Pause(long length, long began) {
-    }
+    public record Pause(long length, long began) { }
 
     /** Pauses of the workers of a league. */
     public KeptPauses(LeagueFolder folder) {

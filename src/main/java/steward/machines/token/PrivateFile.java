@@ -28,8 +28,7 @@ public final class PrivateFile {
     /** A process has one lock on a file; its threads wait here. */
     private static final ReentrantLock ALONE = new ReentrantLock();
 
-    private PrivateFile() {
-    }
+    private PrivateFile() { }
 
     /** Makes a folder, if it is not there. */
     static void folder(Path folder) {

@@ -47,8 +47,7 @@ public record WorkerList(List<Worker> workers, List<Invitation> invitations) {
      * @param aside   true if its games are not to count
      * @param invited name of the invitation with which it came, or {@code null}
      */
-    public record Worker(String name, String hash, String revoked, boolean aside, String invited) {
-    }
+    public record Worker(String name, String hash, String revoked, boolean aside, String invited) { }
 
     /** Copies the lists. */
     public WorkerList {

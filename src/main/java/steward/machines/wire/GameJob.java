@@ -46,8 +46,7 @@ public record GameJob(String id, List<Game> games) {
      * @param bundle the hash of its files
      * @param size   of those, in bytes
      */
-    public record Seat(String name, String bundle, int size) {
-    }
+    public record Seat(String name, String bundle, int size) { }
 
     /** The message that says it; each bot stands there once. */
     public byte[] bytes() {

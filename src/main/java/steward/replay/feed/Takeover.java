@@ -43,8 +43,7 @@ public final class Takeover {
      * @param reason why there is none, or {@code null}
      * @param ahead  names of the players that were ahead at the end, several if they tie
      */
-    public record Outcome(int turns, MatchResult result, String reason, List<String> ahead) {
-    }
+    public record Outcome(int turns, MatchResult result, String reason, List<String> ahead) { }
 
     private final RecordedMatch match;
     private final List<String> names;

@@ -34,8 +34,7 @@ final class PageScript {
     private final Set<String> added = new LinkedHashSet<>();
     private final Map<String, String> names = new HashMap<>();
 
-    private PageScript() {
-    }
+    private PageScript() { }
 
     /**
      * Returns the script that begins with a library, if there is one, and ends with a module and all it imports.

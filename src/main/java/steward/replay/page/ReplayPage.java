@@ -27,8 +27,7 @@ import tools.jackson.core.JacksonException;
  */
 public final class ReplayPage {
 
-    private ReplayPage() {
-    }
+    private ReplayPage() { }
 
     /**
      * @param html  is not closed
@@ -109,8 +108,7 @@ public final class ReplayPage {
      * @param scriptHash what the policy of the other page has to allow
      * @param styleHash  likewise
      */
-    public record Shell(String before, String after, String scriptHash, String styleHash) {
-    }
+    public record Shell(String before, String after, String scriptHash, String styleHash) { }
 
     /** The page without a replay. */
     public static Shell shell() {

@@ -33,8 +33,7 @@ final class PemFile {
 
     private static final Set<PosixFilePermission> OWNER = PosixFilePermissions.fromString("rw-------");
 
-    private PemFile() {
-    }
+    private PemFile() { }
 
     /**
      * @param expected for errors

@@ -14,8 +14,7 @@ import tools.jackson.core.JsonGenerator;
  */
 final class ObservableOutcome {
 
-    private ObservableOutcome() {
-    }
+    private ObservableOutcome() { }
 
     /**
      * Fields of an outcome; the caller opens and closes the object.

@@ -16,8 +16,7 @@ public class Bot {
     static final int DRIFT_TURNS = 4;
     static final int FULL_THRUST = 200;
 
-    record Place(int x, int y) {
-    }
+    record Place(int x, int y) { }
 
     record Pod(int x, int y, int vx, int vy, int angle, int next) {
 

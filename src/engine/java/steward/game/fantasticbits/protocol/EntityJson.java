@@ -36,8 +36,7 @@ final class EntityJson {
         static final SerializedString LOST = new SerializedString("outOfPlay");
     }
 
-    private EntityJson() {
-    }
+    private EntityJson() { }
 
     /**
      * Wizards, snaffles in play and bludgers.

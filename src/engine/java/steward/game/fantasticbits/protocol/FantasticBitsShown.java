@@ -37,11 +37,9 @@ final class FantasticBitsShown implements ServerView.Shown {
     private final List<Turn> turns = new ArrayList<>();
 
     /** @param owner of a wizard, otherwise -1 */
-    private record Entity(int id, EntityKind kind, int owner, long x, long y, long vx, long vy) {
-    }
+    private record Entity(int id, EntityKind kind, int owner, long x, long y, long vx, long vy) { }
 
-    private record Turn(List<Entity> entities, int[] scores, int[] magic) {
-    }
+    private record Turn(List<Entity> entities, int[] scores, int[] magic) { }
 
     FantasticBitsShown(ViewLines first, String input) {
         seed = ShownSeed.required(input, first.source());

@@ -67,8 +67,7 @@ final class MeanMaxView implements ServerView {
     }
 
     /** A unit as it came into an impact. */
-    record Met(int id, double x, double y, double vx, double vy) {
-    }
+    record Met(int id, double x, double y, double vx, double vy) { }
 
     /** @param b {@code null} for the wall of the arena */
     static void writeImpact(JsonGenerator out, double time, Met a, Met b) {

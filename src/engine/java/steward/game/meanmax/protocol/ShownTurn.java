@@ -25,16 +25,13 @@ record ShownTurn(List<Impact> impacts, List<Death> deaths, List<Unit> units, Lis
                  Map<Integer, Integer> water, List<Effect> effects, int[] scores, int[] rages) {
 
     /** @param b {@code null} for the wall of the arena */
-    record Impact(double time, Unit a, Unit b) {
-    }
+    record Impact(double time, Unit a, Unit b) { }
 
     /** A tanker that was sunk, or left full. */
-    record Death(double time, Unit tanker) {
-    }
+    record Death(double time, Unit tanker) { }
 
     /** Kind, radius and owner of a unit, told once. @param player -1 for a tanker */
-    record What(UnitKind kind, double radius, int player) {
-    }
+    record What(UnitKind kind, double radius, int player) { }
 
     /** A unit at a moment. @param water of a tanker */
     record Unit(int id, What what, double x, double y, double vx, double vy, int water) {
@@ -45,12 +42,10 @@ record ShownTurn(List<Impact> impacts, List<Death> deaths, List<Unit> units, Lis
     }
 
     /** A tanker's remains where it sank. */
-    record Wreck(int id, double x, double y, double radius) {
-    }
+    record Wreck(int id, double x, double y, double radius) { }
 
     /** A skill that works. */
-    record Effect(int id, Skill skill, double x, double y, int looter) {
-    }
+    record Effect(int id, Skill skill, double x, double y, int looter) { }
 
     /** Fields of the outcome. */
     void writeOutcome(JsonGenerator out) {

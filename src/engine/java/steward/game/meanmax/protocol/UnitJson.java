@@ -35,8 +35,7 @@ final class UnitJson {
         static final SerializedString LOOTER = new SerializedString("looter");
     }
 
-    private UnitJson() {
-    }
+    private UnitJson() { }
 
     /** @param whole with what bots do not see: the player that a tanker was spawned for */
     static void writeUnits(JsonGenerator out, SerializableString name, MeanMax game, boolean whole) {

@@ -12,8 +12,7 @@ final class CertainRounding {
     /** The most corners of all paths in a turn. */
     static final int MOST_CORNERS = 500;
 
-    private CertainRounding() {
-    }
+    private CertainRounding() { }
 
     /** True if the roundings of these pods (bits) are all certain: no fraction is close to where the result changes. */
     static boolean areSure(int which, double[] speed, int pods) {

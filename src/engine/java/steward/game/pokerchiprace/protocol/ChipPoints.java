@@ -21,8 +21,7 @@ final class ChipPoints implements TurnSink {
     private static final int MOST = 8;
 
     /** A chip on its path. @param other the chip it has eaten here or was ejected from, or -1 */
-    record Point(double time, double x, double y, double radius, double rotation, int other) {
-    }
+    record Point(double time, double x, double y, double radius, double rotation, int other) { }
 
     private final Bodies bodies;
     /** By the id of a chip the angle of its picture, in radians: where it was pushed, or where its last meal was. */

@@ -43,8 +43,7 @@ final class PokerChipRaceShown implements ServerView.Shown {
     private final List<Turn> shown = new ArrayList<>();
 
     /** Chips on the table, and scores. */
-    private record Turn(List<PokerChipRaceView.Chip> chips, int[] scores) {
-    }
+    private record Turn(List<PokerChipRaceView.Chip> chips, int[] scores) { }
 
     PokerChipRaceShown(ViewLines first, String input) {
         String[] sizes = first.words(SIZES_LINE);

@@ -59,8 +59,7 @@ final class PokerChipRaceView implements ServerView {
      * @param x     from the corner of the table
      * @param y     likewise
      */
-    record Chip(int id, int owner, double radius, double x, double y) {
-    }
+    record Chip(int id, int owner, double radius, double x, double y) { }
 
     /** With its place as ours are counted, from the middle of the table. */
     static void write(JsonGenerator out, Chip chip) {

@@ -13,8 +13,7 @@ final class SearchRacePilot {
     /** One of this many commands turns by degrees. */
     private static final int TURNS = 10;
 
-    private SearchRacePilot() {
-    }
+    private SearchRacePilot() { }
 
     static String answer(SearchRace race, SplitMix64 random) {
         if (random.nextInt(TURNS) == 0) {

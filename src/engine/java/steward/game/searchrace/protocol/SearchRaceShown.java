@@ -33,8 +33,7 @@ final class SearchRaceShown implements ServerView.Shown {
     private double time = Double.NaN;
 
     /** The car's state after a turn, as far as it is shown. */
-    private record Turn(String x, String y, int passed, int timer) {
-    }
+    private record Turn(String x, String y, int passed, int timer) { }
 
     SearchRaceShown(ViewLines first, String input) {
         checkpoints = List.copyOf(places(GraphicsLines.json(first.line(1))).values());

@@ -14,8 +14,7 @@ import java.nio.charset.StandardCharsets;
  */
 public final class FixedAnswerBot {
 
-    private FixedAnswerBot() {
-    }
+    private FixedAnswerBot() { }
 
     /** @param arguments the answer, without line end */
     public static void main(String[] arguments) throws IOException {

@@ -19,5 +19,4 @@ import steward.match.DirectBot;
  * @param plain     the command that starts it without the launcher's preparation
  */
 public record MatchFixture(GameTypes types, GameSetup setup, Supplier<DirectBot> direct, Supplier<Bot> lines,
-                           List<String> responder, List<String> launcher, List<String> plain) {
-}
+                           List<String> responder, List<String> launcher, List<String> plain) { }

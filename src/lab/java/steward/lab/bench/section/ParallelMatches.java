@@ -11,8 +11,7 @@ public final class ParallelMatches {
 
     private static final MatchListener NO_LISTENER = new MatchListener() { };
 
-    private ParallelMatches() {
-    }
+    private ParallelMatches() { }
 
     /**
      * Plays the matches with the seeds 0, 1, ... between bots that read the game itself.

@@ -11,8 +11,7 @@ import steward.lab.bench.Section;
 /** The sections of the table that every game has. */
 public final class Sections {
 
-    private Sections() {
-    }
+    private Sections() { }
 
     /** Whole matches, and how they scale with threads. */
     public static Section matches(MatchFixture fixture, int threads, int games) {

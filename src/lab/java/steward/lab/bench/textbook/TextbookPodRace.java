@@ -68,8 +68,7 @@ public final class TextbookPodRace {
         }
     }
 
-    private record Impact(double time, Pod a, Pod b) {
-    }
+    private record Impact(double time, Pod a, Pod b) { }
 
     private final double[][] checkpoints;
     private final Pod[] pods;

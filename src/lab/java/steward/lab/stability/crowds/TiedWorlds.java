@@ -32,8 +32,7 @@ public final class TiedWorlds {
      *
      * @param impacts those of its first instant by the rule, as {@link FirstInstant#impacts}
      */
-    public record World(Bodies bodies, List<Wall> walls, List<String> impacts) {
-    }
+    public record World(Bodies bodies, List<Wall> walls, List<String> impacts) { }
 
     private record Disc(long x, long y, long vx, long vy, long radius) {
 

@@ -43,8 +43,7 @@ public final class TruePathCase extends StabilityCase {
      * @param impacts of all discs together
      * @param each    of each disc
      */
-    public record Figure(int discs, int impacts, int each) {
-    }
+    public record Figure(int discs, int impacts, int each) { }
 
     /** The figures of a finding, by the number of discs. */
     public static List<Figure> figures(Finding seen) {

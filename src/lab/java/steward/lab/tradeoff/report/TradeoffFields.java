@@ -13,8 +13,7 @@ final class TradeoffFields {
      *
      * @param value a text, a boolean, an integer or a double of a row
      */
-    record Field(String name, Function<TradeoffRow, Object> value) {
-    }
+    record Field(String name, Function<TradeoffRow, Object> value) { }
 
     /** All columns; a number that is not finite is empty in CSV and null in JSON. */
     static final List<Field> ALL = List.of(
@@ -44,8 +43,7 @@ final class TradeoffFields {
         new Field("ratioLow", TradeoffRow::ratioLow),
         new Field("ratioHigh", TradeoffRow::ratioHigh));
 
-    private TradeoffFields() {
-    }
+    private TradeoffFields() { }
 
     /** The heads of the columns. */
     static String[] names() {

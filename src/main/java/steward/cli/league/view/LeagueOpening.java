@@ -33,8 +33,7 @@ public final class LeagueOpening {
 
     private static final String TUNED = "tune.";
 
-    private LeagueOpening() {
-    }
+    private LeagueOpening() { }
 
     /** The scene. */
     public static GameSetup setup(LeagueFolder folder, LeagueSettings settings) {

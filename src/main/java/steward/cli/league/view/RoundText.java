@@ -15,8 +15,7 @@ import steward.text.TextFormat;
 /** Rounds of a league, in which every group of bots meets once: how long one is, and how far the present one is. */
 public final class RoundText {
 
-    private RoundText() {
-    }
+    private RoundText() { }
 
     /**
      * Length of a round.

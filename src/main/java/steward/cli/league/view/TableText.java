@@ -22,8 +22,7 @@ public final class TableText {
     /** More would be a page of its own; 'table --json' has all. */
     private static final int SURPRISES = 10;
 
-    private TableText() {
-    }
+    private TableText() { }
 
     /** Everything: heading, table, crosstable, what the numbers mean. */
     public static List<String> whole(LeagueTable table, Season season, List<WorkerRow> workers, Colour colour) {

@@ -11,8 +11,7 @@ import steward.machines.check.WorkerBook;
 /** Players of a league's games, from what is stored. */
 public final class WorkerBooks {
 
-    private WorkerBooks() {
-    }
+    private WorkerBooks() { }
 
     /** Reads all games, if a worker has played any. */
     public static WorkerBook read(GameQueries games, GameStore store) {
