@@ -14,9 +14,7 @@ public final class SplitMix64 {
 
     private long state;
 
-    /**
-     * @param seed any 64-bit number; two seeds that differ give unrelated sequences
-     */
+    /** @param seed any 64-bit number; two seeds that differ give unrelated sequences */
     public SplitMix64(long seed) {
         state = seed;
     }

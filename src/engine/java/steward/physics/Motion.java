@@ -192,9 +192,7 @@ public class Motion {
         return value < 0 ? 0.0 - rounded : rounded;
     }
 
-    /**
-     * The whole number within 1e-5 of a number, if there is one; otherwise the number cut toward zero; never -0.0.
-     */
+    /** The whole number within 1e-5 of a number, if there is one; otherwise the number cut toward zero; never -0.0. */
     public static double truncateWithSnap(double value) {
         double rounded = roundHalfAway(value);
         return Math.abs(rounded - value) < SNAP ? rounded

@@ -27,8 +27,7 @@ public final class LateFile extends OutputStream {
         this.path = path;
         this.overwrite = overwrite;
         OutputFiles.check(path, overwrite);
-        if (Files.exists(path, LinkOption.NOFOLLOW_LINKS)
-            && !Files.isRegularFile(path, LinkOption.NOFOLLOW_LINKS)) {
+        if (Files.exists(path, LinkOption.NOFOLLOW_LINKS) && !Files.isRegularFile(path, LinkOption.NOFOLLOW_LINKS)) {
             file = OutputFiles.open(path, overwrite);
             return;
         }

@@ -134,8 +134,7 @@ public record LeagueFolder(Path path) {
         try {
             OutputFiles.replace(settings(), LeagueText.write(settings).getBytes(StandardCharsets.UTF_8));
         } catch (IOException problem) {
-            throw new InputException(settings() + ": cannot be written: "
-                + OutputFiles.reason(settings(), problem));
+            throw new InputException(settings() + ": cannot be written: " + OutputFiles.reason(settings(), problem));
         }
     }
 

@@ -182,8 +182,7 @@ public final class JsonLine {
             for (JsonToken token = in.nextToken(); token != JsonToken.END_ARRAY; token = in.nextToken()) {
                 String place = where + ": " + name + "[" + objects.size() + "]";
                 if (token != JsonToken.START_OBJECT) {
-                    throw new ReplayException(place + ": found " + JsonProblem.kind(token)
-                        + ", expected an object");
+                    throw new ReplayException(place + ": found " + JsonProblem.kind(token) + ", expected an object");
                 }
                 int from = (int) in.currentTokenLocation().getByteOffset();
                 in.skipChildren();

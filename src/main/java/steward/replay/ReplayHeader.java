@@ -58,8 +58,7 @@ public record ReplayHeader(String game, String scene, long seed, List<String> na
 
     /** Returns this header, signed; or unsigned for {@code null}. */
     ReplayHeader signedBy(String key) {
-        return new ReplayHeader(game, scene, seed, names, bots, protocols, timeFactor, law, key, sandbox,
-            jar);
+        return new ReplayHeader(game, scene, seed, names, bots, protocols, timeFactor, law, key, sandbox, jar);
     }
 
     /** Returns this header for a version of the law: that of the scene's plan, where it is not the first. */

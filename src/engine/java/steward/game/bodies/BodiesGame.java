@@ -189,8 +189,7 @@ public final class BodiesGame extends AbstractGame {
             return false;
         }
         for (int k = 0; k < discs.size(); k++) {
-            if (bodies.inverseMass[k] > 0
-                && !(bodies.vx[k] * bodies.vx[k] + bodies.vy[k] * bodies.vy[k] < bound)) {
+            if (bodies.inverseMass[k] > 0 && !(bodies.vx[k] * bodies.vx[k] + bodies.vy[k] * bodies.vy[k] < bound)) {
                 return false;
             }
         }

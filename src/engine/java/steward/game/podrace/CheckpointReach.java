@@ -137,8 +137,7 @@ final class CheckpointReach {
     private double least(Obstacle obstacle, double x, double y) {
         double least = Double.POSITIVE_INFINITY;
         for (int k = 0; k < 9; k++) {
-            least = Math.min(least,
-                obstacle.gap().of(x + jitter * (k % 3 - 1), y + jitter * (k / 3 - 1), podRadius));
+            least = Math.min(least, obstacle.gap().of(x + jitter * (k % 3 - 1), y + jitter * (k / 3 - 1), podRadius));
         }
         return least;
     }

@@ -43,8 +43,7 @@ final class ChipStart {
         symmetric = settings.symmetric();
         int drawnNeutral = players + random.nextInt(MOST_NEUTRAL - players);
         int drawnPerPlayer = random.nextInt(MOST_PER_PLAYER) + 1;
-        double drawnRadius =
-            Math.floor(random.nextDouble() * (GREATEST_RADIUS - LEAST_RADIUS) + LEAST_RADIUS + 0.5);
+        double drawnRadius = Math.floor(random.nextDouble() * (GREATEST_RADIUS - LEAST_RADIUS) + LEAST_RADIUS + 0.5);
         neutral = settings.neutral() == PokerChipRaceSettings.DRAWN ? drawnNeutral : settings.neutral();
         perPlayer = settings.perPlayer() == PokerChipRaceSettings.DRAWN ? drawnPerPlayer : settings.perPlayer();
         playerRadius = Double.isNaN(settings.radius()) ? drawnRadius : settings.radius();

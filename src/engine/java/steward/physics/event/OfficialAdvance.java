@@ -27,9 +27,7 @@ public final class OfficialAdvance implements Advance {
     /** The set of all bodies, as bits. */
     public static final int ALL = -1;
 
-    /**
-     * A pair is set aside if its squared distance always exceeds s^2 + MARGIN + SHARE d^2. See the proof below.
-     */
+    /** A pair is set aside if its squared distance always exceeds s^2 + MARGIN + SHARE d^2. See the proof below. */
     private static final double MARGIN = 1;
     private static final double SHARE = 0x1p-40;
     private static final double KEPT_SHARE = 1 - SHARE;

@@ -32,8 +32,7 @@ public final class Meter {
     private static final int COUNTED_PIECES = 10;
 
     private final ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
-    private final OperatingSystemMXBean system =
-        (OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean();
+    private final OperatingSystemMXBean system = (OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean();
 
     private final ToLongFunction<Contender.Clock> clocks;
     /** Milliseconds for which the JVM has compiled. */

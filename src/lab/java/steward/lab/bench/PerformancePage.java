@@ -12,8 +12,7 @@ final class PerformancePage {
 
     private PerformancePage() { }
 
-    static String of(List<Section> sections, List<Row> rows, String machine, String date,
-                     String load) {
+    static String of(List<Section> sections, List<Row> rows, String machine, String date, String load) {
         StringBuilder page = new StringBuilder();
         page.append("# Performance\n\n")
             .append("Written by `steward bench` on ").append(date).append(": ").append(machine).append(".\n")

@@ -63,8 +63,7 @@ public final class MeasuredLeague {
     private final ThreadMXBean threads = ManagementFactory.getThreadMXBean();
     /** Threads that were there before, but for the JVM's common pool: other leagues of the process may be closing. */
     private Set<Long> strangers = Set.of();
-    private final OperatingSystemMXBean system =
-        (OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean();
+    private final OperatingSystemMXBean system = (OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean();
 
     /** Kinds of threads. */
     public enum Kind {

@@ -1,4 +1,2 @@
-/**
- * Pictures of measurements: colours for light and for dark pages, text that is wrapped, files.
- */
+/** Pictures of measurements: colours for light and for dark pages, text that is wrapped, files. */
 package steward.lab.chart;

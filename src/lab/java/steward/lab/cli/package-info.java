@@ -1,4 +1,2 @@
-/**
- * Commands that measure accuracy: {@code explain}, {@code tradeoff}, {@code stability}.
- */
+/** Commands that measure accuracy: {@code explain}, {@code tradeoff}, {@code stability}. */
 package steward.lab.cli;

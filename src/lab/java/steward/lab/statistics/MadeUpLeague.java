@@ -78,8 +78,7 @@ record MadeUpLeague(String name, int bots, boolean pooled, List<MadeUpGroup> gro
 
     /** Returns a league of games of two between these pairs, all on one list of seeds. */
     static MadeUpLeague sharing(String name, double push, double[] elo, int[]... pairs) {
-        return of(name, elo.length, false,
-            List.of(MadeUpGroup.sharing(natural(elo), push / RatingFit.ELO, pairs)));
+        return of(name, elo.length, false, List.of(MadeUpGroup.sharing(natural(elo), push / RatingFit.ELO, pairs)));
     }
 
     /** Returns a league of bots that play alone, all on the same maps. */

@@ -36,8 +36,7 @@ public record BotCheck(Contest contest, List<Tried> games) {
      * @param worst   the slowest answer after the first, in nanoseconds
      * @param turns   what it was sent and answered
      */
-    public record Tried(String against, MatchResult result, Failure failure, long worst,
-                        List<Dialog.Turn> turns) { }
+    public record Tried(String against, MatchResult result, Failure failure, long worst, List<Dialog.Turn> turns) { }
 
     /**
      * Tries a bot.

@@ -22,8 +22,7 @@ final class ServeOptions implements Serving {
 
     /** Where a league listens unless told otherwise: only programs of this machine can join. */
     static final String USUAL = "127.0.0.1:7161";
-    private static final Pattern ADDRESS =
-        Pattern.compile("(?:\\[([0-9A-Fa-f:]+)\\]|([^:\\[\\]]+)):([0-9]{1,5})");
+    private static final Pattern ADDRESS = Pattern.compile("(?:\\[([0-9A-Fa-f:]+)\\]|([^:\\[\\]]+)):([0-9]{1,5})");
     private static final int MOST_PORT = 65_535;
 
     @Option(names = "--serve", paramLabel = "HOST:PORT", arity = "0..1", fallbackValue = USUAL,

@@ -110,8 +110,7 @@ public final class MatchCommand extends ProgramCommand {
         double factor = pace.factor();
         TimeBasis basis = pace.basis();
         many.check(out != null);
-        check.that(!overwrite || out != null || show.view() != null,
-            "--overwrite: expected --out or --view with it");
+        check.that(!overwrite || out != null || show.view() != null, "--overwrite: expected --out or --view with it");
         check.that(sign == null || out != null || show.isAny(), "--sign: expected --out with it");
         boolean piped = StandardFiles.is(out);
         check.that(!piped || !many.isAny(), "--out: found -, expected a folder with --games or --swap");

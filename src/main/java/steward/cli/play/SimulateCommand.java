@@ -41,8 +41,7 @@ public final class SimulateCommand extends ProgramCommand {
         }
         GameSetup setup = Games.computed(scene.open(streams), "simulate");
         // Latin-1 can decode any bytes: an unexpected one is quoted in the error about its line.
-        BufferedReader in = new BufferedReader(
-            new InputStreamReader(streams.in(), StandardCharsets.ISO_8859_1));
+        BufferedReader in = new BufferedReader(new InputStreamReader(streams.in(), StandardCharsets.ISO_8859_1));
         try {
             if (!setup.simulate(in, streams.out())) {
                 throw new InputException("--scene: the game " + setup.scene().gameId()

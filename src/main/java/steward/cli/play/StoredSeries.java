@@ -140,8 +140,7 @@ public final class StoredSeries implements AutoCloseable {
             game.facts().transcript(), seats);
     }
 
-    private static StoredSeat seat(Version version, MatchResult.PlayerResult found,
-                                   SortedMap<String, Double> own) {
+    private static StoredSeat seat(Version version, MatchResult.PlayerResult found, SortedMap<String, Double> own) {
         return new StoredSeat(version.id(), found.rank(), found.score(), found.fault(), found.answers(),
             found.averageNanos(), found.worstNanos(), found.firstNanos(), own);
     }

@@ -86,8 +86,7 @@ record FeedSession(Streams streams, GameTypes types, RecordedMatch match, int pl
         try (OutputStream out = piped ? new UnclosedOutputStream(streams.out())
                 : OutputFiles.open(OutputFiles.path(file), overwrite)) {
             return start((process, report, waiting) -> {
-                Takeover takeover = new Takeover(match, types, player, protocol, process, from,
-                    bot.toString(), out);
+                Takeover takeover = new Takeover(match, types, player, protocol, process, from, bot.toString(), out);
                 Takeover.Outcome outcome = takeover.run(turn -> before(turn, process, waiting), turn -> {
                     waiting.answered();
                     report.add(turn);

@@ -32,8 +32,7 @@ record PageFile(Path replay, byte[] html, int turns) {
      * @param name   as the user wrote it
      * @param site   address for previews of links, or {@code null}
      */
-    static PageFile of(Streams streams, Path replay, byte[] bytes, String name, String site,
-                       GameTypes types) {
+    static PageFile of(Streams streams, Path replay, byte[] bytes, String name, String site, GameTypes types) {
         String title = replay == null || replay.getFileName() == null ? name : replay.getFileName().toString();
         String description = title;
         String warning;

@@ -76,8 +76,7 @@ record SprtText(Gsprt test, String one, String other) {
             case OPEN -> "not decided";
         };
         lines.add(heading());
-        lines.add(colour.strong(ratio(scores) + ": " + result)
-            + (unused.repeats() > 0 ? "" : left(scores)));
+        lines.add(colour.strong(ratio(scores) + ": " + result) + (unused.repeats() > 0 ? "" : left(scores)));
         lines.add(TextFormat.count(scores.observations(), "seed") + ", "
             + TextFormat.count(scores.observations() * scores.games(), "game") + (unused.without() == 0 ? ""
             : ", " + TextFormat.count(unused.without(), "seed") + " without a result left out")

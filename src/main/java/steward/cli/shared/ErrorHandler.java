@@ -31,8 +31,7 @@ public final class ErrorHandler implements IParameterExceptionHandler, IExecutio
         Translation.of("^option " + OPTION + " should be specified only once$", "$1: found twice, expected once"),
         Translation.of("^Missing required parameter for option '(--?[^']+)' \\(([^)]*)\\)$",
             "$1: found nothing, expected $2"),
-        Translation.of("^Missing required parameters: '([^']+)', '([^']+)'$",
-            "found no $1 and no $2, expected both"),
+        Translation.of("^Missing required parameters: '([^']+)', '([^']+)'$", "found no $1 and no $2, expected both"),
         Translation.of("^Expected parameter for option '(--?[^']+)' but found ('.*')$",
             "$1: found $2, expected its value"));
 

@@ -12,9 +12,7 @@ import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.ObjectNode;
 
-/**
- * Makes a replay of ours from an official recording of a pod race.
- */
+/** Makes a replay of ours from an official recording of a pod race. */
 public final class GameRecordingImport implements RecordingImport {
 
     private static final String SCENE = "mad-pod-racing";

@@ -19,9 +19,7 @@ import steward.league.store.GameStore.Version;
 import steward.match.Protocol;
 import steward.text.TextFormat;
 
-/**
- * Finds out which program each bot is, and gives a bot whose program has changed a new version. Not thread-safe.
- */
+/** Finds out which program each bot is, and gives a bot whose program has changed a new version. Not thread-safe. */
 public final class RosterReader {
 
     private static final String HERE = Platform.here();

@@ -21,9 +21,7 @@ public final class ScoreCounts {
     private long[] counts;
     private long observations;
 
-    /**
-     * @param games by seed: from how many seats each plays
-     */
+    /** @param games by seed: from how many seats each plays */
     public ScoreCounts(int games) {
         this.games = games;
         scores = games == 2 ? new double[] {0, 0.25, 0.5, 0.75, 1} : new double[] {0, 0.5, 1};

@@ -66,8 +66,7 @@ final class Database implements AutoCloseable {
         LeagueFolder.refuseRemote(folder.path());
         NativeLibrary.prepare(folder.path());
         boolean immutable = !write && !Files.isWritable(folder.path()) && Files.notExists(log(file));
-        return connect(file, write, immutable, patienceMs,
-            database -> database.prepare(write, durable));
+        return connect(file, write, immutable, patienceMs, database -> database.prepare(write, durable));
     }
 
     /**

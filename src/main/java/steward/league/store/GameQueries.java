@@ -211,8 +211,7 @@ public final class GameQueries {
             }
             Lineups lineups = lineups();
             ClusterCounts clusters = new ClusterCounts(lineups.versions(), Set.of(), false);
-            try (ResultSet row = database.query(CLUSTER + " AND decision < ?" + AS_DECIDED,
-                season, decision)) {
+            try (ResultSet row = database.query(CLUSTER + " AND decision < ?" + AS_DECIDED, season, decision)) {
                 while (row.next()) {
                     if (!lineups.isRepeat(results, row.getInt(5), row.getLong(4))) {
                         clusters.add(row.getLong(1), row.getLong(2));

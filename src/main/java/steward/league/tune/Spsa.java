@@ -71,8 +71,7 @@ public final class Spsa {
     }
 
     private double move(int parameter) {
-        return Math.max(command.parameters().get(parameter).step(),
-            MOVE / StrictMath.pow(step() + 1, MOVE_POWER));
+        return Math.max(command.parameters().get(parameter).step(), MOVE / StrictMath.pow(step() + 1, MOVE_POWER));
     }
 
     private static double inside(double place) {

@@ -100,8 +100,7 @@ public record UnpackedBundle(Path folder, BotCommand command) {
                 }
                 byte[] content = zip.readNBytes((int) Math.min(Integer.MAX_VALUE - 8, LARGEST_UNPACKED - size + 1));
                 size += content.length;
-                if (size > LARGEST_UNPACKED || files.size() > Bundle.MOST_FILES
-                    || files.put(name, content) != null) {
+                if (size > LARGEST_UNPACKED || files.size() > Bundle.MOST_FILES || files.put(name, content) != null) {
                     throw new InputException("bundle " + hash + ": found more than " + (LARGEST_UNPACKED >> 20)
                         + " MiB, more than " + Bundle.MOST_FILES + " files, or a file twice, expected less");
                 }

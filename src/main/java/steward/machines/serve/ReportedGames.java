@@ -49,8 +49,7 @@ final class ReportedGames {
     private final Semaphore room = new Semaphore((int) Math.max(1, Math.min(Runtime.getRuntime().availableProcessors(),
         Runtime.getRuntime().maxMemory() / (2 * MOST_MEMORY))));
 
-    ReportedGames(LeagueFolder folder, Season season, Contest contest, GameTypes types,
-                  Consumer<String> teller) {
+    ReportedGames(LeagueFolder folder, Season season, Contest contest, GameTypes types, Consumer<String> teller) {
         this.folder = folder;
         this.season = season;
         this.contest = contest;

@@ -81,8 +81,7 @@ public final class PrivateFile {
             }
             Files.deleteIfExists(part);
             if (isPosix(file.toAbsolutePath().getParent())) {
-                Files.createFile(part, PosixFilePermissions.asFileAttribute(
-                    PosixFilePermissions.fromString(OWNER)));
+                Files.createFile(part, PosixFilePermissions.asFileAttribute(PosixFilePermissions.fromString(OWNER)));
             } else {
                 Files.createFile(part);
             }

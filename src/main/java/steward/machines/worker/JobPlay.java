@@ -193,8 +193,7 @@ final class JobPlay {
         UnpackedBundle unpacked;
         List<String> words;
         try {
-            unpacked = UnpackedBundle.of(folder, seat.bundle(), fetcher.fetch(seat.bundle(), seat.size()),
-                platform);
+            unpacked = UnpackedBundle.of(folder, seat.bundle(), fetcher.fetch(seat.bundle(), seat.size()), platform);
             words = unpacked.words();
         } catch (InputException problem) {
             throw new UnfitException(seat.bundle(), seat.name() + ": " + problem.getMessage());

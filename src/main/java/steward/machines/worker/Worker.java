@@ -124,8 +124,7 @@ public final class Worker {
     }
 
     private boolean isOver() {
-        return draining || begun.get() >= options.games()
-            || end != Long.MAX_VALUE && System.nanoTime() - end >= 0;
+        return draining || begun.get() >= options.games() || end != Long.MAX_VALUE && System.nanoTime() - end >= 0;
     }
 
     /**
@@ -138,8 +137,7 @@ public final class Worker {
         String told = "";
         while (!isOver()) {
             long before = played.get();
-            try (BrokerClient client = new BrokerClient(options.host(), options.port(), options.token(),
-                    process)) {
+            try (BrokerClient client = new BrokerClient(options.host(), options.port(), options.token(), process)) {
                 session(client);
             } catch (BrokenException problem) {
                 if (problem.isRefused() && played.get() == before) {

@@ -1,4 +1,2 @@
-/**
- * A replay as one self-contained page that a browser draws.
- */
+/** A replay as one self-contained page that a browser draws. */
 package steward.replay.page;

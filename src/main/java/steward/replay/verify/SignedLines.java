@@ -34,8 +34,7 @@ final class SignedLines {
             return new SignatureCheck(SignatureCheck.Verdict.CUT_OFF, signer);
         }
         String signature = replay.signature();
-        boolean right = signature != null && signer.verifies(digest.message(replay.isolation()),
-            signature);
+        boolean right = signature != null && signer.verifies(digest.message(replay.isolation()), signature);
         return right ? new SignatureCheck(SignatureCheck.Verdict.RIGHT, signer, replay.isolation())
             : new SignatureCheck(SignatureCheck.Verdict.WRONG, signer);
     }

@@ -22,8 +22,7 @@ final class FantasticBitsFrames implements BotFrames {
     private static final SerializedString ENTITIES = new SerializedString("entities");
 
     /** The kinds that move; the last one is not in all leagues. */
-    private static final List<EntityKind> KINDS =
-        List.of(EntityKind.WIZARD, EntityKind.SNAFFLE, EntityKind.BLUDGER);
+    private static final List<EntityKind> KINDS = List.of(EntityKind.WIZARD, EntityKind.SNAFFLE, EntityKind.BLUDGER);
 
     private final FantasticBits game;
     private final FantasticBitsAnswer answer;

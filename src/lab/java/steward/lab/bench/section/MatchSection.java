@@ -71,8 +71,7 @@ final class MatchSection implements Section {
                 new Contender("direct, with replay", true, () -> play(this::direct, file)),
                 new Contender("direct, with replay, no file", true, this::playIntoNothing),
                 new Contender("direct", true, () -> play(this::direct, null)));
-            new Meter().compare(name(), "matches", contenders, effort, about,
-                row -> rows.accept(withTurns(row)));
+            new Meter().compare(name(), "matches", contenders, effort, about, row -> rows.accept(withTurns(row)));
         } finally {
             Files.deleteIfExists(file);
         }

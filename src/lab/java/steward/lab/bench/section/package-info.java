@@ -1,4 +1,2 @@
-/**
- * The sections of the bench: matches, frames, crowds, processes, start-up, verification, growth.
- */
+/** The sections of the bench: matches, frames, crowds, processes, start-up, verification, growth. */
 package steward.lab.bench.section;

@@ -60,8 +60,7 @@ public final class OfficialEdgesCase extends StabilityCase {
         double impulse = f + Math.max(120, f);
         double after = rung.isExact() ? -Math.max(120, f) : f - impulse;       // f - J, with J whole or as stored
         text.append("; f = ").append(f).append(": J = ").append(probe.impulse);
-        return probe.impacts == 1 && probe.impulse == impulse && bodies.vx[0] == after
-            && bodies.vx[1] == -after;
+        return probe.impacts == 1 && probe.impulse == impulse && bodies.vx[0] == after && bodies.vx[1] == -after;
     }
 
     private static boolean squeeze(Rung rung, StringBuilder text) {

@@ -103,8 +103,7 @@ record TradeoffAdvice(TradeoffResult result) {
             }
         }
         TradeoffRow graze = result.row(GRAZING, DOUBLE);
-        if (graze != null
-            && wrong - graze.missed() - graze.invented() <= RARELY * (impacts - graze.impacts())) {
+        if (graze != null && wrong - graze.missed() - graze.invented() <= RARELY * (impacts - graze.impacts())) {
             all.add(String.format(Locale.ROOT, "**The default** is `double`: over all scenes it missed or "
                 + "invented %,d of %,d impacts, %,d of them among grazing passes, and 99%% of its turns were off by "
                 + "at most %s u (%s).", wrong, impacts, graze.missed() + graze.invented(),

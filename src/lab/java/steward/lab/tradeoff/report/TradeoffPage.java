@@ -9,9 +9,7 @@ import steward.lab.tradeoff.TradeoffRow;
 import steward.scene.AccuracyFigures;
 import steward.text.TextFormat;
 
-/**
- * The page: what to choose on its first screen, then the picture and the tables. All numbers are measured.
- */
+/** The page: what to choose on its first screen, then the picture and the tables. All numbers are measured. */
 public final class TradeoffPage {
 
     private static final String ABOVE = """

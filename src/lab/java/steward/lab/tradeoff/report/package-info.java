@@ -1,4 +1,2 @@
-/**
- * The measured trade-off as CSV, JSON, plot and page.
- */
+/** The measured trade-off as CSV, JSON, plot and page. */
 package steward.lab.tradeoff.report;

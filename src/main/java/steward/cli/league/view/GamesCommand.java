@@ -206,8 +206,7 @@ public final class GamesCommand extends ProgramCommand {
         try {
             Files.write(page, html);
         } catch (IOException problem) {
-            throw new FailedException(page + ": cannot be written: "
-                + OutputFiles.reason(page, problem));
+            throw new FailedException(page + ": cannot be written: " + OutputFiles.reason(page, problem));
         }
         streams.out().println("Page of game " + game.id() + ": " + page);
         streams.out().flush();

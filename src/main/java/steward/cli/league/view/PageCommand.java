@@ -49,8 +49,7 @@ public final class PageCommand extends ProgramCommand {
 
     @Override
     public Integer call() throws InterruptedException {
-        CallCheck.withHelp().that(out != null || open,
-            "found no --out and no --open, expected one");
+        CallCheck.withHelp().that(out != null || open, "found no --out and no --open, expected one");
         try (LeagueOpening.Opened opened = LeagueOpening.read(league.open())) {
             Path path = out == null ? Pages.unnamed() : OutputFiles.path(out);
             OutputFiles.check(path, true);
