@@ -44,7 +44,23 @@ public final class JsonObject {
         out.writeEndArray();
     }
 
-    /** Writes one field, an array of texts. */
+    /** Writes one field, an array; each element is written for an item. */
+    public static <T> void writeEach(JsonGenerator out, String name, Iterable<T> items, Consumer<T> element) {
+        out.writeArrayPropertyStart(name);
+        items.forEach(element);
+        out.writeEndArray();
+    }
+
+    /** Writes one field, an array; each element is written for an index from 0. */
+    public static void writeEach(JsonGenerator out, String name, int count, IntConsumer element) {
+        out.writeArrayPropertyStart(name);
+        for (int k = 0; k < count; k++) {
+            element.accept(k);
+        }
+        out.writeEndArray();
+    }
+
+    /** Writes one field, an array of texts; {@code null} is written as such. */
     public static void writeTexts(JsonGenerator out, String name, Iterable<String> texts) {
         out.writeArrayPropertyStart(name);
         texts.forEach(out::writeString);

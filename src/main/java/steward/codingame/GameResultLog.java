@@ -223,15 +223,7 @@ public final class GameResultLog implements MatchListener {
         }
 
         void write(JsonGenerator out, String name) {
-            out.writeArrayPropertyStart(name);
-            for (String entry : entries) {
-                if (entry == null) {
-                    out.writeNull();
-                } else {
-                    out.writeString(entry);
-                }
-            }
-            out.writeEndArray();
+            JsonObject.writeTexts(out, name, entries);
         }
     }
 }

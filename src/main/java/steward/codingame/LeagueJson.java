@@ -5,7 +5,6 @@ import java.util.TreeMap;
 import java.util.regex.Pattern;
 import steward.json.JsonObject;
 import steward.match.MatchResult;
-import steward.match.MatchResult.PlayerResult;
 import tools.jackson.core.JsonGenerator;
 
 /**
@@ -23,23 +22,12 @@ public final class LeagueJson {
 
     /** Fields of the object, which the caller has opened and closes. */
     public static void write(JsonGenerator out, long seed, MatchResult result, LeagueAttributes ofTurns) {
-        out.writeArrayPropertyStart("ranks");
-        for (PlayerResult player : result.players()) {
-            out.writeNumber(player.rank());
-        }
-        out.writeEndArray();
-        out.writeArrayPropertyStart("errors");
-        for (PlayerResult player : result.players()) {
-            out.writeNumber(player.fault() == null ? 0 : 1);
-        }
-        out.writeEndArray();
+        JsonObject.writeEach(out, "ranks", result.players(), player -> out.writeNumber(player.rank()));
+        JsonObject.writeEach(out, "errors", result.players(), player ->
+            out.writeNumber(player.fault() == null ? 0 : 1));
         Map<String, String> matchData = data(result.data());
         matchData.remove(SEED);
-        out.writeArrayPropertyStart("faults");
-        for (PlayerResult player : result.players()) {
-            out.writeString(player.fault());
-        }
-        out.writeEndArray();
+        JsonObject.writeEach(out, "faults", result.players(), player -> out.writeString(player.fault()));
         out.writeObjectPropertyStart("test_data");
         out.writeNumberProperty(SEED, seed);
         matchData.forEach((name, value) -> writeValue(out, name, value));

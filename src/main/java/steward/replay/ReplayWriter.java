@@ -9,6 +9,7 @@ import steward.Internal;
 import steward.bot.LineBuffer;
 import steward.game.FrameCodec;
 import steward.game.Game;
+import steward.json.JsonObject;
 import steward.match.MatchListener;
 import steward.match.MatchResult;
 import steward.match.Turn;
@@ -169,11 +170,7 @@ public final class ReplayWriter implements MatchListener, AutoCloseable {
 
     private static void writeNumbers(JsonGenerator out, String name, MatchResult result,
                                    ToLongFunction<MatchResult.PlayerResult> number) {
-        out.writeArrayPropertyStart(name);
-        for (MatchResult.PlayerResult player : result.players()) {
-            out.writeNumber(number.applyAsLong(player));
-        }
-        out.writeEndArray();
+        JsonObject.writeEach(out, name, result.players(), player -> out.writeNumber(number.applyAsLong(player)));
     }
 
     /** Adds the line up to here to what is signed. */

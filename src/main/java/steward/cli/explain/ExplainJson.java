@@ -25,20 +25,14 @@ final class ExplainJson {
             out.writeStringProperty("scene", scene.name());
             out.writeStringProperty("game", scene.gameId());
             out.writeNumberProperty("players", scene.players());
-            out.writeArrayPropertyStart("parts");
-            for (Part part : setup.plan().parts()) {
-                part(out, part, prices);
-            }
-            out.writeEndArray();
+            JsonObject.writeEach(out, "parts", setup.plan().parts(), part -> part(out, part, prices));
             AccuracyChoice choice = setup.plan().accuracy();
             out.writeObjectPropertyStart("accuracy");
             out.writeStringProperty("rung", choice.rung().text());
             out.writeBooleanProperty("stated", choice.stated());
             out.writeStringProperty("why", choice.why());
             if (!choice.met().isEmpty()) {
-                out.writeArrayPropertyStart("met");
-                choice.met().forEach(out::writeString);
-                out.writeEndArray();
+                JsonObject.writeEach(out, "met", choice.met(), out::writeString);
             }
             out.writeEndObject();
             JsonObject.writeTexts(out, "warnings", setup.check());

@@ -13,6 +13,7 @@ import java.util.function.BiConsumer;
 import java.util.stream.Stream;
 import steward.cli.streams.Json;
 import steward.files.InputException;
+import steward.json.JsonObject;
 import steward.league.Season;
 import steward.league.StoredGame;
 import steward.league.store.GameLine;
@@ -57,13 +58,8 @@ final class GameFile {
         try (JsonGenerator json = JSON.createGenerator(ObjectWriteContext.empty(), line)) {
             json.writeStartObject();
             GameLine.game(game, season).forEach(json::writeStringProperty);
-            json.writeArrayPropertyStart(SEATS);
-            game.seats().forEach(seat -> {
-                json.writeStartObject();
-                GameLine.seat(seat, versions.get(seat.version())).forEach(json::writeStringProperty);
-                json.writeEndObject();
-            });
-            json.writeEndArray();
+            JsonObject.writeAll(json, SEATS, game.seats(), seat ->
+                GameLine.seat(seat, versions.get(seat.version())).forEach(json::writeStringProperty));
             json.writeEndObject();
         }
         out.print(line + "\n");

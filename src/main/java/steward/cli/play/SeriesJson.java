@@ -107,15 +107,9 @@ final class SeriesJson {
     private static void writeResult(JsonGenerator out, MatchResult result, List<Failure> failures) {
         out.writeNumberProperty("turns", result.turns());
         out.writeStringProperty("ending", result.ending());
-        out.writeArrayPropertyStart("ranks");
-        result.players().forEach(player -> out.writeNumber(player.rank()));
-        out.writeEndArray();
-        out.writeArrayPropertyStart("scores");
-        result.players().forEach(player -> JsonNumbers.write(out, player.score()));
-        out.writeEndArray();
-        out.writeArrayPropertyStart("faults");
-        result.players().forEach(player -> out.writeString(player.fault()));
-        out.writeEndArray();
+        JsonObject.writeEach(out, "ranks", result.players(), player -> out.writeNumber(player.rank()));
+        JsonObject.writeEach(out, "scores", result.players(), player -> JsonNumbers.write(out, player.score()));
+        JsonObject.writeEach(out, "faults", result.players(), player -> out.writeString(player.fault()));
         int[] turns = new int[result.players().size()];
         failures.forEach(failure -> turns[failure.player()] = failure.turn());
         out.writeArrayPropertyStart("faultTurns");
@@ -123,11 +117,8 @@ final class SeriesJson {
             MatchJson.writeTurn(out, turn);
         }
         out.writeEndArray();
-        out.writeArrayPropertyStart("heldFrom");
-        result.players().forEach(player -> MatchJson.writeTurn(out, player.heldFrom()));
-        out.writeEndArray();
-        out.writeArrayPropertyStart("lateAnswers");
-        for (Failure failure : failures) {
+        JsonObject.writeEach(out, "heldFrom", result.players(), player -> MatchJson.writeTurn(out, player.heldFrom()));
+        JsonObject.writeEach(out, "lateAnswers", failures, failure -> {
             if (failure.time() != null) {
                 out.writeStartObject();
                 out.writeNumberProperty("player", failure.player());
@@ -138,8 +129,7 @@ final class SeriesJson {
                 }
                 out.writeEndObject();
             }
-        }
-        out.writeEndArray();
+        });
     }
 
     /** In the order of the bots; milliseconds. */

@@ -5,7 +5,6 @@ import steward.json.JsonObject;
 import steward.match.MatchResult;
 import steward.replay.feed.FedTurn;
 import steward.replay.feed.Takeover;
-import steward.replay.verify.Difference;
 import tools.jackson.core.JsonGenerator;
 
 /** A bot's behaviour in a recorded match, for programs: one JSON object. */
@@ -30,15 +29,11 @@ final class FeedJson {
             out.writeNumberProperty("turn", turn.number());
             out.writeStringProperty("recordedFault", turn.recordedFault());
             out.writeStringProperty("fault", turn.fault());
-            out.writeArrayPropertyStart("fields");
-            for (Difference difference : turn.differences()) {
-                out.writeStartObject();
+            JsonObject.writeAll(out, "fields", turn.differences(), difference -> {
                 out.writeStringProperty("field", difference.field());
                 out.writeStringProperty("recorded", difference.recorded());
                 out.writeStringProperty("now", difference.found());
-                out.writeEndObject();
-            }
-            out.writeEndArray();
+            });
         });
     }
 

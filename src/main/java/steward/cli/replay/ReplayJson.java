@@ -1,6 +1,7 @@
 package steward.cli.replay;
 
 import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import steward.cli.shared.FailureJson;
@@ -99,11 +100,7 @@ record ReplayJson(Streams streams, ReplayReader replay) {
     }
 
     private static void texts(JsonGenerator out, String name, String[] texts) {
-        out.writeArrayPropertyStart(name);
-        for (String text : texts) {
-            out.writeString(text);
-        }
-        out.writeEndArray();
+        JsonObject.writeTexts(out, name, Arrays.asList(texts));
     }
 
     /** The impacts of a range of turns, both ends included, as they were recorded. */
@@ -121,15 +118,11 @@ record ReplayJson(Streams streams, ReplayReader replay) {
             throw TurnDetail.noSuchTurn(replay, from, last);
         }
         Json.print(streams, out -> {
-            out.writeArrayPropertyStart("turns");
-            turns.forEach((number, recorded) -> {
-                out.writeStartObject();
-                out.writeNumberProperty("turn", number);
+            JsonObject.writeAll(out, "turns", turns.entrySet(), turn -> {
+                out.writeNumberProperty("turn", turn.getKey());
                 out.writeName("impacts");
-                Json.write(out, recorded);
-                out.writeEndObject();
+                Json.write(out, turn.getValue());
             });
-            out.writeEndArray();
             out.writeStringProperty("warning", replay.warning());
         });
     }

@@ -1,5 +1,6 @@
 package steward.cli.sequential;
 
+import steward.json.JsonObject;
 import steward.league.tune.Parameter;
 import steward.league.tune.Spsa;
 import steward.league.tune.TunedCommand;
@@ -19,10 +20,8 @@ final class TuneJson {
         } else {
             out.writeNull();
         }
-        out.writeArrayPropertyStart("parameters");
-        for (int k = 0; k < command.parameters().size(); k++) {
+        JsonObject.writeAll(out, "parameters", command.parameters().size(), k -> {
             Parameter parameter = command.parameters().get(k);
-            out.writeStartObject();
             out.writeStringProperty("name", parameter.name());
             out.writeStringProperty("start", parameter.value(command.start()[k]));
             if (found) {
@@ -32,8 +31,6 @@ final class TuneJson {
                 out.writeStringProperty("low", parameter.value(value - most));
                 out.writeStringProperty("high", parameter.value(value + most));
             }
-            out.writeEndObject();
-        }
-        out.writeEndArray();
+        });
     }
 }

@@ -98,17 +98,13 @@ final class ObservedGame implements ServerObservations {
 
     private static void writeTurnsLeft(JsonGenerator out, GameRecording.State state) {
         if (!state.counters().isEmpty()) {
-            out.writeArrayPropertyStart("turnsLeft");
-            state.counters().forEach(counter -> out.writeNumber(counter.turnsLeft()));
-            out.writeEndArray();
+            JsonObject.writeEach(out, "turnsLeft", state.counters(), counter -> out.writeNumber(counter.turnsLeft()));
         }
     }
 
     private static void writeRanks(JsonGenerator out, GameRecording.State state) {
         if (!state.counters().isEmpty()) {
-            out.writeArrayPropertyStart("ranks");
-            state.counters().forEach(counter -> out.writeNumber(counter.rank()));
-            out.writeEndArray();
+            JsonObject.writeEach(out, "ranks", state.counters(), counter -> out.writeNumber(counter.rank()));
         }
     }
 
@@ -145,8 +141,7 @@ final class ObservedGame implements ServerObservations {
     }
 
     private void writePods(JsonGenerator out, List<GameRecording.Pod> pods) {
-        out.writeArrayPropertyStart("bodies");
-        for (int k = 0; k < pods.size(); k++) {
+        JsonObject.writeEach(out, "bodies", pods.size(), k -> {
             GameRecording.Pod pod = pods.get(k);
             out.writeStartObject();
             out.writeNumberProperty("id", k);
@@ -160,8 +155,7 @@ final class ObservedGame implements ServerObservations {
             out.writeBooleanProperty("boostLeft", boostLeft[k]);
             out.writeNumberProperty("passed", passed[k]);
             out.writeEndObject();
-        }
-        out.writeEndArray();
+        });
     }
 
     @Override

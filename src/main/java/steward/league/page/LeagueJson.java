@@ -34,29 +34,22 @@ public final class LeagueJson {
         out.writeNumberProperty("repeats", table.results().repeats());
         out.writeNumberProperty("again", table.results().playedAgain());
         out.writeNumberProperty("without", table.results().withoutResult());
-        out.writeArrayPropertyStart("bots");
-        table.rows().forEach(row -> bot(out, row));
-        out.writeEndArray();
-        out.writeArrayPropertyStart("cross");
-        for (int row = 0; row < table.rows().size(); row++) {
+        JsonObject.writeAll(out, "bots", table.rows(), row -> bot(out, row));
+        JsonObject.writeEach(out, "cross", table.rows().size(), row -> {
             out.writeStartArray();
             for (int column = 0; column < table.rows().size(); column++) {
                 cell(out, table, row, column);
             }
             out.writeEndArray();
-        }
-        out.writeEndArray();
-        out.writeArrayPropertyStart("differences");
-        for (int row = 0; row < table.rows().size(); row++) {
+        });
+        JsonObject.writeEach(out, "differences", table.rows().size(), row -> {
             out.writeStartArray();
             for (int column = 0; column < table.rows().size(); column++) {
                 difference(out, table, row, column);
             }
             out.writeEndArray();
-        }
-        out.writeEndArray();
-        out.writeArrayPropertyStart("surprises");
-        for (LeagueTable.Surprise each : table.surprises()) {
+        });
+        JsonObject.writeEach(out, "surprises", table.surprises(), each -> {
             out.writeStartArray();
             out.writeNumber(each.row());
             out.writeNumber(each.column());
@@ -64,17 +57,13 @@ public final class LeagueJson {
             JsonNumbers.write(out, each.residual().expected());
             JsonNumbers.write(out, each.residual().z());
             out.writeEndArray();
-        }
-        out.writeEndArray();
+        });
         if (!workers.isEmpty()) {
-            out.writeArrayPropertyStart("workers");
-            workers.forEach(worker -> worker(out, worker));
-            out.writeEndArray();
+            JsonObject.writeAll(out, "workers", workers, worker -> worker(out, worker));
         }
     }
 
     private static void worker(JsonGenerator out, WorkerRow worker) {
-        out.writeStartObject();
         out.writeStringProperty("name", worker.name());
         out.writeStringProperty("state", worker.state());
         out.writeNumberProperty("games", worker.games());
@@ -85,7 +74,6 @@ public final class LeagueJson {
         out.writeStringProperty("program", worker.version());
         out.writeNumberProperty("silentMs", worker.silentMs());
         JsonObject.writeTexts(out, "doubts", worker.doubts());
-        out.writeEndObject();
     }
 
     /**
@@ -135,7 +123,6 @@ public final class LeagueJson {
     }
 
     private static void bot(JsonGenerator out, Row row) {
-        out.writeStartObject();
         out.writeNumberProperty("rank", row.rank());
         out.writeNumberProperty("version", row.entry().version());
         out.writeStringProperty("name", row.entry().name());
@@ -158,7 +145,6 @@ public final class LeagueJson {
         JsonNumbers.writeOrNull(out, "meanMs", row.sums().meanNanos() / NANOS_PER_MS);
         JsonNumbers.writeOrNull(out, "worstMs",
             row.sums().games() == 0 ? Double.NaN : row.sums().worstNanos() / NANOS_PER_MS);
-        out.writeEndObject();
     }
 
     /**
@@ -171,18 +157,12 @@ public final class LeagueJson {
         table(out, view.season(), view.table(), view.workers());
         JsonNumbers.writeOrNull(out, "rate", view.rate());
         path(out, view.path());
-        out.writeArrayPropertyStart("list");
-        for (StoredGame game : view.games()) {
-            game(out, game, replay.apply(game));
-        }
-        out.writeEndArray();
+        JsonObject.writeAll(out, "list", view.games(), game -> game(out, game, replay.apply(game)));
     }
 
     private static void path(JsonGenerator out, RatingPath path) {
         out.writeObjectPropertyStart("path");
-        out.writeArrayPropertyStart("versions");
-        path.entries().forEach(entry -> out.writeNumber(entry.version()));
-        out.writeEndArray();
+        JsonObject.writeEach(out, "versions", path.entries(), entry -> out.writeNumber(entry.version()));
         JsonObject.writeAll(out, "points", path.points(), point -> {
             out.writeNumberProperty("games", point.games());
             numbers(out, "ratings", point.ratings());
@@ -204,7 +184,6 @@ public final class LeagueJson {
     }
 
     private static void game(JsonGenerator out, StoredGame game, String replay) {
-        out.writeStartObject();
         out.writeNumberProperty("id", game.id());
         out.writeStringProperty("seed", Long.toString(game.seed()));
         out.writeNumberProperty("turns", game.turns());
@@ -217,6 +196,5 @@ public final class LeagueJson {
             JsonNumbers.writeOrNull(out, "score", seat.score());
             out.writeStringProperty("fault", seat.fault());
         });
-        out.writeEndObject();
     }
 }

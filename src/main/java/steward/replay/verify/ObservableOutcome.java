@@ -3,6 +3,7 @@ package steward.replay.verify;
 import steward.game.FrameCodec;
 import steward.game.Game;
 import steward.json.JsonNumbers;
+import steward.json.JsonObject;
 import steward.physics.Impact;
 import steward.physics.TurnLog;
 import tools.jackson.core.JsonGenerator;
@@ -24,11 +25,8 @@ final class ObservableOutcome {
     static void write(JsonGenerator out, Game game, FrameCodec codec, ImpactComparison compared) {
         TurnLog log = game.log();
         if (log.impacts() > 0) {
-            out.writeArrayPropertyStart("impacts");
-            for (int k = 0; k < log.kept(); k++) {
-                write(out, log.impact(k), compared.time(k), compared.impulse(k));
-            }
-            out.writeEndArray();
+            JsonObject.writeEach(out, "impacts", log.kept(), k ->
+                write(out, log.impact(k), compared.time(k), compared.impulse(k)));
         }
         out.writeObjectPropertyStart("state");
         codec.state().writeState(out);

@@ -12,7 +12,6 @@ import steward.game.fantasticbits.WizardCommand;
 import steward.json.DrawingJson;
 import steward.json.JsonNumbers;
 import steward.json.JsonObject;
-import steward.scene.Bumper;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.io.SerializedString;
 
@@ -45,11 +44,7 @@ final class FantasticBitsFrames implements BotFrames {
         JsonNumbers.write(out, "top", Pitch.MOUTH_TOP);
         JsonNumbers.write(out, "bottom", Pitch.MOUTH_BOTTOM);
         out.writeEndObject();
-        out.writeArrayPropertyStart("posts");
-        for (Bumper post : Pitch.POSTS) {
-            DrawingJson.place(out, post.x(), post.y());
-        }
-        out.writeEndArray();
+        JsonObject.writeEach(out, "posts", Pitch.POSTS, post -> DrawingJson.place(out, post.x(), post.y()));
         JsonObject.writeAll(out, "kinds", game.settings().bludgers() ? KINDS : KINDS.subList(0, 2), kind -> {
             out.writeStringProperty("kind", kind.text());
             JsonNumbers.write(out, "radius", kind.radius());

@@ -7,6 +7,7 @@ import steward.game.meanmax.MeanMaxWorld;
 import steward.game.meanmax.Skill;
 import steward.game.meanmax.UnitKind;
 import steward.json.JsonNumbers;
+import steward.json.JsonObject;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.io.SerializedString;
 
@@ -32,8 +33,7 @@ final class MeanMaxFrames implements BotFrames {
         out.writeNumberProperty("maximumRage", MeanMax.MOST_RAGE);
         out.writeNumberProperty("winningScore", game.settings().winningScore());
         out.writeNumberProperty("maximumTurns", game.settings().maximumTurns());
-        out.writeArrayPropertyStart("looters");
-        for (int looter = 0; looter < game.settings().looters(); looter++) {
+        JsonObject.writeEach(out, "looters", game.settings().looters(), looter -> {
             UnitKind kind = UnitKind.of(looter);
             out.writeStartObject();
             out.writeStringProperty("kind", kind.text());
@@ -43,8 +43,7 @@ final class MeanMaxFrames implements BotFrames {
                 out.writeStringProperty("skill", kind.skill().text());
             }
             out.writeEndObject();
-        }
-        out.writeEndArray();
+        });
         out.writeArrayPropertyStart("skills");
         for (Skill skill : Skill.values()) {
             if (game.settings().isActive(skill)) {

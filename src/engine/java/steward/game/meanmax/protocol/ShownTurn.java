@@ -49,16 +49,10 @@ record ShownTurn(List<Impact> impacts, List<Death> deaths, List<Unit> units, Lis
 
     /** Fields of the outcome. */
     void writeOutcome(JsonGenerator out) {
-        out.writeArrayPropertyStart("impacts");
-        for (Impact impact : impacts) {
-            MeanMaxView.writeImpact(out, impact.time, impact.a.met(), impact.b == null ? null : impact.b.met());
-        }
-        out.writeEndArray();
-        out.writeArrayPropertyStart("events");
-        for (Death death : deaths) {
-            MeanMaxView.writeDeath(out, death.time, death.tanker.id, death.tanker.x, death.tanker.y);
-        }
-        out.writeEndArray();
+        JsonObject.writeEach(out, "impacts", impacts, impact ->
+            MeanMaxView.writeImpact(out, impact.time, impact.a.met(), impact.b == null ? null : impact.b.met()));
+        JsonObject.writeEach(out, "events", deaths, death ->
+            MeanMaxView.writeDeath(out, death.time, death.tanker.id, death.tanker.x, death.tanker.y));
         out.writeArrayPropertyStart("zones");
         for (Wreck wreck : wrecks) {
             Integer left = water.get(wreck.id);
@@ -99,9 +93,7 @@ record ShownTurn(List<Impact> impacts, List<Death> deaths, List<Unit> units, Lis
 
     /** @param speeds whether the speeds shown are those of the state, as before the first turn */
     void writeState(JsonGenerator out, boolean speeds) {
-        out.writeArrayPropertyStart("bodies");
-        units.forEach(unit -> write(out, unit, speeds));
-        out.writeEndArray();
+        JsonObject.writeEach(out, "bodies", units, unit -> write(out, unit, speeds));
         JsonObject.writeAll(out, "wrecks", wrecks, wreck -> {
             out.writeNumberProperty("id", wreck.id);
             JsonNumbers.write(out, "x", wreck.x);

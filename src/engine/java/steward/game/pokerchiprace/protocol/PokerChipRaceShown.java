@@ -7,6 +7,7 @@ import steward.game.ServerView;
 import steward.game.ShownSeed;
 import steward.game.pokerchiprace.ChipTable;
 import steward.game.pokerchiprace.PokerChipRaceSettings;
+import steward.json.JsonObject;
 import steward.scene.SceneFiles;
 import steward.text.ViewLines;
 import tools.jackson.core.JsonGenerator;
@@ -134,9 +135,7 @@ final class PokerChipRaceShown implements ServerView.Shown {
     }
 
     private static void writeChips(JsonGenerator out, Turn turn) {
-        out.writeArrayPropertyStart("bodies");
-        turn.chips.forEach(chip -> PokerChipRaceView.write(out, chip));
-        out.writeEndArray();
+        JsonObject.writeEach(out, "bodies", turn.chips, chip -> PokerChipRaceView.write(out, chip));
     }
 
     @Override

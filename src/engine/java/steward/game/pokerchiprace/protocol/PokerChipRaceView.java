@@ -8,6 +8,7 @@ import steward.game.StateCodec;
 import steward.game.pokerchiprace.ChipTable;
 import steward.game.pokerchiprace.PokerChipRace;
 import steward.json.JsonNumbers;
+import steward.json.JsonObject;
 import steward.physics.Bodies;
 import steward.text.ViewLines;
 import tools.jackson.core.JsonGenerator;
@@ -44,12 +45,9 @@ final class PokerChipRaceView implements ServerView {
     public void writeShownStart(JsonGenerator out, Game game, StateCodec state) {
         PokerChipRace of = (PokerChipRace) game;
         Bodies bodies = of.bodies();
-        out.writeArrayPropertyStart("bodies");
-        for (int chip = 0; chip < bodies.size(); chip++) {
+        JsonObject.writeEach(out, "bodies", bodies.size(), chip ->
             write(out, new Chip(bodies.id(chip), of.ownerOf(chip), rounded(bodies.radius[chip]),
-                rounded(bodies.x[chip] + ChipTable.HALF_WIDTH), rounded(bodies.y[chip] + ChipTable.HALF_HEIGHT)));
-        }
-        out.writeEndArray();
+                rounded(bodies.x[chip] + ChipTable.HALF_WIDTH), rounded(bodies.y[chip] + ChipTable.HALF_HEIGHT))));
     }
 
     /**

@@ -3,6 +3,7 @@ package steward.game.searchrace.protocol;
 import steward.game.Drawing;
 import steward.game.searchrace.SearchRace;
 import steward.json.DrawingJson;
+import steward.json.JsonObject;
 import tools.jackson.core.JsonGenerator;
 
 /**
@@ -30,12 +31,9 @@ record SearchRaceDrawing(SearchRace race) implements Drawing {
             bottom = Math.max(bottom, checkpoint[1]);
         }
         DrawingJson.field(out, left, top, right - left, bottom - top);
-        out.writeArrayPropertyStart("zones");
-        for (int k = 0; k < checkpoints.length; k++) {
+        JsonObject.writeEach(out, "zones", checkpoints.length, k ->
             DrawingJson.zone(out, checkpoints[k][0], checkpoints[k][1], race.settings().checkpointRadius(),
-                Integer.toString(k));
-        }
-        out.writeEndArray();
+                Integer.toString(k)));
         out.writeArrayPropertyStart("bodies");
         DrawingJson.body(out, race.bodies().id(0), "car", MARK, 0, "");
         out.writeEndArray();

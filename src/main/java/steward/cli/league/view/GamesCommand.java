@@ -24,6 +24,7 @@ import steward.contest.Failure;
 import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.json.JsonNumbers;
+import steward.json.JsonObject;
 import steward.league.LeagueFolder;
 import steward.league.StoredGame;
 import steward.league.StoredGame.StoredSeat;
@@ -148,11 +149,9 @@ public final class GamesCommand extends ProgramCommand {
     private static void json(JsonGenerator out, List<StoredGame> games, int all, LeagueFolder folder,
                              Map<Integer, String> names) {
         out.writeNumberProperty("games", all);
-        out.writeArrayPropertyStart("list");
-        for (StoredGame game : games) {
+        JsonObject.writeAll(out, "list", games, game -> {
             Path replay = replay(folder, game);
             List<Failure> failures = GameFailures.of(replay);
-            out.writeStartObject();
             out.writeNumberProperty("game", game.id());
             out.writeStringProperty("seed", Long.toString(game.seed()));
             out.writeStringProperty("played", Instant.ofEpochMilli(game.played()).toString());
@@ -161,19 +160,13 @@ public final class GamesCommand extends ProgramCommand {
             out.writeBooleanProperty("allFailed", game.allFailed());
             out.writeStringProperty("problem", game.problem());
             out.writeStringProperty("replay", replay == null ? null : replay.toString());
-            out.writeArrayPropertyStart("seats");
-            for (int player = 0; player < game.seats().size(); player++) {
-                seat(out, player, game.seats().get(player), names, failures);
-            }
-            out.writeEndArray();
-            out.writeEndObject();
-        }
-        out.writeEndArray();
+            JsonObject.writeAll(out, "seats", game.seats().size(), player ->
+                seat(out, player, game.seats().get(player), names, failures));
+        });
     }
 
     private static void seat(JsonGenerator out, int player, StoredSeat seat, Map<Integer, String> names,
                              List<Failure> failures) {
-        out.writeStartObject();
         out.writeStringProperty("bot", names.get(seat.version()));
         out.writeNumberProperty("rank", seat.rank());
         JsonNumbers.write(out, "score", seat.score());
@@ -187,7 +180,6 @@ public final class GamesCommand extends ProgramCommand {
             FailureJson.write(out, failure);
             out.writeEndObject();
         }
-        out.writeEndObject();
     }
 
     private int show(LeagueOpening.Opened opened, List<StoredGame> found, Map<Integer, String> names)
