@@ -11,8 +11,10 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.function.LongSupplier;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Isolated;
 
 /** Report about contenders, also when the run is interrupted. */
+@Isolated("counts the bytes of all threads")
 class MeterTest {
 
     private final List<Row> rows = new ArrayList<>();

@@ -96,11 +96,21 @@ class StabilityCommandTest {
         assertTrue(cli.err().contains("1 of " + Rung.all().size() + ": rounding, "), cli.err());
     }
 
+    private static Cli golden;
+
+    /** Result of the golden hash on a terminal, computed once: it takes seconds. */
+    private static Cli golden() {
+        if (golden == null) {
+            golden = Cli.run(true, "stability", "--quick", "--golden");
+        }
+        return golden;
+    }
+
     /** A table of a second is not announced. */
     @Test
     void aLongRunSaysBeforehandHowLongItTakes() {
         assertFalse(Cli.run(true, "stability", "--quick", "--case", "rounding").err().contains("This takes"));
-        Cli golden = Cli.run(true, "stability", "--golden", "--quick");
+        Cli golden = golden();
         assertTrue(golden.err().startsWith("This takes about "), golden.err());
         assertTrue(golden.err().contains("golden"), golden.err());
     }
@@ -188,7 +198,7 @@ class StabilityCommandTest {
     }
 
     private static void assertSameGoldenHash(String flag) throws IOException, InterruptedException {
-        Cli here = Cli.run("stability", "--quick", "--golden");
+        Cli here = golden();
         assertEquals(ExitStatus.DONE, here.status(), here.err());
         assertFalse(here.out().isBlank());
         Process other = child(List.of("-XX:+IgnoreUnrecognizedVMOptions", flag), "stability", "--quick", "--golden")

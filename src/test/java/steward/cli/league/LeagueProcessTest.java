@@ -23,6 +23,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.cli.Main;
+import steward.cli.SeveralCalls;
 import steward.cli.ShellBots;
 import steward.cli.TextShellBots;
 import steward.league.LeagueFolder;
@@ -177,24 +178,27 @@ class LeagueProcessTest {
     void noOtherCommandLoadsTheDatabase() throws IOException, InterruptedException {
         Path out = Files.createTempFile(folder, "out", ".txt");
         List<String> command = List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-            "-Xlog:class+load", "-cp", absolute(), Main.class.getName());
-        for (List<String> call : List.of(List.of("match", "--scene", "short.json", "--bot",
+            "-XX:TieredStopAtLevel=1", "-Xlog:class+load", "-cp", absolute());
+        List<List<String>> calls = List.of(List.of("match", "--scene", "short.json", "--bot",
                 "codingame:sh 'text pod.sh' drive 0", "--bot", "codingame:sh 'text pod.sh' stay 0", "--games", "2",
                 "--out", "games"),
             List.of("replay", "games/game-0001.jsonl", "--verify"), List.of("explain", "short.json", "--no-prices"),
-            List.of("--help"), List.of("league", "table", "none"))) {
-            List<String> words = new ArrayList<>(command);
-            words.addAll(call);
-            int status = new ProcessBuilder(words).directory(folder.toFile()).redirectErrorStream(true)
-                .redirectOutput(out.toFile()).start().waitFor();
-            String said = read(out);
-            assertEquals(call.contains("none") ? 2 : 0, status, () -> call.toString());
-            assertTrue(said.contains("steward.cli.Main"), said);
-            assertFalse(said.contains("org.sqlite"), () -> call + " loads the database");
-        }
-        make("league");
+            List.of("--help"), List.of("league", "table", "none"));
         List<String> words = new ArrayList<>(command);
-        words.addAll(List.of("league", "run", "league", "--games", "1"));
+        words.add(SeveralCalls.class.getName());
+        words.addAll(SeveralCalls.words(calls));
+        int status = new ProcessBuilder(words).directory(folder.toFile()).redirectErrorStream(true)
+            .redirectOutput(out.toFile()).start().waitFor();
+        String said = read(out);
+        assertEquals(0, status, said);
+        assertTrue(said.contains("steward.cli.Main"), said);
+        for (List<String> call : calls) {
+            assertTrue(said.contains(SeveralCalls.line(call.contains("none") ? 2 : 0, call)), () -> call + ": " + said);
+        }
+        assertFalse(said.contains("org.sqlite"), () -> "the database is loaded: " + said);
+        make("league");
+        words = new ArrayList<>(command);
+        words.addAll(List.of(Main.class.getName(), "league", "run", "league", "--games", "1"));
         new ProcessBuilder(words).directory(folder.toFile()).redirectErrorStream(true).redirectOutput(out.toFile())
             .start().waitFor();
         assertTrue(read(out).contains("org.sqlite"), "a run does: the test would see it");

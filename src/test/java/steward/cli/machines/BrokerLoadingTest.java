@@ -23,6 +23,7 @@ import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.cli.FreePort;
 import steward.cli.Main;
+import steward.cli.SeveralCalls;
 import steward.cli.ShellBots;
 import steward.cli.TextShellBots;
 
@@ -48,17 +49,22 @@ class BrokerLoadingTest {
     }
 
     private String run(int status, boolean broker, String... call) throws IOException, InterruptedException {
+        return run(status, broker, Main.class, List.of(call));
+    }
+
+    private String run(int status, boolean broker, Class<?> program, List<String> call)
+            throws IOException, InterruptedException {
         Path out = folder.resolve("out.txt");
         Path err = folder.resolve("err.txt");
         List<String> words = new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
             "-XX:TieredStopAtLevel=1", "-Xlog:class+load", "--enable-native-access=ALL-UNNAMED", "-cp", path(broker),
-            Main.class.getName()));
-        words.addAll(List.of(call));
+            program.getName()));
+        words.addAll(call);
         Process process = new ProcessBuilder(words).directory(folder.toFile()).redirectOutput(out.toFile())
             .redirectError(err.toFile()).start();
-        assertEquals(status, process.waitFor(), () -> List.of(call) + ": " + read(err));
+        assertEquals(status, process.waitFor(), () -> call + ": " + read(err));
         read(err).lines().forEach(line -> assertTrue(line.startsWith("steward: ") || line.startsWith("Try 'steward"),
-            () -> List.of(call) + " prints a line that is not ours: " + line));
+            () -> call + " prints a line that is not ours: " + line));
         return read(out);
     }
 
@@ -72,11 +78,13 @@ class BrokerLoadingTest {
 
     @SafeVarargs
     private void loadsNoBroker(List<String>... calls) throws IOException, InterruptedException {
+        String said = run(0, false, SeveralCalls.class, SeveralCalls.words(List.of(calls)));
+        assertTrue(said.contains("steward.cli.Main"), said);
         for (List<String> call : calls) {
-            String said = run(0, false, call.toArray(new String[0]));
-            assertTrue(said.contains("steward.cli.Main"), said);
-            assertFalse(said.contains(BROKER) || said.contains("io.netty") || said.contains("org.slf4j"),
-                () -> call + " loads the broker");
+            assertTrue(said.contains(SeveralCalls.line(0, call)), () -> call + ": " + said);
+        }
+        for (String library : List.of(BROKER, "io.netty", "org.slf4j")) {
+            assertFalse(said.contains(library), () -> "the broker is loaded: " + said);
         }
     }
 

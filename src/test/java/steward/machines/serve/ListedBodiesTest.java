@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
+import javax.tools.ToolProvider;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -77,7 +78,9 @@ class ListedBodiesTest extends ServedLeague {
             Path source = Files.createDirectories(folder.resolve("bot" + bot)).resolve("Bot.java");
             Files.writeString(source, BOT.formatted(bot));
             Path script = source.resolveSibling("bot.sh");
-            Files.writeString(script, "exec " + Path.of(System.getProperty("java.home"), "bin", "java") + " " + source);
+            assertEquals(0, ToolProvider.getSystemJavaCompiler().run(null, null, null, source.toString()));
+            Files.writeString(script, "exec " + Path.of(System.getProperty("java.home"), "bin", "java")
+                + " -XX:TieredStopAtLevel=1 -cp " + source.getParent() + " Bot");
             done("add", "TMP/many", "bot" + bot + "=sh " + script);
         }
         WorkerToken token = token("many", "one");
