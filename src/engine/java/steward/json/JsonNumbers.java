@@ -101,16 +101,6 @@ public final class JsonNumbers {
     /** A field with a finite number, or null for NaN. */
     public static void writeOrNull(JsonGenerator out, String name, double value) {
         out.writeName(name);
-        writeOrNull(out, value);
-    }
-
-    /** A field with a finite number, or null for NaN. */
-    public static void writeOrNull(JsonGenerator out, SerializableString name, double value) {
-        out.writeName(name);
-        writeOrNull(out, value);
-    }
-
-    private static void writeOrNull(JsonGenerator out, double value) {
         if (Double.isNaN(value)) {
             out.writeNull();
         } else {

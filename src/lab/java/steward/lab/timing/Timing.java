@@ -38,11 +38,6 @@ public final class Timing {
         return effort.repeats() * (jobs + effort.rounds());
     }
 
-    /** With how much effort it times. */
-    public TimingEffort effort() {
-        return effort;
-    }
-
     /**
      * Times all jobs.
      *

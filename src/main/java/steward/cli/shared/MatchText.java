@@ -54,11 +54,6 @@ public final class MatchText {
         return line.toString();
     }
 
-    /** Everything about the result. */
-    public static void print(PrintStream out, String scene, long seed, MatchResult result) {
-        print(out, scene, seed, result, List.of());
-    }
-
     /** Everything about the result, and more about the players that failed. */
     public static void print(PrintStream out, String scene, long seed, MatchResult result, List<Failure> failures) {
         print(out, Colour.NONE, scene, seed, result, failures);

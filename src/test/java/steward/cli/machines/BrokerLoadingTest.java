@@ -77,6 +77,7 @@ class BrokerLoadingTest {
     }
 
     @SafeVarargs
+    @SuppressWarnings("varargs")
     private void loadsNoBroker(List<String>... calls) throws IOException, InterruptedException {
         String said = run(0, false, SeveralCalls.class, SeveralCalls.words(List.of(calls)));
         assertTrue(said.contains("steward.cli.Main"), said);
