@@ -208,6 +208,7 @@ public final class Adoption {
         Map<String, Object> referee = new LinkedHashMap<>();
         referee.put("mode", project.mode());
         referee.put("leagueLevel", level);
+        referee.put(GuestProgram.LEVELS, Math.max(level, project.levels()));
         if (reuse) {
             referee.put("reuse", "classes");
         }

@@ -46,6 +46,9 @@ record GuestProgram(List<String> command, List<String> classPath, String main, S
         "-XX:+UnlockExperimentalVMOptions", "-XX:hashCode=2", "-Dfile.encoding=UTF-8",
         "--add-opens", "java.base/java.lang=ALL-UNNAMED");
     static final String LEVEL = "league.level";
+    /** Field of a scene: how many levels its referee is known to have. */
+    static final String LEVELS = "leagueLevels";
+    static final String SOLO = "solo";
     private static final int MOST_LEVEL = 20;
     private static final int USUAL_LIMIT_MS = 30_000;
     private static final int MOST_LIMIT_MS = 3_600_000;
@@ -66,18 +69,23 @@ record GuestProgram(List<String> command, List<String> classPath, String main, S
         String main = null;
         String reuse = null;
         if (resident) {
-            main = block.contains("main") ? block.text("main") : SDK_MAIN;
+            main = block.has("main") ? block.text("main") : SDK_MAIN;
             boolean kept = block.choice("reuse", Map.of("classes", true, "nothing", false), false);
-            system.put("game.mode", block.choice("mode", Map.of("multi", "multi", "solo", "solo"), "multi"));
-            if (block.contains("leagueLevel")) {
-                system.put(LEVEL, Integer.toString(block.integer("leagueLevel", 1, MOST_LEVEL)));
+            String mode = block.choice("mode", Map.of("multi", "multi", SOLO, SOLO), "multi");
+            system.put("game.mode", mode);
+            int levels = block.integer(LEVELS, 1, MOST_LEVEL, MOST_LEVEL);
+            if (block.has("leagueLevel")) {
+                system.put(LEVEL, Integer.toString(block.integer("leagueLevel", 1, levels)));
+            }
+            if (block.contains("testIn") && !mode.equals(SOLO)) {
+                throw block.error("testIn", "a test in the mode " + mode, "the mode solo with it");
             }
             // One JVM plays one level where classes stay: levels are often kept in static fields.
             reuse = kept ? "level " + system.get(LEVEL) : null;
         }
         int limitMs = block.integer("limitMs", 1, MOST_LIMIT_MS, USUAL_LIMIT_MS);
         return new GuestProgram(command, classPath, main, reuse, system,
-            block.contains("testIn") ? block.texts("testIn") : List.of(), properties(block), limitMs,
+            block.has("testIn") ? block.texts("testIn") : List.of(), properties(block), limitMs,
             undetermined(block));
     }
 
@@ -97,6 +105,10 @@ record GuestProgram(List<String> command, List<String> classPath, String main, S
         block.optionalBlock("properties").ifPresent(values ->
             values.entries().keySet().forEach(key -> properties.put(key, values.text(key))));
         properties.forEach((key, value) -> {
+            if (key.equals("seed")) {
+                throw block.block("properties").error(key, "a seed", "none: --seed or the league sets that of each "
+                    + "game");
+            }
             if ((key + value).chars().anyMatch(Character::isISOControl) || key.contains("=")) {
                 throw block.error("properties", "the property '" + key + "'", "keys and values of one line");
             }
@@ -106,7 +118,7 @@ record GuestProgram(List<String> command, List<String> classPath, String main, S
 
     private static Set<Name> undetermined(Block block) {
         Set<Name> undetermined = EnumSet.noneOf(Name.class);
-        for (String word : block.contains("undetermined") ? block.texts("undetermined") : List.<String>of()) {
+        for (String word : block.has("undetermined") ? block.texts("undetermined") : List.<String>of()) {
             undetermined.add(FOR_PEOPLE.stream().filter(name -> name.name().equals(word)).findFirst()
                 .orElseThrow(() -> block.error("undetermined", "\"" + word + "\"", "blocks of " + FOR_PEOPLE)));
         }

@@ -34,8 +34,10 @@ record SdkProject(List<String> classPath, int fewestPlayers, int mostPlayers, St
     private static final Pattern ENGINE = Pattern.compile(
         "<groupId>com\\.codingame\\.gameengine</groupId>\\s*<artifactId>core</artifactId>\\s*"
         + "<version>(?:\\$\\{([^}<]+)\\}|([^<]+))</version>");
+    private static final String PART = "com\\.codingame\\.gameengine:[\\w-]+:(?:jar|pom):[\\w.-]+";
+    /** A part of an engine that Maven has looked for in vain, now or a short time ago. */
     private static final Pattern NOT_TO_BE_HAD = Pattern.compile(
-        "com\\.codingame\\.gameengine:[\\w-]+:(?:jar|pom):([\\w.-]+)");
+        "(?<=ould not find artifact )" + PART + "|" + PART + "(?= was not found in )");
     /** A first build fetches all that a project needs. */
     private static final long PATIENCE_MS = 900_000;
     /** The newest engine on Maven Central. */
@@ -144,14 +146,18 @@ record SdkProject(List<String> classPath, int fewestPlayers, int mostPlayers, St
         return engine.group(1);
     }
 
-    private static InputException refusal(Path project, String said, String engine) {
+    /** @param said what Maven wrote, whose first line may begin with colours */
+    static InputException refusal(Path project, String said, String engine) {
         Matcher missing = NOT_TO_BE_HAD.matcher(said);
-        if (said.contains("ould not find artifact") && missing.find() && engine == null) {
-            return new InputException(project + ": needs version " + missing.group(1) + " of the engine, which is "
-                + "not to be had: build it yourself, or try with --engine " + PUBLISHED
-                + ", the newest that is published");
+        if (missing.find() && !PUBLISHED.equals(engine)) {
+            String absent = missing.group() + ", which is not to be had";
+            return new InputException(engine == null ? project + ": needs " + absent + ": build it yourself, or try "
+                + "with --engine " + PUBLISHED + ", the newest that is published"
+                : "--engine: found " + engine + ", which needs " + absent + ", expected a version such as "
+                + PUBLISHED + ", the newest that is published");
         }
-        List<String> errors = said.lines().filter(line -> line.startsWith("[ERROR]")).limit(5).toList();
+        List<String> errors = said.lines().filter(line -> line.matches(".*\\[ERROR\\] +\\S.*"))
+            .map(line -> line.substring(line.indexOf("[ERROR]"))).limit(5).toList();
         return new InputException(project + ": its Maven failed: " + String.join(" | ", errors));
     }
 

@@ -67,6 +67,10 @@ class GuestContestTest {
             {"name": "s", "game": "guest", "players": 2, "referee": {"command": ["sh"]}}""").toString();
         Cli.run("match", "--scene", command, "--bot", bot("one", "1"), "--bot", bot("two", "2"), "--league-level", "2")
             .assertRefused("referee: found a command, expected a classPath with a league level");
+        String known = Files.writeString(folder.resolve("known.json"), new StandInProject(project).scene(2,
+            ", \"leagueLevels\": 2")).toString();
+        Cli.run("match", "--scene", known, "--bot", bot("one", "1"), "--bot", bot("two", "2"), "--league-level", "3")
+            .assertRefused("referee.leagueLevel: found 3, expected a whole number 1..2");
     }
 
     @Test

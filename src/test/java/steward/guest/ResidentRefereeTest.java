@@ -134,6 +134,7 @@ class ResidentRefereeTest {
             "deterministic: games played again were the same in every line",
             "classes kept from game to game: SUMMARY differ, so each game gets fresh ones"), told);
         assertFalse(scene.contains("reuse"), scene);
+        assertTrue(scene.contains("\"leagueLevels\": 4"), scene);
         assertEquals("level 4", play(scene, 5).get(1));
     }
 

@@ -27,8 +27,8 @@ class GuestSchemaTest {
     private static final String ALL = """
         { "$schema": "scene.schema.json", "name": "all", "game": "guest", "players": 2,
           "referee": { "classPath": ["target/classes", "lib/core.jar"], "main": "a.Main", "reuse": "classes",
-            "mode": "solo", "leagueLevel": 3, "testIn": ["1 2", ""], "properties": {"width": "12"}, "limitMs": 5000,
-            "undetermined": ["METADATA"] } }
+            "mode": "solo", "leagueLevel": 3, "leagueLevels": 4, "testIn": ["1 2", ""],
+            "properties": {"width": "12"}, "limitMs": 5000, "undetermined": ["METADATA"] } }
         """;
 
     /** Each row: a part of {@link #ALL}, what stands there instead, and the verdict of both. */
@@ -53,12 +53,17 @@ class GuestSchemaTest {
         "reuse": "classes" | "reuse": "nothing"            | true
         "reuse": "classes" | "reuse": "levels"             | false
         "mode": "solo"     | "mode": "opti"                | false
+        "mode": "solo"     | "mode": "multi"               | false
+        "mode": "solo",    | ``                            | false
         "leagueLevel": 3   | "leagueLevel": 21             | false
         "leagueLevel": 3   | "leagueLevel": "3"            | false
+        "leagueLevels": 4  | "leagueLevels": 21            | false
         "limitMs": 5000    | "limitMs": 0                  | false
         "1 2"              | 5                             | false
         "width": "12"      | "width": 12                   | false
         "width": "12"      | "wi=dth": "12"                | false
+        "width": "12"      | "seed": "12"                  | false
+        "width": "12"      | "seeds": "12"                 | true
         "width": "12"      | "width": ""                   | false
         "METADATA"         | "SCORES"                      | false
         "main": "a.Main",  | "main": " ",                  | false

@@ -12,7 +12,6 @@ import steward.Internal;
 import steward.scene.json.JsonValue.Entry;
 import steward.scene.json.JsonValue.JsonArray;
 import steward.scene.json.JsonValue.JsonLiteral;
-import steward.scene.json.JsonValue.JsonLiteral;
 import steward.scene.json.JsonValue.JsonNumber;
 import steward.scene.json.JsonValue.JsonObject;
 import steward.scene.json.JsonValue.JsonText;

@@ -18,6 +18,7 @@ import steward.cli.options.ProgramCommand;
 import steward.cli.options.RefereeOption;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.FailedException;
+import steward.cli.shared.Games;
 import steward.cli.shared.Pages;
 import steward.cli.shared.PlayerChoice;
 import steward.cli.streams.StandardFiles;
@@ -192,6 +193,9 @@ public final class ReplayCommand extends ProgramCommand {
                 streams.warn(replay.warning());
                 return ExitStatus.DONE;
             }
+            if (map || impacts) {
+                requireBodies(replay, map ? "--map" : "--impacts");
+            }
             if (json) {
                 printJson(replay);
                 return ExitStatus.DONE;
@@ -304,6 +308,10 @@ public final class ReplayCommand extends ProgramCommand {
         return ExitStatus.DONE;
     }
 
+    private static void requireBodies(ReplayReader replay, String option) {
+        Games.requireComputed(replay.header().game(), HeaderText.scene(replay.header()), option);
+    }
+
     private boolean moving() {
         return picture != null && picture.toLowerCase(Locale.ROOT).endsWith(".svg");
     }
@@ -312,6 +320,7 @@ public final class ReplayCommand extends ProgramCommand {
         Path svg = OutputFiles.path(picture);
         try (ReplayReader replay = piped ? StandardFiles.openReplay(streams) : open(OutputFiles.path(file))) {
             if (replay.header() != null) {
+                requireBodies(replay, "--picture");
                 byte[] text = MovingPicture.of(replay, from != null ? from : 0, to != null ? to : Integer.MAX_VALUE)
                     .getBytes(StandardCharsets.UTF_8);
                 try (OutputStream out = OutputFiles.open(svg, overwrite)) {

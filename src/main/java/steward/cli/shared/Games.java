@@ -65,11 +65,16 @@ public final class Games {
 
     /** Refuses a scene with a referee of its own. @param use of the scene, as a command or option is called */
     public static GameSetup computed(GameSetup setup, String use) {
-        if (setup.isHosted()) {
-            throw new InputException(use + ": found the scene \"" + setup.scene().name() + "\", which has a referee of "
-                + "its own, expected a game that Steward computes");
-        }
+        requireComputed(setup.scene().gameId(), setup.scene().name(), use);
         return setup;
+    }
+
+    /** Refuses a match by a referee of its own. @param use of it, as a command or option is called */
+    public static void requireComputed(String game, String scene, String use) {
+        if (game.equals(GuestType.ID)) {
+            throw new InputException(use + ": found the scene \"" + scene + "\", which has a referee of its own, "
+                + "expected a game that Steward computes");
+        }
     }
 
     /** The scene with another bound on its turns. */

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import steward.cli.Cli;
@@ -34,5 +35,9 @@ class GuestTableTest {
         String out = Cli.run("replay", replay.toString()).out();
         assertTrue(out.contains("\n   1  two: WAIT, AND SEE\n   2  a lost\n   2  one failed: no answer\n"), out);
         assertTrue(!Cli.run("replay", replay.toString(), "--quiet").out().contains("WAIT"), out);
+        for (String bodies : List.of("--map", "--impacts", "--impacts --json", "--picture " + folder + "/x.svg")) {
+            Cli.run(("replay " + replay + " " + bodies).split(" ")).assertRefused(bodies.split(" ")[0]
+                + ": found the scene \"small\", which has a referee of its own, expected a game that Steward computes");
+        }
     }
 }

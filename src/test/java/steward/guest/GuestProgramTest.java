@@ -1,0 +1,34 @@
+package steward.guest;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import steward.cli.shared.Games;
+import steward.scene.json.SceneException;
+
+/** The block of a referee in a scene: the places and words of refusals. */
+class GuestProgramTest {
+
+    private static final String SCENE = "{\"name\": \"s\", \"game\": \"guest\", \"players\": 2,\n \"referee\": ";
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', quoteCharacter = '`', textBlock = """
+        {"classPath": ["a"], "testIn": ["7"]} | 2:44: referee.testIn: found a test in the mode multi, expected the \
+        mode solo with it
+        {"classPath": ["a"], "properties": {"seed": "7"}} | 2:57: referee.properties.seed: found a seed, expected \
+        none: --seed or the league sets that of each game
+        {"classPath": ["a"], "limit": 7} | 2:34: referee.limit: found an unknown field, expected one of "classPath", \
+        "main", "reuse", "mode", "leagueLevels", "leagueLevel", "limitMs", "testIn", "properties", "undetermined"; did you mean \
+        "limitMs"?
+        {"command": ["a"], "limit": 7} | 2:32: referee.limit: found an unknown field, expected one of "command", \
+        "limitMs", "testIn", "properties", "undetermined"; did you mean "limitMs"?
+        {"classPath": ["a"], "leagueLevels": 4, "leagueLevel": 5} | 2:68: referee.leagueLevel: found 5, expected a \
+        whole number 1..4
+        """)
+    void refusalsSayWhereAndWhatIsExpected(String referee, String refusal) {
+        assertEquals("s.json:" + refusal, assertThrows(SceneException.class, () ->
+            Games.types().open(SCENE + referee + "}", "s.json")).getMessage());
+    }
+}
