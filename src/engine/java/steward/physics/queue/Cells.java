@@ -260,17 +260,31 @@ final class Cells {
      * @param into room for one more than the number of bodies
      */
     int gatherAround(int column, int row, int[] into) {
+        return appendFollowing(into, appendHeads(column, row, into, 0));
+    }
+
+    /**
+     * Appends the first body of each of the nine cells around a cell, and returns how many there are then.
+     *
+     * @param into room for nine more
+     */
+    int appendHeads(int column, int row, int[] into, int before) {
         int left = wrap(column - 1, columns);
         int middle = wrap(column, columns);
         int right = wrap(column + 1, columns);
-        int count = 0;
+        int count = before;
         for (int r = row - 1; r <= row + 1; r++) {
             int line = wrap(r, rows) * columns;
             count = append(heads[line + left], into, count);
             count = append(heads[line + middle], into, count);
             count = append(heads[line + right], into, count);
         }
-        return appendFollowing(into, count);
+        return count;
+    }
+
+    /** The body that follows another one in its cell, or -1. */
+    int following(int body) {
+        return next[body];
     }
 
     /** Collects the bodies of three cells: the one given, and those one step before and after it. */

@@ -49,6 +49,8 @@ final class EventBuckets {
     /** The number of the present bucket, counted from {@link #base}, and its place in the ring. */
     private long current;
     private int slot;
+    /** Buckets passed so far, in all turns. */
+    private long passed;
     /** The bucket number at which the overflow list is redistributed. */
     private long horizon;
     /** Since the last redistribution: events that entered the heap, and buckets passed. */
@@ -157,6 +159,7 @@ final class EventBuckets {
                 return -1;
             }
             current++;
+            passed++;
             if (++slot == buckets) {
                 slot = 0;
             }
@@ -232,6 +235,33 @@ final class EventBuckets {
             earliest = Math.min(earliest, key[body]);
         }
         return earliest;
+    }
+
+    /** Counts the buckets that have been passed so far, in all turns. */
+    long passed() {
+        return passed;
+    }
+
+    /** Reads all that is stored of a body. @return a value that depends on it */
+    double read(int body) {
+        return key[body] + next[body] + previous[body];
+    }
+
+    /** Collects the bodies of at most {@code most} events in the next buckets, and returns how many they are. */
+    int gatherNext(int nextBuckets, int[] into, int most) {
+        int found = 0;
+        for (int k = 1; k <= Math.min(nextBuckets, buckets - 1) && found < most; k++) {
+            int bucket = slot + k;
+            int head = heads[bucket < buckets ? bucket : bucket - buckets];
+            into[found] = head;
+            found += head < 0 ? 0 : 1;
+        }
+        for (int k = 0; k < found && found < most; k++) {
+            int after = next[into[k]];
+            into[found] = after;
+            found += after < 0 ? 0 : 1;
+        }
+        return found;
     }
 
     private boolean isBefore(int i, int j) {

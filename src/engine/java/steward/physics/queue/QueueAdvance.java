@@ -55,6 +55,7 @@ public final class QueueAdvance implements Advance {
     private final boolean descending;
     private final Crowd crowd;
     private final EventBuckets events;
+    private final LookAhead lookAhead;
     private final QueuePairs pairs;
     private final QueueSearch search;
     private final QueueContactResponse response;
@@ -67,6 +68,11 @@ public final class QueueAdvance implements Advance {
 
     /** @throws IllegalArgumentException if {@link #refusal} refuses the law */
     public QueueAdvance(PhysicsParts parts) {
+        this(parts, LookAhead.LEAST_BODIES);
+    }
+
+    /** @param readingFrom the number of bodies from which on memory is read ahead */
+    QueueAdvance(PhysicsParts parts, int readingFrom) {
         String refusal = refusal(parts.law(), parts.contacts());
         if (refusal != null) {
             throw new IllegalArgumentException("queue: " + refusal);
@@ -79,6 +85,7 @@ public final class QueueAdvance implements Advance {
         rest = Rest.of(parts, walls);
         crowd = new Crowd(exact, rest == null ? Cells.SLACK : Math.max(Cells.SLACK, 1 + 2 * ROOM / Rest.NEAR));
         events = new EventBuckets(new EventOrder(crowd));
+        lookAhead = new LookAhead(crowd, events, readingFrom);
         pairs = QueuePairs.of(crowd, parts);
         Collision collision;
         if (exact) {
@@ -142,6 +149,7 @@ public final class QueueAdvance implements Advance {
         for (int body = 0; body < crowd.size; body++) {
             search.predict(body, now);
         }
+        lookAhead.begin();
     }
 
     private void processEvents(Bodies bodies, TurnSink sink) {
@@ -150,6 +158,7 @@ public final class QueueAdvance implements Advance {
         double last = 0;
         Standstill.Stopped stopped = null;
         for (int body = events.first(); body >= 0; body = events.first()) {
+            lookAhead.read();
             double now = events.time(body);
             int at = 8 * body;
             if (link[at + EVENT] != 0) {

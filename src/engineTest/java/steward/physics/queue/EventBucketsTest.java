@@ -3,6 +3,9 @@ package steward.physics.queue;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.Arrays;
+import java.util.Set;
+import java.util.TreeSet;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import steward.numerics.SplitMix64;
@@ -60,6 +63,37 @@ class EventBucketsTest {
                     events.put(body, times[body]);
                 }
             }
+        }
+    }
+
+    /** No body is in the next buckets that is not gathered, and none is gathered that is not there. */
+    @Test
+    void gatheredAreTheBodiesOfTheNextBuckets() {
+        for (int seed = 1; seed <= 50; seed++) {
+            SplitMix64 random = new SplitMix64(seed);
+            EventBuckets events = new EventBuckets((i, j) -> i < j);
+            events.begin(BODIES, BODIES, 0, 1);
+            for (int body = 0; body < BODIES; body++) {
+                events.put(body, 0.3 * random.nextDouble());
+            }
+            events.first();
+            int[] gathered = new int[3 * BODIES];
+            int ahead = 1 + random.nextInt(20);
+            long passed = events.passed();
+            Set<Integer> expected = new TreeSet<>();
+            Set<Integer> seen = new TreeSet<>();
+            int count = events.gatherNext(ahead, gathered, BODIES);
+            Arrays.stream(gathered, 0, count).forEach(seen::add);
+            int most = events.gatherNext(BODIES, gathered, 5);
+            for (int body = events.first(); body >= 0 && events.passed() <= passed + ahead; body = events.first()) {
+                if (events.passed() > passed) {
+                    expected.add(body);
+                }
+                events.remove(body);
+            }
+            assertEquals(expected, seen, "seed " + seed);
+            assertEquals(count, seen.size(), "seed " + seed);
+            assertEquals(5, most, "seed " + seed);
         }
     }
 }

@@ -341,6 +341,32 @@ class QueueAdvanceTest {
         }
     }
 
+    /** Cells that are full, bodies in none, and rings shorter than what is read of them. */
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2, 40, 400})
+    void readingAheadChangesNothing(int count) {
+        for (Arithmetic arithmetic : List.of(Arithmetic.DOUBLE, Arithmetic.EXACT)) {
+            SplitMix64 random = new SplitMix64(count);
+            Bodies bodies = mixed(random, count, 0.5, count > 100 ? 8 : 30);
+            bodies.setRadius(0, bodies.radius[0] / 100);
+            bodies.setVelocity(0, 1e7, 0);
+            Bodies other = new Bodies(bodies.capacity());
+            other.copyFrom(bodies);
+            Advance reading = new QueueAdvance(parts(ImpactLaw.PHYSICS, arithmetic, BOX), 1);
+            Advance plain = new QueueAdvance(parts(ImpactLaw.PHYSICS, arithmetic, BOX));
+            for (int turn = 0; turn < 4; turn++) {
+                TurnLog seen = new TurnLog();
+                TurnLog expected = new TurnLog();
+                reading.turn(bodies, seen);
+                plain.turn(other, expected);
+                assertEquals(expected.impacts(), seen.impacts());
+                assertArrayEquals(Scenes.bits(other), Scenes.bits(bodies));
+                impacts += seen.impacts();
+            }
+        }
+        assertTrue(impacts > 2, impacts + " impacts");
+    }
+
     private static ImpactLaw descending(ImpactLaw law) {
         return new ImpactLaw(law.restitution(), law.minimumImpulse(), law.minimumImpulseAtWalls(), law.deadZone(),
             law.separatingPairsReact(), law.batchWindow(), ImpactLaw.ScanOrder.DESCENDING, law.pushOut(),
