@@ -58,7 +58,7 @@ public record GameFacts(long transcript, List<SortedMap<String, Double>> values)
         if (replay.header() == null || replay.imported()) {
             throw new ReplayException(replay.source() + ": found no replay of ours, expected one");
         }
-        Resimulation again = new Resimulation(replay.header(), types, replay.source());
+        Resimulation again = new Resimulation(replay.header(), null, types, replay.source());
         Game game = again.game();
         TranscriptDigest digest = new TranscriptDigest();
         for (RecordedTurn turn = replay.next(); turn != null; turn = replay.next()) {

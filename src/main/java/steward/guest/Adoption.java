@@ -185,7 +185,7 @@ public final class Adoption {
 
     /** Plays a game and returns a hash of all that was said in each kind of block. */
     private Map<Name, Long> play(GuestProgram program, int number, long seed) {
-        GuestGame game = new GuestGame(program, number, seed, isolation);
+        GuestGame game = new GuestGame(program, number, seed, isolation, null);
         Map<Name, Long> said = new EnumMap<>(Name.class);
         try {
             game.blocks().forEach(block -> add(said, block));

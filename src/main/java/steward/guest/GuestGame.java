@@ -1,7 +1,9 @@
 package steward.guest;
 
+import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Deque;
 import java.util.List;
 import java.util.function.Supplier;
 import java.util.regex.Pattern;
@@ -45,6 +47,8 @@ final class GuestGame extends AbstractGame {
     private final GuestProgram program;
     private final long seed;
     private final Supplier<Isolation> isolation;
+    private final Supplier<byte[]> recorded;
+    private final Deque<Block> unsaid = new ArrayDeque<>();
     private final StateHash said = new StateHash();
     private final List<Block> blocks = new ArrayList<>();
     private final StringBuilder[] pending;
@@ -62,11 +66,13 @@ final class GuestGame extends AbstractGame {
     private List<String> answer;
     private long answerMs;
 
-    GuestGame(GuestProgram program, int players, long seed, Supplier<Isolation> isolation) {
+    /** @param recorded start or outcome of the turn that is played; {@code null} where the program is run */
+    GuestGame(GuestProgram program, int players, long seed, Supplier<Isolation> isolation, Supplier<byte[]> recorded) {
         super(players);
         this.program = program;
         this.seed = seed;
         this.isolation = isolation;
+        this.recorded = recorded;
         scores = new double[players];
         pending = new StringBuilder[players];
         Arrays.setAll(pending, k -> new StringBuilder());
@@ -77,6 +83,13 @@ final class GuestGame extends AbstractGame {
             return;
         }
         opened = true;
+        if (recorded == null) {
+            start();
+        }
+        say(program.beginning(players(), seed));
+    }
+
+    private void start() {
         if (program.missing() != null) {
             throw new RefereeFault("cannot be started: found no " + program.missing());
         }
@@ -89,7 +102,6 @@ final class GuestGame extends AbstractGame {
             process = program.isResident() ? ResidentReferees.shared().take(command, isolated, program.limitMs())
                 : RefereeProcess.start(command, isolated, program.limitMs());
         }
-        say(program.beginning(players(), seed));
     }
 
     @Override
@@ -119,7 +131,7 @@ final class GuestGame extends AbstractGame {
         String told = first;
         for (;;) {
             hash(told);
-            List<Block> answered = process.exchange(told + Block.text("GET_GAME_INFO", List.of()));
+            List<Block> answered = hear(told);
             answered.forEach(this::take);
             Block last = answered.get(answered.size() - 1);
             if (last.name() == Name.SCORES) {
@@ -135,6 +147,20 @@ final class GuestGame extends AbstractGame {
         }
     }
 
+    private List<Block> hear(String told) {
+        if (recorded == null) {
+            return process.exchange(told + Block.text("GET_GAME_INFO", List.of()));
+        }
+        if (unsaid.isEmpty()) {
+            unsaid.addAll(GuestState.said(recorded.get()));
+        }
+        List<Block> said = new ArrayList<>();
+        while (said.isEmpty() || !said.get(said.size() - 1).name().isLast()) {
+            said.add(unsaid.isEmpty() ? new Block(Name.FAIL, List.of()) : unsaid.remove());
+        }
+        return said;
+    }
+
     private void take(Block block) {
         monitored |= block.name() == Name.MONITORING;
         if (!program.undetermined().contains(block.name())) {
@@ -143,7 +169,7 @@ final class GuestGame extends AbstractGame {
             block.lines().forEach(this::hash);
             length += block.lines().stream().mapToInt(String::length).sum();
             if (length > MOST_SAID) {
-                throw process.fault("said more than " + MOST_SAID + " characters in a game");
+                throw fault("said more than " + MOST_SAID + " characters in a game");
             }
             // A tooltip is pairs of lines: a text and its player.
             int step = block.name() == Name.SUMMARY ? 1 : block.name() == Name.TOOLTIP ? 2 : MOST_LINES_SHOWN;
@@ -181,11 +207,11 @@ final class GuestGame extends AbstractGame {
             .mapToInt(GuestGame::number).toArray();
         if (numbers.length != 3 || numbers[0] < 0 || numbers[0] >= players() || numbers[1] < 0
                 || numbers[1] > MOST_LINES || numbers[2] < 0 || numbers[2] > MOST_LIMIT_MS) {
-            throw process.fault("said NEXT_PLAYER_INFO " + info.lines() + ", expected a player 0.." + (players() - 1)
+            throw fault("said NEXT_PLAYER_INFO " + info.lines() + ", expected a player 0.." + (players() - 1)
                 + ", a number of lines and a limit in ms");
         }
         if (++questions > MOST_QUESTIONS) {
-            throw process.fault("asked more than " + MOST_QUESTIONS + " times: the game does not end");
+            throw fault("asked more than " + MOST_QUESTIONS + " times: the game does not end");
         }
         player = numbers[0];
         lines = numbers[1];
@@ -193,6 +219,10 @@ final class GuestGame extends AbstractGame {
         for (int k = blocks.size() - 2; k >= 0 && blocks.get(k).name() == Name.NEXT_PLAYER_INPUT; k--) {
             blocks.get(k).lines().forEach(line -> pending[player].append(line).append('\n'));
         }
+    }
+
+    private RefereeFault fault(String problem) {
+        return recorded == null ? process.fault(problem) : new RefereeFault(problem);
     }
 
     private static int number(String word) {
@@ -210,14 +240,17 @@ final class GuestGame extends AbstractGame {
             }
         }
         if (found != (1 << players()) - 1 || told.lines().size() != players()) {
-            throw process.fault("said SCORES " + told.lines() + ", expected a player and a score in each of "
+            throw fault("said SCORES " + told.lines() + ", expected a player and a score in each of "
                 + players() + " lines");
         }
         if (questions == 0) {
-            throw process.fault("said SCORES before it asked anybody");
+            throw fault("said SCORES before it asked anybody");
         }
         player = -1;
         end("the referee has ended the game");
+        if (recorded != null) {
+            return;
+        }
         RefereeProcess playing;
         synchronized (this) {
             playing = process;

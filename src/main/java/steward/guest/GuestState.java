@@ -2,11 +2,14 @@ package steward.guest;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Stream;
 import steward.game.StateCodec;
 import steward.json.JsonObject;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.JsonParser;
 import tools.jackson.core.JsonToken;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
 
 /**
  * Answers and states of a guest as a replay keeps them. A command is the lines of an answer, with its time where the
@@ -69,5 +72,16 @@ record GuestState(GuestGame game) implements StateCodec {
             out.writeStringProperty("block", block.name().name());
             JsonObject.writeTexts(out, LINES, block.lines());
         });
+    }
+
+    /** Reads what the referee said from a start or outcome; a block of no known name is a failure of it. */
+    static List<Block> said(byte[] outcome) {
+        List<Block> said = new ArrayList<>();
+        for (JsonNode block : JsonMapper.shared().readTree(outcome).at("/state/said")) {
+            said.add(new Block(Stream.of(Block.Name.values()).filter(name ->
+                name.name().equals(block.path("block").asString(""))).findFirst().orElse(Block.Name.FAIL),
+                block.path(LINES).valueStream().map(line -> line.asString("")).toList()));
+        }
+        return said;
     }
 }

@@ -112,7 +112,12 @@ public final class GuestType implements GameType {
 
         @Override
         public Game create(long seed) {
-            return new GuestGame(program, scene.players(), seed, isolation);
+            return recorded(seed, null);
+        }
+
+        @Override
+        public Game recorded(long seed, Supplier<byte[]> outcome) {
+            return new GuestGame(program, scene.players(), seed, isolation, outcome);
         }
 
         @Override

@@ -3,6 +3,7 @@ package steward.match;
 import java.util.List;
 import java.util.function.Supplier;
 import steward.bot.isolation.Isolation;
+import steward.game.Game;
 import steward.game.GameSetup;
 
 /** Setup of a game whose referee is a program of its own. */
@@ -10,6 +11,9 @@ public interface HostedSetup extends GameSetup {
 
     /** Returns this setup with a referee that is kept apart as bots are. */
     GameSetup isolatedBy(Supplier<Isolation> isolation);
+
+    /** Creates a game whose referee says what is recorded. @param outcome of the turn played, or the start, as JSON */
+    Game recorded(long seed, Supplier<byte[]> outcome);
 
     /** Returns the class path of the referee, or the words of its command. */
     List<String> words();

@@ -8,12 +8,13 @@ import java.util.List;
  *
  * @param source  the name of the file, for errors
  * @param header  what it says of the match
+ * @param start   state and hash before the first turn, as JSON; {@code null} of a match in memory
  * @param turns   in order, from the first
  * @param ending  how the match ended, or {@code null} if there is no result
  * @param warning where the file was cut off, or {@code null}
  */
-public record RecordedMatch(String source, ReplayHeader header, List<RecordedTurn> turns, String ending,
-                            String warning) {
+public record RecordedMatch(String source, ReplayHeader header, byte[] start, List<RecordedTurn> turns,
+                            String ending, String warning) {
 
     /** Copies the list. */
     public RecordedMatch {
@@ -34,7 +35,8 @@ public record RecordedMatch(String source, ReplayHeader header, List<RecordedTur
         for (RecordedTurn turn = replay.next(); turn != null; turn = replay.next()) {
             turns.add(turn);
         }
-        return new RecordedMatch(replay.source(), replay.header(), turns, replay.ending(), replay.warning());
+        return new RecordedMatch(replay.source(), replay.header(), replay.start(), turns, replay.ending(),
+            replay.warning());
     }
 
     /** The last turn that a player was asked in, counted from 1; 0 if it never was. */

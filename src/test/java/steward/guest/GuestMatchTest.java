@@ -88,12 +88,18 @@ class GuestMatchTest {
     void aBotIsFedWhatItWasSent() throws IOException {
         Path file = folder.resolve("x.jsonl");
         match(scene("pairs", 2, ", \"properties\": {\"width\": \"12\"}"), "--out", file.toString());
-        Cli same = Cli.run("feed", file.toString(), "--player", "0", "--run-referee", "--",
-            "sh " + folder.resolve("low.sh"));
-        assertEquals(ExitStatus.DONE, same.status(), same.out() + same.err());
-        String frames = Cli.run("replay", file.toString(), "--frames", "--player", "1",
-            "--run-referee").out();
+        String bot = "sh " + folder.resolve("low.sh");
+        String frames = Cli.run("replay", file.toString(), "--frames", "--player", "1", "--run-referee").out();
         assertTrue(frames.startsWith("setup of 1\nseed=7\nwidth=12\n0\nsetup of 1\nseed=7\nwidth=12\n1\n"), frames);
+        Cli.run("feed", file.toString(), "--player", "0", "--run-referee", "--", bot).done();
+        Files.delete(folder.resolve("standin.py"));
+        assertEquals(frames, Cli.run("replay", file.toString(), "--frames", "--player", "1").done().out());
+        String told = Cli.run("feed", file.toString(), "--player", "0", "--", bot).done().out();
+        assertTrue(told.contains("10 the same, 0 different"), told);
+        Files.writeString(file, Files.readString(file).replace("setup of 1", "setup of 2"));
+        Cli changed = Cli.run("replay", file.toString(), "--frames", "--player", "1");
+        assertEquals(ExitStatus.FAILED, changed.status());
+        assertTrue(changed.err().contains("turn 1 differs when it is played again"), changed.err());
     }
 
     /** A replay from somebody else may name any program of this machine. */
@@ -103,8 +109,8 @@ class GuestMatchTest {
         match(scene("good", 2, ""), "--out", file.toString());
         Files.delete(folder.resolve("standin.py"));
         for (String[] call : new String[][] {{"replay", file.toString(), "--verify"},
-            {"replay", file.toString(), "--frames", "--player", "0"},
-            {"feed", file.toString(), "--player", "0", "--", "true"}}) {
+            {"feed", file.toString(), "--player", "0",
+            "--replace", "--from-turn", "3", "--out", folder.resolve("y.jsonl").toString(), "--", "true"}}) {
             Cli cli = Cli.run(call);
             assertEquals(ExitStatus.UNUSABLE, cli.status(), cli.out());
             assertTrue(cli.err().contains("a program that the replay names, expected --run-referee"), cli.err());

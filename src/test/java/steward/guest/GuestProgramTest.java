@@ -20,8 +20,8 @@ class GuestProgramTest {
         {"classPath": ["a"], "properties": {"seed": "7"}} | 2:57: referee.properties.seed: found a seed, expected \
         none: --seed or the league sets that of each game
         {"classPath": ["a"], "limit": 7} | 2:34: referee.limit: found an unknown field, expected one of "classPath", \
-        "main", "reuse", "mode", "leagueLevels", "leagueLevel", "limitMs", "testIn", "properties", "undetermined"; did you mean \
-        "limitMs"?
+        "main", "reuse", "mode", "leagueLevels", "leagueLevel", "limitMs", "testIn", "properties", \
+        "undetermined"; did you mean "limitMs"?
         {"command": ["a"], "limit": 7} | 2:32: referee.limit: found an unknown field, expected one of "command", \
         "limitMs", "testIn", "properties", "undetermined"; did you mean "limitMs"?
         {"classPath": ["a"], "leagueLevels": 4, "leagueLevel": 5} | 2:68: referee.leagueLevel: found 5, expected a \

@@ -129,7 +129,8 @@ public final class FeedCommand extends ProgramCommand {
         check.that(pause == null || !Debugger.is(bot.words()),
             "--pause is for attaching, expected none with a debugger");
         Protocol spoken = spoken(bot);
-        Resimulation again = new Resimulation(match.header(), referee.types(), match.source());
+        Resimulation again = new Resimulation(match.header(), replace ? null : match.start(),
+            referee.types(), match.source());
         if (spoken == Protocol.CODINGAME && again.setup().textCodec(again.game()).isEmpty()) {
             throw new InputException("--protocol: found codingame, expected json: the scene has no other");
         }

@@ -1,21 +1,19 @@
 package steward.cli.replay;
 
-import java.util.Map;
 import steward.bot.LineBuffer;
 import steward.cli.shared.FailedException;
-import steward.cli.streams.Json;
 import steward.cli.streams.Streams;
 import steward.game.GameTypes;
 import steward.match.Dialogue;
-import steward.numerics.StateHash;
 import steward.replay.RecordedTurn;
+import steward.replay.ReplayException;
 import steward.replay.ReplayReader;
-import steward.replay.verify.Difference;
+import steward.replay.feed.Feed;
 import steward.replay.verify.Resimulation;
 
 /**
- * Prints the lines that one bot was sent in a recorded match. They are not recorded: they follow from the game, which
- * is played again.
+ * Prints the lines that one bot was sent in a recorded match. They follow from the game, which is played again; the
+ * referee of a guest says what is recorded.
  */
 final class FramePrinter {
 
@@ -29,7 +27,7 @@ final class FramePrinter {
      * @throws FailedException if the replay does not say what the game gives, from that turn on
      */
     static void print(Streams streams, ReplayReader replay, int player, GameTypes types) {
-        Resimulation again = new Resimulation(replay.header(), types, replay.source());
+        Resimulation again = new Resimulation(replay.header(), replay.start(), types, replay.source());
         Dialogue frames = Dialogue.of(replay.header().protocols().get(player), again.setup(),
             again.game(), again.codec());
         print(streams, frames.setup(player));
@@ -47,15 +45,10 @@ final class FramePrinter {
     }
 
     private static void play(Resimulation again, RecordedTurn turn) {
-        Difference difference = again.play(turn);
-        if (difference != null) {
-            throw new FailedException(turn.where() + ": cannot be played again: " + difference);
-        }
-        Map<String, Object> outcome = Json.object(turn.outcome());
-        String hash = StateHash.toHex(again.game().hash());
-        if (outcome.containsKey("hash") && !hash.equals(outcome.get("hash"))) {
-            throw new FailedException(turn.where() + ": turn " + turn.number() + " differs when it is played again: "
-                + "what the bot was sent from then on cannot be told");
+        try {
+            Feed.play(again, turn);
+        } catch (ReplayException differs) {
+            throw new FailedException(differs.getMessage());
         }
     }
 

@@ -88,7 +88,7 @@ public final class AnswerCheck {
     private Resimulation again(RecordedMatch match) {
         ReplayHeader header = match.header();
         return header.scene().equals(scene)
-            ? new Resimulation(contest.setup(), header.seed()) : new Resimulation(header, types, match.source());
+            ? new Resimulation(contest.setup(), header.seed()) : new Resimulation(header, null, types, match.source());
     }
 
     /** The last turn before one in which it was late: there it might never answer. */

@@ -92,7 +92,7 @@ public final class TranscriptCheck {
     public RecordedMatch match(String source, byte[] gzip, ExpectedGame expected) throws DisprovedException {
         List<RecordedTurn> turns = new ArrayList<>();
         Playing playing = playing(source, gzip, expected, null, turns);
-        return new RecordedMatch(source, playing.header, turns, playing.game.ending(), null);
+        return new RecordedMatch(source, playing.header, null, turns, playing.game.ending(), null);
     }
 
     private Playing playing(String source, byte[] gzip, ExpectedGame expected, ByteArrayOutputStream replay,

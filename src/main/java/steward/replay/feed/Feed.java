@@ -45,7 +45,7 @@ public final class Feed {
      * @throws IllegalArgumentException     if the scene's game does not speak the protocol
      */
     public Feed(RecordedMatch match, GameTypes types, int player, Protocol protocol, Player bot) {
-        this(match, new Resimulation(match.header(), types, match.source()), player, protocol, bot);
+        this(match, new Resimulation(match.header(), match.start(), types, match.source()), player, protocol, bot);
     }
 
     /**
@@ -92,7 +92,8 @@ public final class Feed {
         return Ending.WHOLE;
     }
 
-    private static void play(Resimulation again, RecordedTurn turn) {
+    /** Plays a recorded turn again. @throws ReplayException if it is another then */
+    public static void play(Resimulation again, RecordedTurn turn) {
         requireSame(turn, again.play(turn));
         checkHash(again.game(), turn);
     }

@@ -67,7 +67,7 @@ public final class Takeover {
                     String bot, OutputStream out) {
         this.match = match;
         this.from = from;
-        again = new Resimulation(match.header(), types, match.source());
+        again = new Resimulation(match.header(), null, types, match.source());
         conversation = new Conversation(again, player, protocol, asked);
         game = again.game();
         names = names(match.header().names(), player, asked.name());

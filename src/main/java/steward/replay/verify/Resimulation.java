@@ -12,6 +12,7 @@ import steward.game.ServerView;
 import steward.game.ViewWriter;
 import steward.json.JsonNumbers;
 import steward.json.LineParser;
+import steward.match.HostedSetup;
 import steward.replay.RecordedTurn;
 import steward.replay.ReplayException;
 import steward.replay.ReplayHeader;
@@ -38,15 +39,17 @@ public final class Resimulation {
     private final ViewWriter views;
     private final LineParser lines = new LineParser();
     private final String[] noFaults;
+    private byte[] outcome;
 
     /**
+     * @param start  of the match as JSON, where what a referee of its own said is enough; {@code null} to run it
      * @param source name of the replay, for errors about its scene
      * @throws ReplayException              if the header says another game or number of players than its scene, or a
      *                                      law that this program does not play
      * @throws steward.scene.json.SceneException if the scene in the header is not one that the known games can play
      */
-    public Resimulation(ReplayHeader header, GameTypes types, String source) {
-        this(header, types, source, null);
+    public Resimulation(ReplayHeader header, byte[] start, GameTypes types, String source) {
+        this(header, start, types, source, null);
     }
 
     /**
@@ -54,18 +57,20 @@ public final class Resimulation {
      *
      * @param views writes what a server would have shown of the match; or {@code null}
      */
-    Resimulation(ReplayHeader header, GameTypes types, String source, ViewWriter views) {
+    Resimulation(ReplayHeader header, byte[] start, GameTypes types, String source, ViewWriter views) {
         this.views = views;
+        outcome = start;
         Scene scene = SceneReader.read(header.scene(), source + " (scene)");
         if (types.hosted() == null || !types.hosted().id().equals(header.game())) {
             checkJar(header, types, source);
         }
         setup = types.open(views == null ? scene : views.observed(scene));
-        if (setup.isHosted() && !types.hosted().isTrusted()) {
+        boolean runs = setup.isHosted() && (start == null || types.hosted().isTrusted());
+        if (runs && !types.hosted().isTrusted()) {
             throw new ReplayException(source + ":1: scene: found a referee of its own, which is a program that the "
                 + "replay names, expected --run-referee: it is run again then");
         }
-        if (setup.isHosted() && !Objects.equals(header.jar(), JarFolder.digestOf(setup))) {
+        if (runs && !Objects.equals(header.jar(), JarFolder.digestOf(setup))) {
             throw new ReplayException(source + ":1: jar: found " + header.jar() + ", expected "
                 + JarFolder.digestOf(setup) + ", which is that of the referee's files here");
         }
@@ -76,7 +81,8 @@ public final class Resimulation {
         }
         checkLaw(header.law(), source);
         serverView = types.serverView(header.game()).orElse(null);
-        game = setup.create(header.seed());
+        game = setup instanceof HostedSetup hosted && !runs ? hosted.recorded(header.seed(), () -> outcome)
+            : setup.create(header.seed());
         codec = setup.codec(game);
         if (views != null) {
             views.begin(game);
@@ -206,6 +212,7 @@ public final class Resimulation {
                 game.eliminate(player, turn.faults()[player]);
             }
         }
+        outcome = turn.outcome();
         return null;
     }
 

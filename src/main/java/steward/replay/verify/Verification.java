@@ -57,8 +57,8 @@ public record Verification(int turns, int states, boolean whole, Difference diff
             return uncompared(replay, null);
         }
         try {
-            Resimulation again = new Resimulation(replay.header(), types, replay.source(), !replay.imported() ? null
-                : types.viewWriter(replay.header().game()).orElse(null));
+            Resimulation again = new Resimulation(replay.header(), null, types, replay.source(),
+                !replay.imported() ? null : types.viewWriter(replay.header().game()).orElse(null));
             try {
                 return of(replay, again, asked);
             } finally {

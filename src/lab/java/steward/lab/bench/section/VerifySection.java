@@ -98,7 +98,7 @@ record VerifySection(MatchFixture fixture) implements Section {
     }
 
     private long again(RecordedMatch match) {
-        Resimulation again = new Resimulation(match.header(), fixture.types(), match.source());
+        Resimulation again = new Resimulation(match.header(), null, fixture.types(), match.source());
         for (RecordedTurn turn : match.turns()) {
             if (again.play(turn) != null) {
                 throw new IllegalStateException("a fresh recording cannot be played again");
