@@ -25,7 +25,6 @@ final class CompletionCommand extends ProgramCommand {
     /** Name of the resource that stands in its place. */
     private static final String WORDS = "/steward/completion.bash";
 
-
     @Spec
     private CommandSpec spec;
 

@@ -28,7 +28,6 @@ final class HelpCommand extends ProgramCommand {
     /** The word for options that several commands take. */
     private static final String SANDBOX = "sandbox";
 
-
     @Spec
     private CommandSpec spec;
 

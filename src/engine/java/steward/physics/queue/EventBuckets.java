@@ -49,7 +49,6 @@ final class EventBuckets {
     /** The number of the present bucket, counted from {@link #base}, and its place in the ring. */
     private long current;
     private int slot;
-    /** Buckets passed so far, in all turns. */
     private long passed;
     /** The bucket number at which the overflow list is redistributed. */
     private long horizon;
@@ -237,7 +236,7 @@ final class EventBuckets {
         return earliest;
     }
 
-    /** Counts the buckets that have been passed so far, in all turns. */
+    /** The number of buckets that have been passed so far, in all turns. */
     long passed() {
         return passed;
     }

@@ -18,22 +18,24 @@ final class LookAhead {
     static final int LEAST_BODIES = 1 << 16;
     /** The wanted number of events at a time: what they need fits into a cache of the second level. */
     private static final int EVENTS = 270;
-    private static final int LEAST_BUCKETS = 16;
+    /** Buckets that are read at first, before it is known how full they are. */
+    private static final int FIRST_BUCKETS = 16;
 
     private final Crowd crowd;
     private final EventBuckets events;
     private final int leastBodies;
     /** The bodies of the next events, then the partners of their impacts. */
     private int[] bodies = new int[0];
+    /** The bodies in the cells around these, some of them several times. */
     private int[] near = new int[0];
-    /** How many buckets are read at a time. */
+    /** Number of buckets that are read at a time. */
     private int buckets;
     /** The number of passed buckets at which the next are read. */
     private long until;
     /** A value that depends on all that was read: otherwise a compiler may leave the reading out. */
     private double read;
 
-    /** @param leastBodies for how many bodies it reads */
+    /** @param leastBodies from how many bodies on it reads */
     LookAhead(Crowd crowd, EventBuckets events, int leastBodies) {
         this.crowd = crowd;
         this.events = events;
@@ -44,7 +46,7 @@ final class LookAhead {
     void begin() {
         boolean reads = crowd.size >= leastBodies;
         until = reads ? 0 : Long.MAX_VALUE;
-        buckets = LEAST_BUCKETS;
+        buckets = FIRST_BUCKETS;
         if (reads && bodies.length == 0) {
             bodies = new int[4 * EVENTS];
             near = new int[64 * EVENTS];
@@ -89,5 +91,10 @@ final class LookAhead {
             sum += state[8 * near[k] + X];
         }
         read = sum;
+    }
+
+    /** The size of its arrays, in bytes. */
+    long bytes() {
+        return 4L * (bodies.length + near.length);
     }
 }

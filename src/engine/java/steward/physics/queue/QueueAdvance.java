@@ -139,7 +139,7 @@ public final class QueueAdvance implements Advance {
 
     /** The size of its arrays after a turn, in bytes: below 200 per body of the capacity, from a capacity of 150 on. */
     public long bytes() {
-        return crowd.bytes() + events.bytes() + search.bytes();
+        return crowd.bytes() + events.bytes() + search.bytes() + lookAhead.bytes();
     }
 
     /** Predicts the events of all bodies, at a time to which all have been moved. */

@@ -63,7 +63,6 @@ final class CapacityCommand extends ProgramCommand {
     /** Share of the processors that others may take while figures mean something. */
     private static final double MOST_BUSY = 0.2;
 
-
     @Option(names = "--workers", paramLabel = "N", defaultValue = "1000", description = "Up to so many workers are "
         + "simulated (default: ${DEFAULT-VALUE}).")
     private int workers;

@@ -40,7 +40,6 @@ public final class CheckCommand extends ProgramCommand {
 
     private static final int WIDTH = 80;
 
-
     @Parameters(index = "0", paramLabel = "BOT", completionCandidates = BuiltinBotWords.class,
         description = "The bot, [NAME=][json:|codingame:]COMMAND.")
     private String bot;

@@ -35,7 +35,6 @@ public final class ExplainCommand extends ProgramCommand {
     private static final int WIDTH = 100;
     private static final String WARNING = "Warning:";
 
-
     @Parameters(index = "0", paramLabel = "SCENE", completionCandidates = ShippedScenes.class,
         description = "A file, - for the standard input, or one of ${COMPLETION-CANDIDATES}.")
     private String scene;

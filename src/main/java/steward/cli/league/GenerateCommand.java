@@ -28,7 +28,6 @@ final class GenerateCommand extends ProgramCommand {
     private static final int MOST_BOTS = 1000;
     private static final int MOST_GAMES = 100_000_000;
 
-
     @Mixin
     private final LeagueArgument league = new LeagueArgument();
 

@@ -38,7 +38,6 @@ final class ImportGamesCommand extends ProgramCommand {
 
     private static final int TOGETHER = 10_000;
 
-
     @Mixin
     private final LeagueArgument league = new LeagueArgument();
 

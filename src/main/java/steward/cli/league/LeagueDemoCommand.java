@@ -36,7 +36,6 @@ final class LeagueDemoCommand extends ProgramCommand {
     /** A demo is no contest: on a busy machine bots get the time they need. */
     private static final double TIME_FACTOR = 10;
 
-
     @Option(names = "--out", paramLabel = "DIR", description = "The folder of the league; it must be new (default: in "
         + "the folder of Steward's own sources build/league-demo, which is replaced; elsewhere a temporary one).")
     private String out;

@@ -35,7 +35,6 @@ final class PruneCommand extends ProgramCommand {
     private static final Pattern AGE = Pattern.compile("([0-9]{1,6})([hd])");
     private static final long A_DAY_MS = TimeUnit.DAYS.toMillis(1);
 
-
     @Mixin
     private final LeagueArgument league = new LeagueArgument();
 

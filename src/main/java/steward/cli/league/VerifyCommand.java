@@ -37,7 +37,6 @@ final class VerifyCommand extends ProgramCommand {
     /** The word of SQLite for a database that is whole. */
     private static final String SOUND = "ok";
 
-
     @Mixin
     private final LeagueArgument league = new LeagueArgument();
 

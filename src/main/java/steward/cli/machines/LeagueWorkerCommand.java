@@ -39,7 +39,6 @@ final class LeagueWorkerCommand extends ProgramCommand {
 
     private static final List<String> ACTIONS = List.of("add", "invite", "revoke", "pardon", "list", "renew");
 
-
     @Parameters(index = "0", paramLabel = "ACTION", description = "add, invite, revoke, pardon, list or "
         + "renew.")
     private String action;

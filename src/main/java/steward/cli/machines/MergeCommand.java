@@ -38,7 +38,6 @@ final class MergeCommand extends ProgramCommand {
 
     private static final int PERCENT = 100;
 
-
     @Mixin
     private final LeagueArgument league = new LeagueArgument();
 

@@ -43,7 +43,6 @@ final class ShardCommand extends ProgramCommand {
     private static final Pattern PART = Pattern.compile("([0-9]{1,5})/([0-9]{1,5})");
     private static final int MOST_PARTS = 10_000;
 
-
     @Mixin
     private final LeagueArgument league = new LeagueArgument();
 

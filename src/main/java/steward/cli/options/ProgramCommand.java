@@ -1,7 +1,6 @@
 package steward.cli.options;
 
 import java.util.concurrent.Callable;
-
 import picocli.CommandLine;
 import steward.cli.streams.Streams;
 

@@ -38,7 +38,6 @@ public final class DemoCommand extends ProgramCommand {
     /** A demo is no contest: on a busy machine bots get the time they need. */
     private static final int TIME_FACTOR = 10;
 
-
     @Option(names = "--out", paramLabel = "FILE",
         description = "Where the replay goes; replaced if it exists (default: a temporary folder; in the folder of "
             + "Steward's own sources build/demo.jsonl).")

@@ -51,7 +51,6 @@ public final class MatchCommand extends ProgramCommand {
 
     private static final int MOST_LEVEL = 20;
 
-
     @Mixin
     private final SceneOptions scene = new SceneOptions();
 

@@ -55,7 +55,6 @@ public final class ImportCommand extends ProgramCommand {
     private static final String RECORDING = "a recording";
     private static final String BYTE_ORDER_MARK = "\uFEFF";
 
-
     @Spec
     private CommandSpec spec;
 

@@ -69,7 +69,6 @@ public final class ReplayCommand extends ProgramCommand {
 
     private static final double MOST_TURNS = 1e9;
 
-
     @Parameters(index = "0", paramLabel = "FILE",
         description = "The replay; - is the standard input.")
     private String file;

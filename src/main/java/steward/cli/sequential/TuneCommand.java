@@ -76,7 +76,6 @@ public final class TuneCommand extends ProgramCommand {
     /** Form of a parameter. Other braces may be the bot's own business. */
     private static final Pattern PLACEHOLDER = Pattern.compile("\\{\\w+:[^{}\"]*}");
 
-
     @Mixin
     private final SceneOptions scene = new SceneOptions();
 

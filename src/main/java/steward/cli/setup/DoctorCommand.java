@@ -22,7 +22,6 @@ public final class DoctorCommand extends ProgramCommand {
     private static final int WIDTH = 80;
     private static final String INDENT = " ".repeat(2 + 5 + NAME);
 
-
     @Option(names = "--json", description = "Prints one JSON object instead; see below.")
     private boolean json;
 

@@ -72,7 +72,6 @@ public final class TournamentCommand extends ProgramCommand {
     private static final List<String> LEVELS = List.of("auto", "strict", "light", "off");
     private static final int MOST_GAMES = 100_000;
 
-
     @Parameters(index = "0", paramLabel = "FOLDER", description = "The folder with the programs.")
     private String folder;
 

@@ -43,7 +43,6 @@ public final class GamesCommand extends ProgramCommand {
 
     private static final int MOST = 1_000_000;
 
-
     @Mixin
     private final LeagueArgument league = new LeagueArgument();
 

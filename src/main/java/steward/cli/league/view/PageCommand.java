@@ -36,7 +36,6 @@ public final class PageCommand extends ProgramCommand {
     /** Kept replays that it has at most. */
     private static final int REPLAYS = 200;
 
-
     @Mixin
     private final LeagueArgument league = new LeagueArgument();
 

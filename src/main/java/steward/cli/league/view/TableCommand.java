@@ -30,7 +30,6 @@ public final class TableCommand extends ProgramCommand {
 
     private static final double NANOS_PER_MS = 1e6;
 
-
     @Mixin
     private final LeagueArgument league = new LeagueArgument();
 
