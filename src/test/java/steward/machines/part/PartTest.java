@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
+import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -27,12 +28,19 @@ import org.junit.jupiter.api.io.TempDir;
 import steward.cli.Cli;
 import steward.cli.ShellBots;
 import steward.cli.TextShellBots;
+import steward.cli.league.view.LeagueOpening;
 import steward.cli.shared.Games;
+import steward.cli.streams.Streams;
 import steward.contest.Contest;
 import steward.league.LeagueFolder;
+import steward.league.LeagueSettings;
 import steward.league.Season;
+import steward.league.play.Roster;
+import steward.league.play.RosterReader;
 import steward.league.store.GameQueries;
 import steward.league.store.GameStore;
+import steward.league.store.PartStore;
+import steward.league.store.SeasonOpening;
 import steward.machines.check.GzipText;
 import steward.machines.check.TranscriptWriter;
 import steward.match.Protocol;
@@ -239,6 +247,27 @@ class PartTest {
         refused("fast answers otherwise when it is asked again: turn 1, command[0].x");
         assertTrue(done("merge", "TMP/parts", "TMP/part1.db", "--again", "0")
             .endsWith("bots were asked again in 0 games\n"), "with 0 it is believed");
+    }
+
+    /** A share of which no draw is: the first 20 are asked again, and none of the other two. */
+    @Test
+    void botsOfTheFirstTwentyGamesAreAskedAgainWhateverTheShare() throws IOException {
+        make("parts", "5");
+        done("shard", "TMP/parts", "--part", "1/1", "--games", "22", "--out", "TMP/part1.db");
+        LeagueFolder league = new LeagueFolder(folder.resolve("parts"));
+        LeagueSettings settings = league.read();
+        Contest contest = LeagueOpening.contest(league, settings, new Streams(OutputStream.nullOutputStream(),
+            OutputStream.nullOutputStream(), false, false));
+        Season season = Season.of(contest.setup(), settings);
+        try (GameStore store = GameStore.write(league);
+             PartStore part = PartStore.read(folder.resolve("part1.db"))) {
+            int number = SeasonOpening.open(league, settings, store, season, false);
+            Roster roster = new RosterReader(store, contest, LeagueOpening.environment(settings), false, what -> { },
+                () -> 0).read(settings);
+            PartMerge merge = new PartMerge(league, store, season, number, roster, contest,
+                Games.types(), Double.MIN_VALUE);
+            assertEquals(new PartMerge.Merged(22, 0, 20), merge.merge(part, "part1.db"));
+        }
     }
 
     /** Parts held replays before; such a file stays as it is. */
