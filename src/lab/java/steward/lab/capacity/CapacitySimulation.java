@@ -18,7 +18,7 @@ public final class CapacitySimulation {
     private static final double NANOS_PER_US = 1e3;
     /** Games before counting begins, for each that can be under way or wait to be stored. */
     private static final int WARM = 10;
-    /** Games that may wait to be stored, as {@link steward.league.store.GameWriter} has it. */
+    /** Games that may wait to be stored or be stored just now, as {@link steward.league.store.GameWriter} has it. */
     private static final int MOST_WAITING = 4096;
 
     private final LeagueCosts costs;
@@ -35,6 +35,7 @@ public final class CapacitySimulation {
     private long order;
     private int idleProcessors;
     private int idleWorkers;
+    private int roomToWait = MOST_WAITING;
 
     private long stored;
     private long began;
@@ -269,12 +270,14 @@ public final class CapacitySimulation {
 
     /** Waits only if very many games wait to be stored. */
     private void handOver() {
-        if (store.waiting.size() >= MOST_WAITING) {
+        if (roomToWait == 0) {
             blocked.add(this::handOver);
             return;
         }
+        roomToWait--;
         step(store, costs.store(), () -> {
             stored++;
+            roomToWait++;
             Runnable waiting = blocked.poll();
             if (waiting != null) {
                 waiting.run();
