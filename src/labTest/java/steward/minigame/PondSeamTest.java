@@ -3,7 +3,6 @@ package steward.minigame;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.ByteArrayInputStream;
 import java.io.DataInputStream;
@@ -14,8 +13,6 @@ import steward.game.Game;
 import steward.game.GameSetup;
 import steward.game.Pilot;
 import steward.lab.calibration.Calibration;
-import steward.lab.calibration.PartJob;
-import steward.lab.calibration.PartPrices;
 import steward.lab.calibration.SeededPlay;
 import steward.lab.timing.RungJob;
 import steward.lab.timing.Timing;
@@ -23,7 +20,6 @@ import steward.lab.timing.TimingEffort;
 import steward.lab.timing.TurnTimer;
 import steward.numerics.SplitMix64;
 import steward.scene.json.SceneException;
-import steward.scene.price.MeasuredPrices;
 
 /** Needs of a second game that the first game could do without: tried on the pond. */
 class PondSeamTest {
@@ -33,8 +29,7 @@ class PondSeamTest {
     /** Times in this JVM. */
     private static final Timing HERE = new Timing(new TimingEffort(1, 1, 0, 0, 0), bytes -> {
         try (DataInputStream job = new DataInputStream(new ByteArrayInputStream(bytes))) {
-            return new TurnTimer(job.readUTF().equals(PartJob.KIND) ? PartJob.read(job).open(PondMatches.TYPES)
-                : RungJob.read(job).open(POND.physics()));
+            return new TurnTimer(RungJob.read(job).open(POND.physics()));
         } catch (IOException impossible) {
             throw new UncheckedIOException(impossible);
         }
@@ -67,13 +62,6 @@ class PondSeamTest {
             assertEquals(game.hash(), copy.hash());
             assertEquals(game.log().impacts(), copy.log().impacts());
         }
-    }
-
-    @Test
-    void aPilotPlaysAndItsPartsHavePrices() {
-        MeasuredPrices prices = new PartPrices(POND.scene(), PondMatches.TYPES).measure(HERE, () -> { });
-        assertTrue(prices.prices().size() > 1, prices.toString());
-        assertTrue(prices.turn().nanos() > 0, prices.toString());
     }
 
     /** Contacts that ask are measured with the reaction that the setup offers for it. */

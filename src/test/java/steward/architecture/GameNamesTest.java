@@ -14,8 +14,7 @@ import org.junit.jupiter.api.Test;
 
 /**
  * No file of the program names a game other than the first, but for its own room and resources, its bots, the list of
- * games, the names of the shipped scenes, what was measured on these, and one view file with its entry in the list of
- * scripts.
+ * games, the names of the shipped scenes, and one view file with its entry in the list of scripts.
  */
 class GameNamesTest {
 
@@ -24,8 +23,7 @@ class GameNamesTest {
 
     /** Where every game has a line. */
     private static final List<String> LISTS = List.of("resources/META-INF/services/steward.game.GameType",
-        "java/steward/scene/SceneFiles.java", "resources/steward/view/page.js",
-        "resources/steward/part-prices.csv");
+        "java/steward/scene/SceneFiles.java", "resources/steward/view/page.js");
 
     /** The ids of the games, as their rooms are called: without the hyphen. */
     private static List<String> games() throws IOException {

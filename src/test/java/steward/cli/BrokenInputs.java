@@ -130,7 +130,7 @@ final class BrokenInputs {
     static List<Kind> kinds() throws IOException {
         List<Kind> kinds = new ArrayList<>();
         for (String scene : List.of("duel", "walled-race")) {
-            kinds.add(Kind.file("scene " + scene, Originals.text(scene), "s.json", "explain FILE --no-prices"));
+            kinds.add(Kind.file("scene " + scene, Originals.text(scene), "s.json", "explain FILE"));
         }
         String figures;
         try (var in = BrokenInputs.class.getResourceAsStream("/scenes/duel.accuracy.json")) {
@@ -138,7 +138,7 @@ final class BrokenInputs {
         }
         kinds.add(new Kind("figures", figures.getBytes(StandardCharsets.UTF_8), "s.accuracy.json",
             List.of("s.json", Originals.DEMAND),
-            "explain s.json --no-prices", Hashes.AS_THEY_ARE));
+            "explain s.json", Hashes.AS_THEY_ARE));
         for (String options : List.of("", "--verify", "--verify --json", "--turn 3", "--turn 3 --json", "--impacts",
                 "--impacts --json", "--json", "--frames --player 1", "--quiet")) {
             Kind kind = Kind.input("replay " + options, options.contains("3") ? Originals.FAULTY : Originals.REPLAY,

@@ -139,7 +139,7 @@ class MainTest {
     @Test
     void explainTakesEveryShippedScene() {
         for (String scene : SceneFiles.shipped()) {
-            Cli cli = Cli.run("explain", scene, "--no-prices");
+            Cli cli = Cli.run("explain", scene);
             assertEquals(ExitStatus.DONE, cli.status(), cli.err());
             assertTrue(cli.out().lines().allMatch(line -> line.length() <= 100), cli.out());
         }
@@ -147,7 +147,7 @@ class MainTest {
 
     @Test
     void explainTellsThePartsAndTheSettings() {
-        Cli cli = Cli.run("explain", "walled-race", "--no-prices");
+        Cli cli = Cli.run("explain", "walled-race");
         assertEquals(ExitStatus.DONE, cli.status());
         assertTrue(cli.out().lines().anyMatch(line -> line.matches("in +walls +4 walls")), cli.out());
         assertTrue(cli.out().lines().anyMatch(line -> line.matches("out +reactions .*")), cli.out());

@@ -22,7 +22,6 @@ import steward.physics.Bodies;
 import steward.physics.TurnLog;
 import steward.scene.SceneFiles;
 import steward.scene.SceneText;
-import steward.scene.price.PartPrice;
 
 /**
  * Price of each part of a turn, from an empty scene where bodies only fly, each in a JVM of its own: {@code ./gradlew
@@ -43,7 +42,7 @@ public class PartBenchmark {
     @Param({"mad-pod-racing", "walled-race"})
     String scene;
 
-    @Param({PartPrice.EMPTY, "pair impacts", "walls", "restitution", "minimum impulse", "push-out",
+    @Param({PartByPartPhysics.EMPTY, "pair impacts", "walls", "restitution", "minimum impulse", "push-out",
         "batch window", "infinite masses", "drag", "velocity rounding", "position rounding", "reactions",
         "broad phase"})
     String part;
@@ -63,8 +62,8 @@ public class PartBenchmark {
         states = new Bodies[STATES];
         Arrays.setAll(states, k -> state(random));
         now = new Bodies(BODIES);
-        step = PartByPartPhysics.of(setup, PartSlices.box(states)).stream().filter(each -> each.part().equals(part))
-            .findFirst().orElseThrow();
+        step = PartByPartPhysics.of(setup).stream().filter(each -> each.part().equals(part)).findFirst()
+            .orElseThrow();
     }
 
     private static Bodies state(SplitMix64 random) {

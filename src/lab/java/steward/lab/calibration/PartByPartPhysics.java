@@ -9,6 +9,7 @@ import steward.physics.Advance;
 import steward.physics.Bodies;
 import steward.physics.Contacts;
 import steward.physics.Contacts.Meaning;
+import steward.physics.HalfPlane;
 import steward.physics.ImpactLaw;
 import steward.physics.ImpactLaw.Restitution;
 import steward.physics.ImpactLaw.ScanOrder;
@@ -20,7 +21,6 @@ import steward.physics.Wall;
 import steward.scene.Accuracy;
 import steward.scene.Part;
 import steward.scene.Scene;
-import steward.scene.price.PartPrice;
 
 /**
  * The physics of a scene put together one part at a time, from an empty scene where bodies only fly: what each part
@@ -33,6 +33,9 @@ import steward.scene.price.PartPrice;
  */
 public final class PartByPartPhysics {
 
+    /** Name of the first step, in which every body flies straight. */
+    public static final String EMPTY = "flying straight";
+
     /** The parts of the physics; one that a game has of its own has no step. */
     private static final Set<String> KNOWN = Set.of(Part.PAIR_IMPACTS, Part.WALLS, Part.RESTITUTION,
         Part.MINIMUM_IMPULSE, Part.BATCH_WINDOW, Part.PUSH_OUT, Part.INFINITE_MASSES, Part.DRAG,
@@ -43,10 +46,13 @@ public final class PartByPartPhysics {
     /** The batch window of the official games. */
     private static final double SOME_WINDOW = 1e-5;
     private static final double SOME_PUSH_OUT = 1e-5;
+    /** Distance of the trial walls in units, beyond all bodies: tested, but not touched. */
+    private static final double FAR = 1e6;
+    private static final List<Wall> SOME_WALLS = List.of(new HalfPlane(-FAR, 0, 1, 0, 1),
+        new HalfPlane(0, -FAR, 0, 1, 1), new HalfPlane(FAR, 0, -1, 0, 1), new HalfPlane(0, FAR, 0, -1, 1));
 
     private final Scene scene;
     private final PhysicsParts full;
-    private final List<Wall> someWalls;
     private final int bodies;
 
     private boolean pairs;
@@ -69,10 +75,9 @@ public final class PartByPartPhysics {
      */
     public record Step(String part, boolean in, PhysicsParts parts, Advance advance, Motion motion) { }
 
-    private PartByPartPhysics(GameSetup setup, List<Wall> someWalls) {
+    private PartByPartPhysics(GameSetup setup) {
         scene = setup.scene();
         bodies = setup.plan().bodies();
-        this.someWalls = someWalls;
         boolean asks = setup.plan().parts().stream().anyMatch(part -> part.name().equals(Part.REACTIONS) && part.in());
         wholeMotion = setup.motion();
         full = setup.plan().physics(asks ? PartByPartPhysics::bounce : null);
@@ -82,24 +87,20 @@ public final class PartByPartPhysics {
         return Reaction.Verdict.BOUNCE;
     }
 
-    /**
-     * The steps of a scene.
-     *
-     * @param someWalls trial walls for a scene without walls
-     */
-    public static List<Step> of(GameSetup setup, List<Wall> someWalls) {
+    /** The steps of a scene. */
+    public static List<Step> of(GameSetup setup) {
         List<Part> parts = setup.plan().parts().stream()
             .filter(part -> KNOWN.contains(part.name()) && (part.in() || !part.name().equals(Part.BROAD_PHASE)))
             .toList();
-        PartByPartPhysics whole = new PartByPartPhysics(setup, someWalls);
+        PartByPartPhysics whole = new PartByPartPhysics(setup);
         List<Step> steps = new ArrayList<>();
-        steps.add(whole.step(PartPrice.EMPTY, true));
+        steps.add(whole.step(EMPTY, true));
         parts.stream().filter(Part::in).forEach(part -> {
             whole.add(part.name(), true);
             steps.add(whole.step(part.name(), true));
         });
         parts.stream().filter(part -> !part.in()).forEach(part -> {
-            PartByPartPhysics more = new PartByPartPhysics(setup, someWalls);
+            PartByPartPhysics more = new PartByPartPhysics(setup);
             parts.stream().filter(Part::in).forEach(in -> more.add(in.name(), true));
             more.add(part.name(), false);
             steps.add(more.step(part.name(), false));
@@ -152,7 +153,7 @@ public final class PartByPartPhysics {
                 pairs = true;
                 law = with(law.separatingPairsReact(), law.batchWindow(), wanted.scanOrder());
             }
-            case Part.WALLS -> walls = in ? full.walls() : someWalls;
+            case Part.WALLS -> walls = in ? full.walls() : SOME_WALLS;
             case Part.RESTITUTION -> law = law.withRestitution(Restitution.MINIMUM);
             case Part.MINIMUM_IMPULSE -> law = in
                 ? law.withMinimumImpulse(wanted.minimumImpulse(), wanted.minimumImpulseAtWalls())

@@ -3,7 +3,6 @@ package steward.lab.cli;
 import java.io.DataInputStream;
 import java.io.IOException;
 import steward.cli.shared.Games;
-import steward.lab.calibration.PartJob;
 import steward.lab.timing.RungJob;
 import steward.lab.timing.TimedTurns;
 import steward.lab.timing.TimingChild;
@@ -22,9 +21,6 @@ public final class TimingMain {
     }
 
     static TimedTurns open(DataInputStream job) throws IOException {
-        if (job.readUTF().equals(PartJob.KIND)) {
-            return PartJob.read(job).open(Games.types());
-        }
         RungJob rung = RungJob.read(job);
         return rung.open(parts(rung.scene()));
     }

@@ -71,21 +71,10 @@ public final class TradeoffCommand extends ProgramCommand {
     @Mixin
     private final CalibrateOptions calibrate = new CalibrateOptions();
 
-    @Mixin
-    private final PartsOption parts = new PartsOption();
-
     @Override
     public Integer call() throws InterruptedException {
         if (json && calibrate.isAsked()) {
             throw new InputException("--calibrate: found --json with it, expected no such option");
-        }
-        if (parts.isAsked()) {
-            if (quick || json || out != null || !scenes.isEmpty() || calibrate.isAsked()) {
-                throw new InputException("--parts: found " + (quick ? "--quick" : json ? "--json"
-                    : out != null ? "--out" : scenes.isEmpty() ? "--calibrate" : "--scene")
-                    + " with it, expected nothing but --overwrite");
-            }
-            return parts.run(streams, tables.overwrite());
         }
         if (calibrate.isAsked()) {
             if (quick || !scenes.isEmpty()) {

@@ -21,14 +21,10 @@ import steward.scene.Accuracy;
  */
 public record RungJob(String scene, Accuracy rung, int bodies, List<Bodies> states) {
 
-    /** The first word of such a job. */
-    public static final String KIND = "rung";
-
     /** The job as it is sent. */
     public byte[] bytes() {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         try (DataOutputStream out = new DataOutputStream(bytes)) {
-            out.writeUTF(KIND);
             writeText(out, scene);
             out.writeUTF(rung.text());
             out.writeInt(bodies);
@@ -40,7 +36,7 @@ public record RungJob(String scene, Accuracy rung, int bodies, List<Bodies> stat
     }
 
     /**
-     * Reads what follows the first word.
+     * Reads a job.
      *
      * @throws IOException if it is cut off
      */
@@ -53,19 +49,14 @@ public record RungJob(String scene, Accuracy rung, int bodies, List<Bodies> stat
         return new StateTurns(states, rung.advance(parts.withArithmetic(rung.arithmetic()), bodies));
     }
 
-    /**
-     * A text of any length.
-     *
-     * @throws IOException if it cannot be written
-     */
-    public static void writeText(DataOutputStream out, String text) throws IOException {
+    /** Writes a text of any length. */
+    private static void writeText(DataOutputStream out, String text) throws IOException {
         byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
         out.writeInt(bytes.length);
         out.write(bytes);
     }
 
-    /** @throws IOException if it is cut off */
-    public static String readText(DataInputStream in) throws IOException {
+    private static String readText(DataInputStream in) throws IOException {
         return new String(in.readNBytes(in.readInt()), StandardCharsets.UTF_8);
     }
 }

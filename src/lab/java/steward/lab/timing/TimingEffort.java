@@ -17,9 +17,6 @@ public record TimingEffort(int repeats, int rounds, double round, double warmLea
     /** One JVM of each kind: a first look. */
     public static final TimingEffort QUICK = new TimingEffort(1, 5, 0.01, 0.2, 1);
 
-    /** Amount for someone who waits: the prices of a scene's parts within a minute. */
-    public static final TimingEffort SOON = new TimingEffort(2, 4, 0.01, 0.15, 0.4);
-
     /** @throws IllegalArgumentException if nothing would be measured */
     public TimingEffort {
         if (repeats < 1 || rounds < 1) {

@@ -57,7 +57,7 @@ public final class TimingSamples {
 
     /** Nanoseconds of a turn in each repeat: the median of its rounds. */
     public double[] medians(int job) {
-        return perRepeat(all -> all[job]);
+        return Arrays.stream(nanos[job]).mapToDouble(Median::of).toArray();
     }
 
     /**
@@ -66,32 +66,5 @@ public final class TimingSamples {
      */
     public double bytes(int job) {
         return bytes[job];
-    }
-
-    /** Value that a round gives when two kinds are compared in it. */
-    @FunctionalInterface
-    public interface OfRound {
-
-        /** @param nanos of a turn of each kind in this round */
-        double value(double[] nanos);
-    }
-
-    /**
-     * A figure of all repeats: for each the median over its rounds.
-     *
-     * @param value computed in each round from the times of all kinds in it
-     */
-    public double[] perRepeat(OfRound value) {
-        double[] medians = new double[repeats()];
-        for (int repeat = 0; repeat < medians.length; repeat++) {
-            int of = repeat;
-            double[] values = new double[nanos[0][repeat].length];
-            for (int round = 0; round < values.length; round++) {
-                int at = round;
-                values[round] = value.value(Arrays.stream(nanos).mapToDouble(job -> job[of][at]).toArray());
-            }
-            medians[repeat] = Median.of(values);
-        }
-        return medians;
     }
 }

@@ -20,14 +20,12 @@ import steward.game.GameSetup;
 import steward.game.GameTypes;
 import steward.game.podrace.protocol.PodRaceType;
 import steward.physics.Advance;
-import steward.physics.Bodies;
 import steward.physics.Motion;
 import steward.physics.PhysicsParts;
 import steward.scene.Accuracy;
 import steward.scene.Part;
 import steward.scene.SceneFiles;
 import steward.scene.SceneReader;
-import steward.scene.price.PartPrice;
 
 /** A turn put together part by part; and what a turn without a part is made of. */
 class PartByPartPhysicsTest {
@@ -41,7 +39,7 @@ class PartByPartPhysicsTest {
     }
 
     private static List<PartByPartPhysics.Step> steps(String scene, String rung) {
-        return PartByPartPhysics.of(open(scene, rung), PartSlices.box(new Bodies[0]));
+        return PartByPartPhysics.of(open(scene, rung));
     }
 
     /** With its last part added, a scene's own engine is complete: prices are of what is really played. */
@@ -60,7 +58,7 @@ class PartByPartPhysicsTest {
         assertEquals(setup.plan().motion(), whole.motion());
         assertEquals(classes(setup.plan().advance(null)), classes(whole.advance()));
 
-        List<String> names = new ArrayList<>(List.of(PartPrice.EMPTY));
+        List<String> names = new ArrayList<>(List.of(PartByPartPhysics.EMPTY));
         setup.plan().parts().stream().filter(part -> part.in() && part.when() == Part.When.PHYSICS)
             .forEach(part -> names.add(part.name()));
         assertEquals(names, in.stream().map(PartByPartPhysics.Step::part).toList());

@@ -61,7 +61,6 @@ class CalibrateTest {
     /** A rung costs the more the farther up it stands, from step/1 on. */
     private static final Timing MADE_TIMES = new Timing(new TimingEffort(1, 1, 0, 0, 0), bytes -> {
         try (DataInputStream job = new DataInputStream(new ByteArrayInputStream(bytes))) {
-            job.readUTF();
             int nanos = 30 + 30 * Accuracy.ladder().indexOf(RungJob.read(job).rung());
             return new TimedPlace() {
                 @Override
@@ -93,7 +92,7 @@ class CalibrateTest {
     void aSceneThatStatesAnErrorIsCalibratedAndPlayed() throws IOException {
         assumeTrue(ShellBots.runnable(), "there is no /bin/sh");
         Path scene = scene("{ \"maxPositionError\": 0.01, \"share\": 0.99 }");
-        Cli uncalibrated = Cli.run("explain", scene.toString(), "--no-prices");
+        Cli uncalibrated = Cli.run("explain", scene.toString());
         assertEquals(ExitStatus.UNUSABLE, uncalibrated.status());
         assertTrue(uncalibrated.err().endsWith("steward tradeoff --calibrate " + scene + "\n"), uncalibrated.err());
 
@@ -105,7 +104,7 @@ class CalibrateTest {
             calibrated.out());
         assertFalse(Files.exists(folder.resolve("mine.accuracy.json.part")));
 
-        String explained = Cli.run("explain", scene.toString(), "--no-prices").out().replaceAll("\\s+", " ");
+        String explained = Cli.run("explain", scene.toString()).out().replaceAll("\\s+", " ");
         assertTrue(explained.matches(".*Accuracy: event/[a-z]+, the cheapest that is off by at most 0.01 u in 99% "
             + "of states: by .*"), explained);
         assertTrue(explained.contains("shown by 1000 (" + figures + "), at "), explained);
@@ -128,7 +127,7 @@ class CalibrateTest {
         CalibrationRun.of(new Streams(new ByteArrayOutputStream(), new ByteArrayOutputStream(), false, false),
             Games.open(scene.toString(), Calibration.PLAYED_ON), folder.resolve("mine.accuracy.json"), 1000,
             MADE_TIMES).run();
-        String explained = Cli.run("explain", scene.toString(), "--no-prices").out();
+        String explained = Cli.run("explain", scene.toString()).out();
         assertTrue(explained.contains("\nAccuracy: step/1, the cheapest"), explained);
         assertTrue(explained.contains("\n  accuracy: advance step, steps 1, arithmetic double\n"), explained);
     }
@@ -261,7 +260,7 @@ class CalibrateTest {
             "{ \"maxPositionError\": 0.01, \"share\": 0.5 }")) {
             Files.writeString(scene, SceneFiles.load(name).text()
                 .replaceFirst("\"accuracy\": \\{[^}]*}", "\"accuracy\": " + demand));
-            Cli explained = Cli.run("explain", scene.toString(), "--no-prices");
+            Cli explained = Cli.run("explain", scene.toString());
             assertEquals(ExitStatus.DONE, explained.status(), explained.err());
             assertTrue(explained.out().replaceAll("\\s+", " ").contains(
                 "shown by " + figures.states() + " (" + folder.resolve("mine.accuracy.json") + ")"), explained.out());

@@ -4,9 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -16,12 +14,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
-import picocli.CommandLine;
 import steward.cli.Cli;
 import steward.cli.Main;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Games;
-import steward.cli.streams.Streams;
 import steward.lab.tradeoff.TradeoffScene;
 import steward.lab.tradeoff.report.TradeoffReport;
 import steward.physics.Bodies;
@@ -82,11 +78,6 @@ class TradeoffCommandTest {
         refused("found a file, expected a folder", "--out", file.toString());
         refused("there is no folder", "--out", folder + "/no/such");
         refused("expected --out", "--overwrite");
-        refused("--parts: found --quick with it", "--parts", "x", "--quick");
-        refused("--parts: found --out with it", "--parts", "x", "--out", "y");
-        refused("--parts: found --scene with it", "--parts", "x", "--scene", "duel");
-        refused("--parts: found --calibrate with it", "--parts", "x", "--calibrate", "duel");
-        refused("cannot be written", "--parts", folder + "/no/such");
         Path broken = Files.writeString(folder.resolve("scene.json"), "{ \"name\": 3 }");
         refused(broken.toString(), "--scene", broken.toString());
         assertEquals("precious", Files.readString(file));
@@ -96,27 +87,6 @@ class TradeoffCommandTest {
         List<String> words = new ArrayList<>(List.of("tradeoff"));
         words.addAll(List.of(more));
         Cli.run(false, words.toArray(new String[0])).assertRefused(message);
-    }
-
-    /** Figures that explain prints are made scene by scene, and replaced when all of them are there. */
-    @Test
-    @Tag("slow")
-    void partsAreMeasuredForTheShippedScenes() throws IOException {
-        Path file = Files.writeString(folder.resolve("parts.csv"), "old");
-        refused("exists already, and is kept", "--parts", file.toString());
-        PartsOption option = CommandLine.populateCommand(new PartsOption(), "--parts", file.toString());
-        ByteArrayOutputStream out = new ByteArrayOutputStream();
-        option.run(new Streams(out, new ByteArrayOutputStream(), false, false), true, List.of("duel", "mean-max"),
-            CalibrateTest.HERE);
-        List<String> lines = Files.readAllLines(file);
-        assertEquals("scene;game;key;rung;part;in;share;error;date;machine", lines.get(0));
-        assertTrue(lines.stream().anyMatch(line -> line.matches(
-            "duel;pod-race;[0-9a-f]{16};event/official;headings;true;-?[0-9]+\\.[0-9]{4};0\\.0000;20.*;.*JDK.*")),
-            String.join("\n", lines));
-        assertTrue(lines.stream().anyMatch(line -> line.startsWith("mean-max;")), String.join("\n", lines));
-        assertFalse(Files.exists(folder.resolve("parts.csv.part")));
-        String said = out.toString(StandardCharsets.UTF_8);
-        assertTrue(said.endsWith("written to " + file + "\n"), said);
     }
 
     /** An interrupted run leaves the scenes that were measured, in files that are whole. */

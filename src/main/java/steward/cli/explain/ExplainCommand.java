@@ -9,12 +9,10 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import steward.cli.options.AccuracyOption;
-import steward.cli.options.CallCheck;
 import steward.cli.options.ProgramCommand;
 import steward.cli.options.ShippedScenes;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Games;
-import steward.cli.shared.Lab;
 import steward.cli.streams.Colour;
 import steward.cli.streams.Json;
 import steward.game.GameSetup;
@@ -26,10 +24,9 @@ import steward.scene.Scene;
 import steward.text.TextFormat;
 
 /** {@code steward explain}: what a scene contains, and which parts of the engine it needs. */
-@Command(name = "explain", description = "Prints what a scene says, which parts of the engine it needs and why, and "
-    + "what each adds to the time of a turn.",
-    footer = {"", "Examples:", "  steward explain walled-race", "  steward explain my-scene.json --measure",
-        "  steward explain my-scene.json --json --no-prices"})
+@Command(name = "explain", description = "Prints what a scene says, and which parts of the engine it needs "
+    + "and why.",
+    footer = {"", "Examples:", "  steward explain walled-race", "  steward explain my-scene.json --json"})
 public final class ExplainCommand extends ProgramCommand {
 
     private static final int WIDTH = 100;
@@ -42,24 +39,14 @@ public final class ExplainCommand extends ProgramCommand {
     @Mixin
     private final AccuracyOption accuracy = new AccuracyOption();
 
-    @Option(names = "--no-prices", description = "Leaves out what the parts cost.")
-    private boolean noPrices;
-
-    @Option(names = "--measure", description = "Measures on this machine what the parts cost, in place of the stored "
-        + "shares: takes about half a minute.")
-    private boolean measure;
-
     @Option(names = "--json", description = "Prints one JSON object instead: parts, accuracy, warnings.")
     private boolean json;
 
     @Override
     public Integer call() {
-        CallCheck.brief().that(!measure || !noPrices, "--measure: found --no-prices with it, expected one of them");
         GameSetup setup = Games.computed(accuracy.open(scene, streams), "explain");
-        PriceList prices = noPrices ? null : measure
-            ? PriceList.measured(setup, Lab.of("--measure").measurePrices(streams, setup)) : PriceList.stored(setup);
         if (json) {
-            ExplainJson.print(streams, setup, prices);
+            ExplainJson.print(streams, setup);
             return ExitStatus.DONE;
         }
         PrintStream out = streams.out();
@@ -67,15 +54,11 @@ public final class ExplainCommand extends ProgramCommand {
         out.println("Parts of the engine that " + setup.scene().name() + " needs, and those left out:");
         out.println();
         Colour colour = streams.outColour();
-        out.print(PlanTable.of(setup.plan(), part -> noPrices ? "" : prices.of(part), (part, line) -> {
+        out.print(PlanTable.of(setup.plan(), (part, line) -> {
             String wrapped = TextFormat.wrap(line, ", ", WIDTH, " ".repeat(line.length() - part.why().length()));
             return part.in() ? wrapped : colour.faint(wrapped);
         }));
         out.println();
-        if (!noPrices) {
-            out.println(TextFormat.wrap(prices.legend(), " ", WIDTH, ""));
-            out.println();
-        }
         AccuracyChoice choice = setup.plan().accuracy();
         out.println(TextFormat.wrap("Accuracy: " + choice.rung() + ", " + choice.why(), " ", WIDTH, "  "));
         if (choice.met().size() > 1) {

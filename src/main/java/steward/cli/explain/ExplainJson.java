@@ -15,17 +15,13 @@ final class ExplainJson {
 
     private ExplainJson() { }
 
-    /**
-     * @param prices {@code null} for none; otherwise each part that has one has a field, {@code nanosPerTurn} if they
-     *               were measured here, {@code shareOfTurn} if they are stored
-     */
-    static void print(Streams streams, GameSetup setup, PriceList prices) {
+    static void print(Streams streams, GameSetup setup) {
         Scene scene = setup.scene();
         Json.print(streams, out -> {
             out.writeStringProperty("scene", scene.name());
             out.writeStringProperty("game", scene.gameId());
             out.writeNumberProperty("players", scene.players());
-            JsonObject.writeEach(out, "parts", setup.plan().parts(), part -> part(out, part, prices));
+            JsonObject.writeEach(out, "parts", setup.plan().parts(), part -> part(out, part));
             AccuracyChoice choice = setup.plan().accuracy();
             out.writeObjectPropertyStart("accuracy");
             out.writeStringProperty("rung", choice.rung().text());
@@ -39,16 +35,12 @@ final class ExplainJson {
         });
     }
 
-    private static void part(JsonGenerator out, Part part, PriceList prices) {
+    private static void part(JsonGenerator out, Part part) {
         out.writeStartObject();
         out.writeStringProperty("name", part.name());
         out.writeBooleanProperty("in", part.in());
         out.writeStringProperty("why", part.why());
         out.writeStringProperty("when", part.when().name().toLowerCase(Locale.ROOT));
-        double price = prices == null ? Double.NaN : prices.number(part);
-        if (!Double.isNaN(price)) {
-            out.writeNumberProperty(prices.isMeasured() ? "nanosPerTurn" : "shareOfTurn", price);
-        }
         out.writeEndObject();
     }
 }

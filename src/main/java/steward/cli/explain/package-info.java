@@ -1,2 +1,2 @@
-/** The command {@code explain}: parts of a scene and their prices. */
+/** The command {@code explain}: parts of a scene. */
 package steward.cli.explain;

@@ -7,19 +7,13 @@ import java.util.concurrent.Callable;
 import java.util.function.Consumer;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Unmatched;
-import steward.cli.streams.Streams;
 import steward.files.InputException;
-import steward.game.GameSetup;
-import steward.scene.price.MeasuredPrices;
 
-/** Commands and measurements that the lab's jar offers; the program works without that jar. */
+/** Commands and checks that the lab's jar offers; the program works without that jar. */
 public interface Lab {
 
     /** Creates one of the lab's commands: stability, tradeoff, bench or league capacity. */
     Object command(String name);
-
-    /** Measures what the parts of a scene add to a turn, each in JVMs of its own; shows progress on a terminal. */
-    MeasuredPrices measurePrices(Streams streams, GameSetup setup);
 
     /**
      * Plays made-up leagues and prints tables of how often bars and tests held.

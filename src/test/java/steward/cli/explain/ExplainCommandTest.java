@@ -12,26 +12,15 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.junit.jupiter.params.provider.MethodSource;
 import steward.cli.Cli;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Games;
-import steward.game.GameSetup;
 import steward.scene.Part;
 import steward.scene.SceneFiles;
-import steward.scene.SceneKey;
-import steward.scene.price.MeasuredPrices;
-import steward.scene.price.PartPrice;
-import steward.scene.price.StoredPartPrices;
 import tools.jackson.databind.JsonNode;
 
-/** {@code steward explain}: the parts of a scene and their prices. */
+/** {@code steward explain}: the parts of a scene. */
 class ExplainCommandTest {
-
-    /** The shipped scenes whose parts have stored prices: those of games between players. */
-    static List<String> priced() {
-        return SceneFiles.shipped().stream().filter(name -> Games.open(name).scene().players() > 0).toList();
-    }
 
     /** Parts that each shipped scene needs, and nothing else. */
     @ParameterizedTest
@@ -51,9 +40,9 @@ class ExplainCommandTest {
     }
 
     @Test
-    void withoutPricesItSaysTheSameEveryTime() {
-        Cli cli = Cli.run("explain", "duel", "--no-prices");
-        assertEquals(cli, Cli.run("explain", "duel", "--no-prices"));
+    void itSaysTheSameEveryTime() {
+        Cli cli = Cli.run("explain", "duel");
+        assertEquals(cli, Cli.run("explain", "duel"));
         assertTrue(cli.out().startsWith("""
             Parts of the engine that duel needs, and those left out:
 
@@ -65,13 +54,13 @@ class ExplainCommandTest {
     @Test
     void onTheExactRungItSaysWhatExactMeans() {
         String said = "  its decisions are right within a turn; the state is rounded at its end as on every rung:";
-        assertTrue(Cli.run("explain", "walled-race", "--no-prices", "--accuracy", "exact").out().contains(said));
-        assertFalse(Cli.run("explain", "walled-race", "--no-prices").out().contains(said));
+        assertTrue(Cli.run("explain", "walled-race", "--accuracy", "exact").out().contains(said));
+        assertFalse(Cli.run("explain", "walled-race").out().contains(said));
     }
 
     @Test
     void forProgramsItIsOneObject() {
-        JsonNode explained = Cli.run("explain", "duel", "--json", "--no-prices").json();
+        JsonNode explained = Cli.run("explain", "duel", "--json").json();
         assertEquals("duel pod-race 2", explained.get("scene").stringValue() + " "
             + explained.get("game").stringValue() + " " + explained.get("players").intValue());
         assertEquals(14, explained.get("parts").size());
@@ -90,10 +79,10 @@ class ExplainCommandTest {
         String warning = odd + ":24:26: race.maps[0].checkpoints[3]: found a checkpoint that no pod can reach at some "
             + "jitter: what counts is behind or under the right wall, expected a place nearer than 600 u to where pods "
             + "can be";
-        Cli cli = Cli.run("explain", odd.toString(), "--json", "--no-prices");
+        Cli cli = Cli.run("explain", odd.toString(), "--json");
         assertEquals("", cli.err());
         assertEquals(warning, cli.json().get("warnings").get(0).stringValue());
-        String text = Cli.run("explain", odd.toString(), "--no-prices").out();
+        String text = Cli.run("explain", odd.toString()).out();
         assertTrue(text.startsWith("Warning: ") && text.replaceAll("\\s+", " ").contains(warning), text);
         Cli match = Cli.run("match", "--scene", odd.toString(), "--bot", "builtin:racer", "--bot", "builtin:racer",
             "--no-deadline", "--quiet");
@@ -109,74 +98,5 @@ class ExplainCommandTest {
         assertEquals(ExitStatus.UNUSABLE, refused.status());
         assertTrue(refused.err().startsWith("steward: " + impossible
             + ":23:26: race.maps[0].checkpoints[0]: found pod "), refused.err());
-    }
-
-    /** At once, from what was measured once: each scene's own shares; every part that has been measured has one. */
-    @ParameterizedTest
-    @MethodSource("priced")
-    void aShippedSceneHasItsStoredShares(String scene) {
-        Cli cli = Cli.run("explain", scene);
-        assertEquals(ExitStatus.DONE, cli.status(), cli.err());
-        List<Part> parts = Games.open(scene).plan().parts();
-        List<String> lines = cli.out().lines().filter(line -> line.matches("(in|out) .*")).toList();
-        assertEquals(parts.size(), lines.size(), cli.out());
-        for (String line : lines) {
-            assertTrue(line.matches("in +<?-?[0-9]+%  [a-z].*|out +\\(<?-?[0-9]+%\\)  [a-z].*|out +broad phase .*"),
-                line);
-        }
-        String told = cli.out().replaceAll("\\s+", " ");
-        assertTrue(told.matches(".* Stored for " + scene + " on event/(official|double), measured 20[0-9-]{8}: .* "
-            + "JDK .*"), told);
-    }
-
-    /** The file is of the scenes as they are: a change of a scene or of its parts needs new figures. */
-    @ParameterizedTest
-    @MethodSource("priced")
-    void theStoredSharesAreOfTheScenesAsTheyAre(String scene) {
-        GameSetup setup = Games.open(scene);
-        List<StoredPartPrices.Row> rows = StoredPartPrices.all().stream().filter(row -> row.scene().equals(scene))
-            .toList();
-        for (StoredPartPrices.Row row : rows) {
-            assertEquals(SceneKey.of(setup.scene()), row.key(), "made by steward tradeoff --parts");
-            assertEquals(setup.scene().accuracy().text(), row.rung());
-            assertEquals(setup.scene().gameId(), row.game());
-        }
-        for (Part part : setup.plan().parts()) {
-            boolean measured = rows.stream().anyMatch(row -> row.part().equals(part.name()) && row.in() == part.in());
-            assertEquals(part.in() || !part.name().equals(Part.BROAD_PHASE), measured, scene + ": " + part.name());
-        }
-    }
-
-    /** A scene of one's own: the medians of the shipped scenes of its game. */
-    @Test
-    void anotherSceneHasTheSharesOfItsGame(@TempDir Path folder) throws IOException {
-        Path mine = Files.writeString(folder.resolve("mine.json"),
-            SceneFiles.load("duel").text().replace("\"laps\": 1", "\"laps\": 2"));
-        String told = Cli.run("explain", mine.toString()).out().replaceAll("\\s+", " ");
-        assertTrue(told.contains("Stored, the medians of duel, mad-pod-racing-silver, mad-pod-racing, walled-race on "
-            + "event/official, event/double, measured "), told);
-        JsonNode json = Cli.run("explain", mine.toString(), "--json").json();
-        assertTrue(json.get("parts").get(0).get("shareOfTurn").isNumber(), json.toString());
-    }
-
-    /** Made-up prices: in nanoseconds, in brackets for a part that is left out, and no less than can be told apart. */
-    @Test
-    void measuredPricesAreToldInNanoseconds() {
-        GameSetup setup = Games.open("duel");
-        Part in = setup.plan().parts().get(0);
-        Part out = setup.plan().parts().get(1);
-        PriceList prices = PriceList.measured(setup, new MeasuredPrices(List.of(
-            new PartPrice(PartPrice.EMPTY, true, 20, 0), new PartPrice(in.name(), true, 150.4, 2),
-            new PartPrice(out.name(), false, 3, 5)), new PartPrice("", true, 400, 0), 7));
-        assertEquals("150 ns", prices.of(in));
-        assertEquals("(<5 ns)", prices.of(out));
-        assertEquals("", prices.of(setup.plan().parts().get(2)));
-        assertTrue(prices.legend().matches("A turn takes 400 ns here, 20 ns of them .* Measured now on "
-            + "event/official, .* of 7 rounds; .*"), prices.legend());
-    }
-
-    @Test
-    void measuringAndLeavingOutContradictEachOther() {
-        Cli.run("explain", "duel", "--measure", "--no-prices").assertRefused("--measure: found --no-prices with it");
     }
 }

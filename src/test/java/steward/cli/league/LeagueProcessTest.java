@@ -182,7 +182,7 @@ class LeagueProcessTest {
         List<List<String>> calls = List.of(List.of("match", "--scene", "short.json", "--bot",
                 "codingame:sh 'text pod.sh' drive 0", "--bot", "codingame:sh 'text pod.sh' stay 0", "--games", "2",
                 "--out", "games"),
-            List.of("replay", "games/game-0001.jsonl", "--verify"), List.of("explain", "short.json", "--no-prices"),
+            List.of("replay", "games/game-0001.jsonl", "--verify"), List.of("explain", "short.json"),
             List.of("--help"), List.of("league", "table", "none"));
         List<String> words = new ArrayList<>(command);
         words.add(SeveralCalls.class.getName());

@@ -111,9 +111,9 @@ class AccuracyOptionTest {
 
     @Test
     void explainSaysWhichRungAndWhy() {
-        assertTrue(Cli.run("explain", "duel", "--no-prices").out()
+        assertTrue(Cli.run("explain", "duel").out()
             .contains("\nAccuracy: event/official, as the scene says\n"));
-        String out = Cli.run("--cli", "explain duel --no-prices --accuracy step/2").out();
+        String out = Cli.run("--cli", "explain duel --accuracy step/2").out();
         assertTrue(out.contains("\nAccuracy: step/2, as the call says; the scene's own is event/official\n"), out);
         assertTrue(out.contains("\n  accuracy: advance step, steps 2, arithmetic double\n"), out);
     }

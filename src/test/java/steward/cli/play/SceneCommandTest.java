@@ -46,7 +46,7 @@ class SceneCommandTest {
     @Test
     void aSceneIsTakenFromTheStandardInput() {
         String duel = Cli.run("scene", "duel").out();
-        assertEquals(Cli.run("explain", "duel", "--no-prices").out(), explained(duel, ExitStatus.DONE));
+        assertEquals(Cli.run("explain", "duel").out(), explained(duel, ExitStatus.DONE));
         String refusal = explained("{ }}", ExitStatus.UNUSABLE);
         assertTrue(refusal.startsWith("steward: standard input:1:"), refusal);
     }
@@ -55,7 +55,7 @@ class SceneCommandTest {
         ByteArrayOutputStream out = new ByteArrayOutputStream();
         Streams streams = new Streams(new ByteArrayInputStream(scene.getBytes(StandardCharsets.UTF_8)), false, out, out,
             false, false);
-        assertEquals(status, Main.run(streams, "explain", "-", "--no-prices"));
+        assertEquals(status, Main.run(streams, "explain", "-"));
         return out.toString(StandardCharsets.UTF_8);
     }
 
