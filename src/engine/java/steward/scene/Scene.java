@@ -35,16 +35,6 @@ public record Scene(String name, String gameId, int players, Optional<Field> fie
         return choice.rung();
     }
 
-    /** True if velocities become whole numbers at the end of a turn. */
-    public boolean roundsVelocity() {
-        return motion.step(Motion.Of.VELOCITY) != null;
-    }
-
-    /** True if positions become whole numbers at the end of a turn. */
-    public boolean roundsPosition() {
-        return motion.step(Motion.Of.POSITION) != null;
-    }
-
     /** Returns this scene with another observer, for measurements inside turns. */
     @Internal
     public Scene withObserver(PhysicsObserver other) {

@@ -18,6 +18,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import steward.physics.Arithmetic;
 import steward.physics.ImpactLaw;
+import steward.physics.Motion;
 import steward.scene.json.Block;
 import steward.scene.json.SceneException;
 
@@ -75,7 +76,8 @@ class SceneFilesTest {
             Scene scene = fromFolder(name);
             assertEquals(ImpactLaw.OFFICIAL_POD_RACE, scene.law());
             assertEquals(Arithmetic.OFFICIAL, scene.accuracy().arithmetic());
-            assertTrue(scene.roundsVelocity() && scene.roundsPosition() && scene.field().isEmpty());
+            assertTrue(scene.motion().step(Motion.Of.VELOCITY) != null
+                && scene.motion().step(Motion.Of.POSITION) != null && scene.field().isEmpty());
         }
     }
 

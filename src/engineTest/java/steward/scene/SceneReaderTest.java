@@ -26,6 +26,12 @@ class SceneReaderTest {
         "name": "s", "game": "g", "players": 3, "time": { "firstAnswerMs": 1000, "answerMs": 75 },
         "accuracy": { "advance": "event", "arithmetic": "official" }""";
 
+    /** Whether velocities and places become whole numbers at the end of a turn. */
+    private static List<Boolean> roundings(Scene scene) {
+        return List.of(scene.motion().step(Motion.Of.VELOCITY) != null,
+            scene.motion().step(Motion.Of.POSITION) != null);
+    }
+
     @Test
     void whatIsAbsentIsPlainPhysics() {
         Scene scene = scene("");
@@ -36,7 +42,7 @@ class SceneReaderTest {
         assertEquals(ImpactLaw.PHYSICS, scene.law());
         assertEquals(ImpactLaw.PHYSICS, scene(", \"impacts\": {}").law());
         assertEquals(0, scene.drag());
-        assertEquals(List.of(false, false), List.of(scene.roundsVelocity(), scene.roundsPosition()));
+        assertEquals(List.of(false, false), roundings(scene));
         assertEquals(new Time(1000, 75), scene.time());
         assertEquals(Accuracy.event(Arithmetic.OFFICIAL), scene.accuracy());
     }
@@ -55,7 +61,7 @@ class SceneReaderTest {
     void motionIsReadFieldByField() {
         Scene scene = scene(", \"motion\": { \"drag\": 0.15, \"position\": \"round\" }");
         assertEquals(0.15, scene.drag());
-        assertEquals(List.of(false, true), List.of(scene.roundsVelocity(), scene.roundsPosition()));
+        assertEquals(List.of(false, true), roundings(scene));
     }
 
     @Test

@@ -34,11 +34,6 @@ public record Failure(int player, int turn, String reason, List<String> stderr, 
         hints = List.copyOf(hints);
     }
 
-    /** One beside which no bot burned. */
-    public Failure(int player, int turn, String reason, List<String> stderr, List<String> hints, TimeSpent time) {
-        this(player, turn, reason, stderr, hints, time, null);
-    }
-
     /** One that is not of time. */
     public Failure(int player, int turn, String reason, List<String> stderr, List<String> hints) {
         this(player, turn, reason, stderr, hints, null, null);

@@ -263,14 +263,14 @@ public final class Schedule {
         if (players == 1) {
             lineups = active.stream().map(version -> new int[] {version}).toList();
         } else {
-            int[] versions = done.isEmpty() ? choose(number) : Decision.sorted(done.get(0));
+            int[] versions = done.isEmpty() ? choose(number) : Lineups.sorted(done.get(0));
             if (versions == null) {
                 ended = true;
                 next--;
                 return;
             }
             made(1, versions);
-            lineups = Decision.rotations(versions);
+            lineups = Lineups.rotations(versions);
         }
         for (int[] lineup : lineups) {
             boolean playable = Arrays.stream(lineup).allMatch(active::contains);

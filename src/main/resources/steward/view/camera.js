@@ -27,14 +27,6 @@ export class Camera {
     return this.offsetY + units * this.scale;
   }
 
-  unitX(pixels) {
-    return (pixels - this.offsetX) / this.scale;
-  }
-
-  unitY(pixels) {
-    return (pixels - this.offsetY) / this.scale;
-  }
-
   /** The size of the canvas, the box that is the whole, and the strip at the top that is covered. */
   resize(width, height, box, covered) {
     const isFirst = this.width === 1 || !this.isMoved;
@@ -107,12 +99,6 @@ export class Camera {
     this.offsetX += dx;
     this.offsetY += dy;
     this.isHeld = true;
-  }
-
-  /** Back to the whole field. */
-  reset() {
-    this.isHeld = false;
-    this.follow = 'field';
   }
 
   setFollow(mode) {

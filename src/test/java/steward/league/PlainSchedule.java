@@ -82,7 +82,7 @@ final class PlainSchedule {
             List<Integer> group = done.isEmpty() ? leastPlayed()
                 : Arrays.stream(done.get(0)).sorted().boxed().toList();
             made.add(group);
-            lineups.addAll(Decision.rotations(group.stream().mapToInt(version -> version).toArray()));
+            lineups.addAll(Lineups.rotations(group.stream().mapToInt(version -> version).toArray()));
         }
         for (int[] lineup : lineups) {
             if (isPlayable(lineup) && done.stream().noneMatch(each -> Arrays.equals(each, lineup))) {

@@ -99,7 +99,7 @@ class ScheduleTest {
         for (Schedule.Task task = schedule.next(300); task != null; task = schedule.next(300)) {
             boolean alike = Arrays.stream(task.lineup()).sum() == 3;
             repeated.add(task.decision(), alike ? 7 + task.lineup()[0] : task.seed(), task.lineup());
-            counts.merge(Decision.sorted(task.lineup())[0] + " " + Decision.sorted(task.lineup())[1], 1, Integer::sum);
+            counts.merge(Lineups.sorted(task.lineup())[0] + " " + Lineups.sorted(task.lineup())[1], 1, Integer::sum);
             schedule.over(task);
         }
         assertEquals(22, counts.get("1 2"), "two that are new and twenty that repeat them");
@@ -318,7 +318,7 @@ class ScheduleTest {
         }
         int[] versions = chosen.stream().mapToInt(bot -> bot).toArray();
         List<int[]> lineups = players == 1 ? chosen.stream().map(bot -> new int[] {bot}).toList()
-            : Decision.rotations(versions);
+            : Lineups.rotations(versions);
         boolean whole = random.nextInt(5) > 0;
         List<int[]> games = new ArrayList<>();
         for (int[] lineup : lineups) {

@@ -76,7 +76,7 @@ public final class Timing {
                 int job = k;
                 all.add(threads.submit(() -> {
                     places[job] = start.apply(jobs.get(job));
-                    samples.warmed(places[job].warmUp(effort.warmLeast(), effort.warmMost()));
+                    places[job].warmUp(effort.warmLeast(), effort.warmMost());
                     step.run();
                 }));
             }

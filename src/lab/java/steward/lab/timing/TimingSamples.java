@@ -8,7 +8,6 @@ public final class TimingSamples {
 
     private final double[][][] nanos;
     private final double[] bytes;
-    private int unsteady;
 
     /** @param jobs how many kinds */
     TimingSamples(int jobs, int repeats, int rounds) {
@@ -20,15 +19,6 @@ public final class TimingSamples {
     void add(int job, int repeat, int round, Stretch stretch) {
         nanos[job][repeat][round] = stretch.nanos();
         bytes[job] = Double.isNaN(stretch.bytes()) ? Double.NaN : Math.min(bytes[job], stretch.bytes());
-    }
-
-    synchronized void warmed(boolean steady) {
-        unsteady += steady ? 0 : 1;
-    }
-
-    /** Returns how many warm-ups ended before times were steady. */
-    public synchronized int unsteady() {
-        return unsteady;
     }
 
     /** Returns how many rounds each kind has, of all repeats together. */

@@ -64,11 +64,6 @@ public final class HostedProcess {
             ? FaultMessages.exited(group.process().exitValue()) : "closed its output before answering";
     }
 
-    /** True if the first process has not exited. */
-    public boolean isAlive() {
-        return group.process().isAlive();
-    }
-
     /** Kills whatever is left of it, from any thread. */
     public void close() {
         group.kill();

@@ -54,12 +54,7 @@ public final class MatchText {
         return line.toString();
     }
 
-    /** Everything about the result, and more about the players that failed. */
-    public static void print(PrintStream out, String scene, long seed, MatchResult result, List<Failure> failures) {
-        print(out, Colour.NONE, scene, seed, result, failures);
-    }
-
-    /** Prints as {@link #print(PrintStream, String, long, MatchResult, List)} does, in colours. */
+    /** Prints everything about the result, and more about the players that failed. */
     public static void print(PrintStream out, Colour colour, String scene, long seed, MatchResult result,
                              List<Failure> failures) {
         out.println(colour.strong(headline(scene, seed, result)));

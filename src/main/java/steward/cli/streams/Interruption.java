@@ -1,6 +1,5 @@
 package steward.cli.streams;
 
-import java.nio.file.Path;
 import java.util.function.Supplier;
 
 /**
@@ -12,11 +11,6 @@ public final class Interruption implements AutoCloseable {
     private final EndHooks hooks;
     private final Thread hook;
     private volatile boolean over;
-
-    /** @param file the replay, or {@code null} to print nothing */
-    public Interruption(Streams streams, Path file) {
-        this(streams, file == null ? null : "the turns so far are in " + file);
-    }
 
     /** @param kept says where the results so far are, or {@code null} to print nothing */
     public Interruption(Streams streams, String kept) {

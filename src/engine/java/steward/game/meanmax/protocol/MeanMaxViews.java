@@ -24,8 +24,6 @@ final class MeanMaxViews implements ViewWriter {
 
     private static final int LONGEST_MESSAGE = 19;
     private static final int KEPT = 17;
-    /** Lines of a view after a turn before its messages: the number, scores and rages. */
-    private static final int FIRST_MESSAGE = 7;
 
     private MeanMax game;
     private MeanMaxMoments moments;

@@ -51,19 +51,6 @@ public final class PodRaceAnswer extends CommandsAnswer<Void> {
         }
     }
 
-    double x(int pod) {
-        return targetX[pod];
-    }
-
-    double y(int pod) {
-        return targetY[pod];
-    }
-
-    /** An ordinary thrust, {@link PodRace#SHIELD} or {@link PodRace#BOOST}. */
-    int thrust(int pod) {
-        return thrust[pod];
-    }
-
     /** The usual answer: no message, the fields in the order of the manual. */
     @Override
     protected boolean isPlain(byte[] line, int length) {

@@ -4,15 +4,10 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 
-/**
- * Decision of the schedule: some bots on one seed, every one of them on every seat; alone, each of them on the same
- * map.
- *
- * @param number  counted from 0
- * @param seed    of all its games
- * @param lineups the versions by seat, one array for each game
- */
-public record Decision(int number, long seed, List<int[]> lineups) {
+/** Lineups of a decision of the schedule: the same bots on one seed, every one of them on every seat. */
+final class Lineups {
+
+    private Lineups() { }
 
     /** All ways to move these versions up by a place. */
     static List<int[]> rotations(int... versions) {
