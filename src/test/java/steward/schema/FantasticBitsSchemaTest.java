@@ -99,6 +99,7 @@ class FantasticBitsSchemaTest {
         "batchWindow": 1e-5, |                              | false
         "minimumImpulse": 100| "minimumImpulse": 101        | false
         "minimumImpulse": 100| "minimumImpulse": 100, "deadZone": 1 | false
+        "minimumImpulse": 100| "minimumImpulse": 100, "restSpeed": 1 | false
         "pushOut": 1e-5      | "pushOut": 1e-5, "maximumImpactsPerTurn": 9 | true
         "arithmetic": "official" | "arithmetic": "exact"    | true
         """)

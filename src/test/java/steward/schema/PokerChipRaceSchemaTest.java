@@ -108,7 +108,9 @@ class PokerChipRaceSchemaTest {
         "chips"             | "impacts": {"maximumImpactsPerTurn": 9}, "chips" | true
         "chips"             | "impacts": {"pushOut": 1e-5}, "chips" | false
         "chips"             | "impacts": {"minimumImpulse": 3}, "chips" | false
+        "chips"             | "impacts": {"restSpeed": 1}, "chips" | false
         "arithmetic": "official" | "arithmetic": "exact"   | true
+        "official" }        | "exact" }, "impacts": {"restSpeed": 1} | true
         """)
     void readerAndSchemaAgree(String part, String instead, boolean valid) {
         String scene = TestScenes.text("poker-chip-race");
