@@ -45,6 +45,7 @@ record GuestProgram(List<String> command, List<String> classPath, String main, S
         "-XX:TieredStopAtLevel=1",
         "-XX:+UnlockExperimentalVMOptions", "-XX:hashCode=2", "-Dfile.encoding=UTF-8",
         "--add-opens", "java.base/java.lang=ALL-UNNAMED");
+    private static final String MODE = "game.mode";
     static final String LEVEL = "league.level";
     /** Field of a scene: how many levels its referee is known to have. */
     static final String LEVELS = "leagueLevels";
@@ -72,7 +73,7 @@ record GuestProgram(List<String> command, List<String> classPath, String main, S
             main = block.has("main") ? block.text("main") : SDK_MAIN;
             boolean kept = block.choice("reuse", Map.of("classes", true, "nothing", false), false);
             String mode = block.choice("mode", Map.of("multi", "multi", SOLO, SOLO), "multi");
-            system.put("game.mode", mode);
+            system.put(MODE, mode);
             int levels = block.integer(LEVELS, 1, MOST_LEVEL, MOST_LEVEL);
             if (block.has("leagueLevel")) {
                 system.put(LEVEL, Integer.toString(block.integer("leagueLevel", 1, levels)));
@@ -128,6 +129,11 @@ record GuestProgram(List<String> command, List<String> classPath, String main, S
     /** True if one process plays game after game. */
     boolean isResident() {
         return !classPath.isEmpty();
+    }
+
+    /** True if its games are for one player. */
+    boolean isSolo() {
+        return SOLO.equals(system.get(MODE));
     }
 
     /** Entries of the class path, or words of the command that are files. */

@@ -60,6 +60,10 @@ public final class GuestType implements GameType {
             throw scene.root().error("players", "0", "1.." + MOST_PLAYERS + ", as many as its referee is for");
         }
         GuestProgram program = GuestProgram.read(scene.root());
+        if (program.isSolo() && scene.players() != 1) {
+            throw scene.root().error("players", Integer.toString(scene.players()),
+                "1: the mode of its referee is " + GuestProgram.SOLO);
+        }
         scene.root().done();
         return new Setup(scene, program, Plan.of(scene, new Contacts(1), 1, false, List.of()),
             new RefereeDigest(program), Isolation::usual);

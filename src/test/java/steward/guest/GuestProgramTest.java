@@ -24,6 +24,7 @@ class GuestProgramTest {
         "undetermined"; did you mean "limitMs"?
         {"command": ["a"], "limit": 7} | 2:32: referee.limit: found an unknown field, expected one of "command", \
         "limitMs", "testIn", "properties", "undetermined"; did you mean "limitMs"?
+        {"classPath": ["a"], "mode": "solo"} | 1:43: players: found 2, expected 1: the mode of its referee is solo
         {"classPath": ["a"], "leagueLevels": 4, "leagueLevel": 5} | 2:68: referee.leagueLevel: found 5, expected a \
         whole number 1..4
         """)

@@ -9,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -25,7 +26,7 @@ class GuestSchemaTest {
     private static final String GAME = "guest";
 
     private static final String ALL = """
-        { "$schema": "scene.schema.json", "name": "all", "game": "guest", "players": 2,
+        { "$schema": "scene.schema.json", "name": "all", "game": "guest", "players": 1,
           "referee": { "classPath": ["target/classes", "lib/core.jar"], "main": "a.Main", "reuse": "classes",
             "mode": "solo", "leagueLevel": 3, "leagueLevels": 4, "testIn": ["1 2", ""],
             "properties": {"width": "12"}, "limitMs": 5000, "undetermined": ["METADATA"] } }
@@ -34,8 +35,8 @@ class GuestSchemaTest {
     /** Each row: a part of {@link #ALL}, what stands there instead, and the verdict of both. */
     @ParameterizedTest
     @CsvSource(delimiter = '|', quoteCharacter = '`', textBlock = """
-        "players": 2       | "players": 16                 | true
-        "players": 2       | "players": 0                  | false
+        "players": 1       | "players": 2                  | false
+        "players": 1       | "players": 0                  | false
         "name": "all"      | "name": "a\\tb"              | false
         "referee"          | "referees"                    | false
         "game"             | "accuracy": 1, "game"         | false
@@ -71,6 +72,13 @@ class GuestSchemaTest {
     void readerAndSchemaAgree(String part, String instead, boolean valid) {
         assertTrue(ALL.contains(part), part);
         agree(ALL.replace(part, instead), valid);
+    }
+
+    @Test
+    void aGameForSeveralHasAsManyPlayersAsTheSceneSays() {
+        String multi = ALL.replaceFirst("\"mode.*\\],", "");
+        agree(multi.replace("\"players\": 1", "\"players\": 16"), true);
+        agree(multi.replace("\"players\": 1", "\"players\": 17"), false);
     }
 
     private static void agree(String text, boolean valid) {
