@@ -9,6 +9,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
+import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
@@ -82,6 +83,8 @@ class GuestMatchTest {
             {"type":"turn","turn":3,"commands":[{"lines":["1"]},null]"""), Files.readString(file));
         String turn = Cli.run("replay", file.toString(), "--turn", "3").out();
         assertTrue(turn.contains("block NEXT_PLAYER_INPUT  lines seed=7, 1"), turn);
+        String table = Cli.run("replay", file.toString()).out();
+        assertFalse(table.contains("impact"), table);
     }
 
     @Test
@@ -100,6 +103,38 @@ class GuestMatchTest {
         Cli changed = Cli.run("replay", file.toString(), "--frames", "--player", "1");
         assertEquals(ExitStatus.FAILED, changed.status());
         assertTrue(changed.err().contains("turn 1 differs when it is played again"), changed.err());
+    }
+
+    @Test
+    void recordedBlocksThatNoRefereeSaysAreRefusedWithTheirLine() throws IOException {
+        Path file = folder.resolve("x.jsonl");
+        match(scene("good", 2, ""), "--out", file.toString());
+        List<String> lines = Files.readAllLines(file);
+        for (int line = 1; line <= 3; line += 2) {
+            List<String> broken = new ArrayList<>(lines);
+            broken.set(line - 1, lines.get(line - 1).replace("NEXT_PLAYER_INFO\",\"lines\":[\"",
+                "NEXT_PLAYER_INFO\",\"lines\":[\"77"));
+            Files.write(file, broken);
+            Cli cli = Cli.run("replay", file.toString(), "--frames", "--player", "1");
+            assertTrue(cli.err().startsWith("steward: " + file + ":" + line
+                + (line == 1 ? ": start" : ": outcome") + ": the referee said NEXT_PLAYER_INFO [77"), cli.err());
+        }
+    }
+
+    @Test
+    void filesOfARefereeThatAreNotThereAreNamed() throws IOException {
+        Path file = folder.resolve("x.jsonl");
+        match(scene("good", 2, ""), "--out", file.toString());
+        String replay = Files.readString(file);
+        Files.delete(folder.resolve("standin.py"));
+        Cli.run("replay", file.toString(), "--verify", "--run-referee").assertRefused(file + ":1: jar: found no file "
+            + folder.resolve("standin.py") + ", expected the files of sha256:");
+        Files.writeString(file, replay.replace("[\"python3\"", "[\"no-such-program\""));
+        Cli.run("replay", file.toString(), "--verify", "--run-referee")
+            .assertRefused("referee.command: found \"no-such-program\", expected a program that is there");
+        Files.writeString(file, replay.replaceFirst("\"command\":\\[.*?]", "\"classPath\":[\"no/such.jar\"]"));
+        Cli.run("replay", file.toString(), "--verify", "--run-referee")
+            .assertRefused("referee.classPath: found \"no/such.jar\", expected folders and jars that are there");
     }
 
     /** A replay from somebody else may name any program of this machine. */

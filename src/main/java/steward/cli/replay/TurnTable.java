@@ -9,6 +9,7 @@ import steward.cli.shared.MatchText;
 import steward.cli.streams.Json;
 import steward.cli.streams.Streams;
 import steward.contest.RecordedFailures;
+import steward.guest.GuestType;
 import steward.match.MatchResult;
 import steward.replay.RecordedTurn;
 import steward.replay.ReplayHeader;
@@ -194,6 +195,8 @@ final class TurnTable {
         } else {
             MatchText.print(out, streams.outColour(), scene(), replay.header().seed(), result, failures.failures());
         }
-        out.println(TextFormat.count(impacts, "impact") + " in all");
+        if (!replay.header().game().equals(GuestType.ID)) {
+            out.println(TextFormat.count(impacts, "impact") + " in all");
+        }
     }
 }

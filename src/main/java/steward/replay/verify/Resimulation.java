@@ -1,6 +1,10 @@
 package steward.replay.verify;
 
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Objects;
 import steward.files.JarFolder;
 import steward.game.FrameCodec;
@@ -37,6 +41,8 @@ public final class Resimulation {
     private final FrameCodec codec;
     private final ServerView serverView;
     private final ViewWriter views;
+    /** Name of the replay whose referee only says what is recorded; {@code null} otherwise. */
+    private final String recorded;
     private final LineParser lines = new LineParser();
     private final String[] noFaults;
     private byte[] outcome;
@@ -70,9 +76,8 @@ public final class Resimulation {
             throw new ReplayException(source + ":1: scene: found a referee of its own, which is a program that the "
                 + "replay names, expected --run-referee: it is run again then");
         }
-        if (runs && !Objects.equals(header.jar(), JarFolder.digestOf(setup))) {
-            throw new ReplayException(source + ":1: jar: found " + header.jar() + ", expected "
-                + JarFolder.digestOf(setup) + ", which is that of the referee's files here");
+        if (runs) {
+            checkFiles(header, (HostedSetup) setup, source);
         }
         if (!header.game().equals(setup.scene().gameId())) {
             throw new ReplayException(source + ":1: game: found \""
@@ -81,8 +86,14 @@ public final class Resimulation {
         }
         checkLaw(header.law(), source);
         serverView = types.serverView(header.game()).orElse(null);
-        game = setup instanceof HostedSetup hosted && !runs ? hosted.recorded(header.seed(), () -> outcome)
-            : setup.create(header.seed());
+        if (setup instanceof HostedSetup hosted && !runs) {
+            recorded = source;
+            game = hosted.recorded(header.seed(), () -> outcome);
+            said("start", 1, () -> game.isAsked(0));
+        } else {
+            recorded = null;
+            game = setup.create(header.seed());
+        }
         codec = setup.codec(game);
         if (views != null) {
             views.begin(game);
@@ -106,6 +117,21 @@ public final class Resimulation {
         }
     }
 
+    /** Refuses to run a referee whose files are missing, or are others than those that were recorded. */
+    private static void checkFiles(ReplayHeader header, HostedSetup setup, String source) {
+        setup.check();
+        String here = JarFolder.digestOf(setup);
+        if (Objects.equals(header.jar(), here)) {
+            return;
+        }
+        List<String> absent = setup.words().stream().filter(word -> word.matches(".*[/\\\\.].*")
+            && !Files.exists(Path.of(word))).toList();
+        throw new ReplayException(source + ":1: jar: found " + (absent.isEmpty()
+            ? Objects.requireNonNullElse(header.jar(), "none") + ", expected " + here
+                + ", which is that of the referee's files here"
+            : "no file " + String.join(", ", absent) + ", expected the files of " + header.jar()));
+    }
+
     private void checkLaw(int recorded, String source) {
         int current = setup.plan().lawVersion();
         String rung = setup.scene().accuracy().text();
@@ -123,6 +149,7 @@ public final class Resimulation {
         this.setup = setup;
         serverView = null;
         views = null;
+        recorded = null;
         game = setup.create(seed);
         codec = setup.codec(game);
         noFaults = new String[game.players()];
@@ -161,9 +188,19 @@ public final class Resimulation {
     public Difference play(RecordedTurn turn) {
         Difference difference = prepare(turn);
         if (difference == null) {
-            game.play();
+            said("outcome", turn.number() + 1, game::play);
         }
         return difference;
+    }
+
+    /** Runs what listens to a referee, and refuses what it says with its place if it is recorded. */
+    private void said(String field, int line, Runnable listen) {
+        try {
+            listen.run();
+        } catch (UncheckedIOException fault) {
+            throw recorded == null ? fault : new ReplayException(recorded + ":" + line + ": " + field + ": "
+                + fault.getMessage());
+        }
     }
 
     /**
