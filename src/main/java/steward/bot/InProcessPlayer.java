@@ -1,7 +1,6 @@
 package steward.bot;
 
 import java.nio.charset.StandardCharsets;
-import java.util.function.Consumer;
 
 /**
  * A player whose {@link Bot} runs on the asking thread: for tests and trusted bots. Time is measured as for a bot
@@ -31,11 +30,6 @@ public final class InProcessPlayer implements Player {
     }
 
     /** Never used: {@link #ask} calls the bot on the same thread, so it cannot be abandoned. */
-    @Override
-    public void onAbandoned(Consumer<Answer> continuation) {
-        return;
-    }
-
     @Override
     public void tell(byte[] lines, int length) {
         told.write(lines, 0, length);

@@ -37,9 +37,11 @@ public interface Player extends AutoCloseable {
 
     /**
      * Queues lines that need no answer (the setup frame). They reach the player at the latest with the next
-     * {@link #ask}; the bytes are copied.
+     * {@link #ask}; the bytes are copied. By default they are dropped.
      */
-    void tell(byte[] lines, int length);
+    default void tell(byte[] lines, int length) {
+        return;
+    }
 
     /**
      * Sends the lines and waits for the answer. The clock runs from the flushed frame to the end of the last answer
@@ -56,9 +58,12 @@ public interface Player extends AutoCloseable {
 
     /**
      * Registers the continuation for an {@link #ask} that has to be abandoned together with the thread blocked in it.
-     * It is called on a new daemon thread with the fault filled in, at most once per ask.
+     * It is called on a new daemon thread with the fault filled in, at most once per ask. By default this does nothing:
+     * the call always returns.
      */
-    void onAbandoned(Consumer<Answer> continuation);
+    default void onAbandoned(Consumer<Answer> continuation) {
+        return;
+    }
 
     /**
      * Starts to send the last lines before {@link #finish}, so that several players can end at the same time. Returns
@@ -73,11 +78,13 @@ public interface Player extends AutoCloseable {
     /**
      * Ends the match for this player: sends the last lines if that is possible without waiting, closes its input, gives
      * it a short time to exit by itself, then kills whatever is left of it. The second call does nothing. Never blocks
-     * for long, never throws.
+     * for long, never throws. By default there is nothing to end.
      *
      * @param lines the end frame, or {@code null} if there is none
      */
-    void finish(byte[] lines, int length);
+    default void finish(byte[] lines, int length) {
+        return;
+    }
 
     /**
      * Returns the player's stderr after its last answer, bounded; {@code null} when nothing. Known once {@link #finish}

@@ -1,7 +1,6 @@
 package steward.codingame;
 
 import java.io.ByteArrayOutputStream;
-import java.util.function.Consumer;
 import steward.bot.Answer;
 import steward.bot.Player;
 
@@ -79,11 +78,6 @@ final class OldRefereePlayer implements Player {
     }
 
     /** Never used: reading ends when the tool ends. */
-    @Override
-    public void onAbandoned(Consumer<Answer> continuation) {
-        return;
-    }
-
     /** The tool ends its bots itself; the text protocol has no last lines. Without any, this player has failed. */
     @Override
     public void finish(byte[] frame, int length) {

@@ -1,6 +1,5 @@
 package steward.match;
 
-import java.util.function.Consumer;
 import steward.bot.Answer;
 import steward.bot.FaultMessages;
 import steward.bot.Player;
@@ -63,21 +62,9 @@ final class DirectPlayer implements Player {
         return name;
     }
 
-    /** A direct bot gets no lines. */
-    @Override
-    public void tell(byte[] lines, int length) {
-        return;
-    }
-
     @Override
     public Ending ask(byte[] frame, int length, int answerLines, long limitNanos, Answer answer) {
         return ask(limitNanos, answer);
-    }
-
-    /** Never used: the bot runs on the calling thread, so the call cannot be abandoned. */
-    @Override
-    public void onAbandoned(Consumer<Answer> continuation) {
-        return;
     }
 
     @Override

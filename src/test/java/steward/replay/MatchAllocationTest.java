@@ -9,7 +9,6 @@ import java.lang.management.ManagementFactory;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.List;
-import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
@@ -107,25 +106,10 @@ class MatchAllocationTest {
         }
 
         @Override
-        public void tell(byte[] lines, int length) {
-            return;
-        }
-
-        @Override
         public Ending ask(byte[] frame, int length, int answerLines, long limitNanos, Answer answer) {
             answer.clear();
             answer.append(ANSWER, 0, ANSWER.length);
             return Ending.ANSWERED;
-        }
-
-        @Override
-        public void onAbandoned(Consumer<Answer> continuation) {
-            return;
-        }
-
-        @Override
-        public void finish(byte[] lines, int length) {
-            return;
         }
     }
 

@@ -5,7 +5,6 @@ import java.io.OutputStream;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
-import java.util.function.Consumer;
 import steward.bot.Answer;
 import steward.bot.AnswerReader;
 import steward.bot.FaultMessages;
@@ -114,11 +113,6 @@ public final class AttendedProcess implements Player {
     }
 
     /** Never used: calls are never abandoned. */
-    @Override
-    public void onAbandoned(Consumer<Answer> continuation) {
-        // No call is abandoned.
-    }
-
     /** Sends the last lines and closes its input; the process may keep running. */
     @Override
     public void finish(byte[] lines, int length) {

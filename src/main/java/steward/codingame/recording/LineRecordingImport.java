@@ -4,7 +4,6 @@ import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.function.Consumer;
 import steward.bot.Answer;
 import steward.bot.Player;
 import steward.game.GameSetup;
@@ -141,16 +140,6 @@ final class LineRecordingImport implements RecordingImport {
             byte[] bytes = answers.get(answered++).getBytes(StandardCharsets.UTF_8);
             answer.append(bytes, 0, bytes.length);
             return Ending.ANSWERED;
-        }
-
-        @Override
-        public void onAbandoned(Consumer<Answer> continuation) {
-            // A call always returns.
-        }
-
-        @Override
-        public void finish(byte[] lines, int length) {
-            // Nothing to end.
         }
     }
 }

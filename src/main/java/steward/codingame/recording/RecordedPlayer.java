@@ -2,7 +2,6 @@ package steward.codingame.recording;
 
 import java.nio.charset.StandardCharsets;
 import java.util.List;
-import java.util.function.Consumer;
 import steward.bot.Answer;
 import steward.bot.Player;
 
@@ -34,11 +33,6 @@ final class RecordedPlayer implements Player {
     }
 
     @Override
-    public void tell(byte[] lines, int length) {
-        // The answers are recorded, so the lines are not needed.
-    }
-
-    @Override
     public Ending ask(byte[] frame, int length, int answerLines, long limitNanos, Answer answer) {
         answer.clear();
         List<String> said = turn < turns.size() ? turns.get(turn) : List.of();
@@ -54,15 +48,5 @@ final class RecordedPlayer implements Player {
         byte[] bytes = String.join("\n", lines).getBytes(StandardCharsets.UTF_8);
         answer.append(bytes, 0, bytes.length);
         return Ending.ANSWERED;
-    }
-
-    @Override
-    public void onAbandoned(Consumer<Answer> continuation) {
-        // A call always returns.
-    }
-
-    @Override
-    public void finish(byte[] lines, int length) {
-        // Nothing to end.
     }
 }
