@@ -98,6 +98,15 @@ public final class JsonNumbers {
         out.writeEndArray();
     }
 
+    /** A field with an array of finite numbers. */
+    public static void writeAll(JsonGenerator out, String name, double... numbers) {
+        out.writeArrayPropertyStart(name);
+        for (double number : numbers) {
+            write(out, number);
+        }
+        out.writeEndArray();
+    }
+
     /** A field with a finite number, or null for NaN. */
     public static void writeOrNull(JsonGenerator out, String name, double value) {
         out.writeName(name);

@@ -54,16 +54,9 @@ final class JsonDialogue implements Dialogue {
         begin("end");
         out.writeNumberProperty("player", player);
         out.writeNumberProperty("turns", game.turn());
-        out.writeArrayPropertyStart("ranks");
-        for (int rank : game.ranks()) {
-            out.writeNumber(rank);
-        }
-        out.writeEndArray();
-        out.writeArrayPropertyStart("scores");
-        for (double score : game.scores()) {
-            JsonNumbers.write(out, score);
-        }
-        out.writeEndArray();
+        int[] ranks = game.ranks();
+        JsonNumbers.writeAll(out, "ranks", ranks.length, each -> ranks[each]);
+        JsonNumbers.writeAll(out, "scores", game.scores());
         out.writeStringProperty("reason", game.ending());
         return line();
     }

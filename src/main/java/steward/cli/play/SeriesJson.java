@@ -112,11 +112,7 @@ final class SeriesJson {
         JsonObject.writeEach(out, "faults", result.players(), player -> out.writeString(player.fault()));
         int[] turns = new int[result.players().size()];
         failures.forEach(failure -> turns[failure.player()] = failure.turn());
-        out.writeArrayPropertyStart("faultTurns");
-        for (int turn : turns) {
-            MatchJson.writeTurn(out, turn);
-        }
-        out.writeEndArray();
+        JsonObject.writeEach(out, "faultTurns", turns.length, player -> MatchJson.writeTurn(out, turns[player]));
         JsonObject.writeEach(out, "heldFrom", result.players(), player -> MatchJson.writeTurn(out, player.heldFrom()));
         JsonObject.writeEach(out, "lateAnswers", failures, failure -> {
             if (failure.time() != null) {

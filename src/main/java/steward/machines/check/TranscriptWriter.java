@@ -101,15 +101,7 @@ public final class TranscriptWriter implements MatchListener {
     }
 
     private void write(String name, int players, IntFunction<String> texts) {
-        out.writeArrayPropertyStart(name);
-        for (int player = 0; player < players; player++) {
-            if (texts.apply(player) == null) {
-                out.writeNull();
-            } else {
-                out.writeString(texts.apply(player));
-            }
-        }
-        out.writeEndArray();
+        JsonObject.writeEach(out, name, players, player -> out.writeString(texts.apply(player)));
     }
 
     @Override
@@ -143,9 +135,7 @@ public final class TranscriptWriter implements MatchListener {
     }
 
     private void write(String name, MatchResult result, ToLongFunction<MatchResult.PlayerResult> number) {
-        out.writeArrayPropertyStart(name);
-        result.players().forEach(player -> out.writeNumber(number.applyAsLong(player)));
-        out.writeEndArray();
+        JsonObject.writeEach(out, name, result.players(), player -> out.writeNumber(number.applyAsLong(player)));
     }
 
     private void write(String name, Map<String, String> data) {

@@ -31,11 +31,8 @@ final class ObservableOutcome {
         out.writeObjectPropertyStart("state");
         codec.state().writeState(out);
         out.writeEndObject();
-        out.writeArrayPropertyStart("ranks");
-        for (int rank : game.ranks()) {
-            out.writeNumber(rank);
-        }
-        out.writeEndArray();
+        int[] ranks = game.ranks();
+        JsonNumbers.writeAll(out, "ranks", ranks.length, player -> ranks[player]);
     }
 
     private static void write(JsonGenerator out, Impact impact, double time, double impulse) {

@@ -3,12 +3,13 @@ package steward.game.bodies.protocol;
 import java.util.List;
 import steward.game.BotFrames;
 import steward.game.Drawing;
-import steward.json.DrawingJson;
-import steward.json.JsonNumbers;
-import steward.json.WallJson;
 import steward.game.bodies.BodiesGame;
 import steward.game.bodies.Body;
 import steward.game.bodies.Zone;
+import steward.json.DrawingJson;
+import steward.json.JsonNumbers;
+import steward.json.JsonObject;
+import steward.json.WallJson;
 import steward.scene.Field;
 import tools.jackson.core.JsonGenerator;
 
@@ -33,9 +34,7 @@ final class BodiesFrames implements BotFrames, Drawing {
         JsonNumbers.write(out, "maximumThrust", game.rules().maximumThrust());
         WallJson.write(out, field.walls());
         writeZones(out, true);
-        out.writeArrayPropertyStart("bodies");
-        for (int k = 0; k < game.bodies().size(); k++) {
-            out.writeStartObject();
+        JsonObject.writeAll(out, "bodies", game.bodies().size(), k -> {
             out.writeNumberProperty("id", k);
             int owner = k < game.discs().size() ? game.discs().get(k).owner() : Body.NOBODY;
             if (owner != Body.NOBODY) {
@@ -53,9 +52,7 @@ final class BodiesFrames implements BotFrames, Drawing {
                 JsonNumbers.write(out, "x", game.bodies().x[k]);
                 JsonNumbers.write(out, "y", game.bodies().y[k]);
             }
-            out.writeEndObject();
-        }
-        out.writeEndArray();
+        });
     }
 
     private void writeZones(JsonGenerator out, boolean rules) {

@@ -3,6 +3,7 @@ package steward.game.bodies.protocol;
 import steward.game.CommandListState;
 import steward.json.DrawingJson;
 import steward.json.JsonNumbers;
+import steward.json.JsonObject;
 import steward.game.bodies.BodiesGame;
 import steward.game.bodies.BodiesGame.Thrust;
 import tools.jackson.core.JsonGenerator;
@@ -51,22 +52,12 @@ final class BodiesState extends CommandListState<Thrust> {
     @Override
     public void writeState(JsonGenerator out) {
         writeBodies(out, game);
-        out.writeArrayPropertyStart("points");
-        for (int player = 0; player < game.players(); player++) {
-            out.writeNumber(game.points(player));
-        }
-        out.writeEndArray();
+        JsonObject.writeEach(out, "points", game.players(), player -> out.writeNumber(game.points(player)));
     }
 
     /** The field {@code bodies}: where the discs are and how fast. */
     static void writeBodies(JsonGenerator out, BodiesGame game) {
-        out.writeArrayPropertyStart("bodies");
-        for (int k = 0; k < game.discs().size(); k++) {
-            out.writeStartObject();
-            DrawingJson.motion(out, game.bodies(), k);
-            out.writeEndObject();
-        }
-        out.writeEndArray();
+        JsonObject.writeAll(out, "bodies", game.discs().size(), k -> DrawingJson.motion(out, game.bodies(), k));
     }
 
     @Override
@@ -78,10 +69,6 @@ final class BodiesState extends CommandListState<Thrust> {
 
     /** The field {@code scores}. */
     static void writeScores(JsonGenerator out, BodiesGame game) {
-        out.writeArrayPropertyStart("scores");
-        for (double score : game.scores()) {
-            JsonNumbers.write(out, score);
-        }
-        out.writeEndArray();
+        JsonNumbers.writeAll(out, "scores", game.scores());
     }
 }

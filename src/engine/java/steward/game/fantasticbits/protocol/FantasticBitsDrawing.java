@@ -6,6 +6,7 @@ import steward.game.fantasticbits.EntityKind;
 import steward.game.fantasticbits.FantasticBits;
 import steward.game.fantasticbits.Pitch;
 import steward.json.DrawingJson;
+import steward.json.JsonObject;
 import steward.json.WallJson;
 import steward.physics.Bodies;
 import steward.physics.Segment;
@@ -32,9 +33,8 @@ record FantasticBitsDrawing(FantasticBits game) implements Drawing {
     public void write(JsonGenerator out) {
         DrawingJson.field(out, -MARGIN, -MARGIN, Pitch.WIDTH + 2 * MARGIN, Pitch.HEIGHT + 2 * MARGIN);
         WallJson.write(out, WALLS);
-        out.writeArrayPropertyStart("bodies");
         Bodies bodies = game.bodies();
-        for (int k = 0; k < bodies.size(); k++) {
+        JsonObject.writeEach(out, "bodies", bodies.size(), k -> {
             EntityKind kind = game.pitch().kind(k);
             switch (kind) {
                 case POST -> DrawingJson.fixedBody(out, bodies, k, kind.text());
@@ -42,7 +42,6 @@ record FantasticBitsDrawing(FantasticBits game) implements Drawing {
                     Integer.toString(k));
                 default -> DrawingJson.freeBody(out, bodies.id(k), kind.text(), bodies.radius[k]);
             }
-        }
-        out.writeEndArray();
+        });
     }
 }

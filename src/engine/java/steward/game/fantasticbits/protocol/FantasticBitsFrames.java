@@ -56,16 +56,12 @@ final class FantasticBitsFrames implements BotFrames {
         out.writeNumberProperty("maximumPower", WizardCommand.MOST_THRUST);
         out.writeNumberProperty("maximumThrow", WizardCommand.MOST_THROW);
         out.writeNumberProperty("maximumMagic", FantasticBits.MOST_MAGIC);
-        out.writeArrayPropertyStart("spells");
-        for (int k = 0; game.settings().spells() && k < Spell.count(); k++) {
+        JsonObject.writeAll(out, "spells", game.settings().spells() ? Spell.count() : 0, k -> {
             Spell spell = Spell.of(k);
-            out.writeStartObject();
             out.writeStringProperty("spell", spell.text());
             out.writeNumberProperty("cost", variant.cost(spell));
             out.writeNumberProperty("turns", variant.turns(spell));
-            out.writeEndObject();
-        }
-        out.writeEndArray();
+        });
         out.writeNumberProperty("winningScore", game.winningScore());
         out.writeNumberProperty("maximumTurns", game.settings().maximumTurns());
     }

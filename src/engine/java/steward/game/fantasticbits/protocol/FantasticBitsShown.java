@@ -121,13 +121,8 @@ final class FantasticBitsShown implements ServerView.Shown {
         }
         out.writeName("scores");
         out.writeArray(turn.scores, 0, turn.scores.length);
-        out.writeArrayPropertyStart("resources");
-        for (int magic : turn.magic) {
-            out.writeStartObject();
-            out.writeNumberProperty("magic", magic);
-            out.writeEndObject();
-        }
-        out.writeEndArray();
+        JsonObject.writeAll(out, "resources", turn.magic.length,
+            player -> out.writeNumberProperty("magic", turn.magic[player]));
         out.writeObjectPropertyStart("state");
         writeBodies(out, turn);
         out.writeEndObject();

@@ -5,6 +5,7 @@ import steward.game.meanmax.MeanMax;
 import steward.game.meanmax.MeanMaxWorld;
 import steward.game.meanmax.UnitKind;
 import steward.json.DrawingJson;
+import steward.json.JsonObject;
 import steward.physics.Bodies;
 import tools.jackson.core.JsonGenerator;
 
@@ -22,13 +23,11 @@ record MeanMaxDrawing(MeanMax game) implements Drawing {
         DrawingJson.zone(out, 0, 0, MeanMaxWorld.ARENA_RADIUS, "arena");
         DrawingJson.zone(out, 0, 0, MeanMaxWorld.WATER_RADIUS, "water");
         out.writeEndArray();
-        out.writeArrayPropertyStart("bodies");
         Bodies bodies = game.bodies();
-        for (int unit = 0; unit < game.players() * game.settings().looters(); unit++) {
+        JsonObject.writeEach(out, "bodies", game.players() * game.settings().looters(), unit -> {
             String kind = UnitKind.of(bodies.kind[unit]).text();
             DrawingJson.body(out, bodies.id(unit), kind, bodies.radius[unit], game.playerOf(bodies.id(unit)),
                 kind.substring(0, 2));
-        }
-        out.writeEndArray();
+        });
     }
 }

@@ -8,6 +8,7 @@ import steward.game.StateCodec;
 import steward.game.TurnEvent;
 import steward.game.meanmax.MeanMax;
 import steward.json.JsonNumbers;
+import steward.json.JsonObject;
 import steward.physics.Impact;
 import steward.physics.Motion;
 import steward.text.ViewLines;
@@ -53,8 +54,7 @@ final class MeanMaxView implements ServerView {
     }
 
     private static void writeImpacts(JsonGenerator out, MeanMax game) {
-        out.writeArrayPropertyStart("impacts");
-        for (int k = 0; k < game.log().impacts(); k++) {
+        JsonObject.writeEach(out, "impacts", game.log().impacts(), k -> {
             Impact impact = game.log().impact(k);
             boolean wall = impact.isWall();
             writeImpact(out, rounded(impact.time()),
@@ -62,8 +62,7 @@ final class MeanMaxView implements ServerView {
                     whole(impact.vayBefore())),
                 wall ? null : new Met(impact.b(), whole(impact.bx()), whole(impact.by()), whole(impact.vbxBefore()),
                     whole(impact.vbyBefore())));
-        }
-        out.writeEndArray();
+        });
     }
 
     /** A unit as it came into an impact. */

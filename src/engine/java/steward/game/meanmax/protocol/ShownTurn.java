@@ -63,13 +63,7 @@ record ShownTurn(List<Impact> impacts, List<Death> deaths, List<Unit> units, Lis
         }
         out.writeEndArray();
         writeNumbers(out, "scores", scores);
-        out.writeArrayPropertyStart("resources");
-        for (int rage : rages) {
-            out.writeStartObject();
-            out.writeNumberProperty("rage", rage);
-            out.writeEndObject();
-        }
-        out.writeEndArray();
+        JsonObject.writeAll(out, "resources", rages.length, player -> out.writeNumberProperty("rage", rages[player]));
         out.writeObjectPropertyStart("state");
         writeState(out, false);
         out.writeEndObject();

@@ -3,6 +3,7 @@ package steward.game.podrace.protocol;
 import steward.game.Drawing;
 import steward.game.podrace.PodRace;
 import steward.json.DrawingJson;
+import steward.json.JsonObject;
 import steward.json.WallJson;
 import steward.physics.Bodies;
 import steward.scene.Field;
@@ -22,24 +23,18 @@ record PodRaceDrawing(PodRace race, Scene scene) implements Drawing {
         double[] frame = frame();
         DrawingJson.field(out, frame[0], frame[1], frame[2], frame[3]);
         scene.field().ifPresent(field -> WallJson.write(out, field.walls()));
-        out.writeArrayPropertyStart("zones");
         double[][] checkpoints = race.checkpoints();
-        for (int k = 0; k < checkpoints.length; k++) {
-            DrawingJson.zone(out, checkpoints[k][0], checkpoints[k][1], race.settings().checkpointRadius(),
-                Integer.toString(k));
-        }
-        out.writeEndArray();
-        out.writeArrayPropertyStart("bodies");
+        JsonObject.writeEach(out, "zones", checkpoints.length, k -> DrawingJson.zone(out, checkpoints[k][0],
+            checkpoints[k][1], race.settings().checkpointRadius(), Integer.toString(k)));
         Bodies bodies = race.bodies();
-        for (int body = 0; body < bodies.size(); body++) {
+        JsonObject.writeEach(out, "bodies", bodies.size(), body -> {
             if (body < race.settings().pods()) {
                 DrawingJson.body(out, bodies.id(body), "pod", bodies.radius[body], race.playerOf(body),
                     Integer.toString(body));
             } else {
                 DrawingJson.fixedBody(out, bodies, body, "bumper");
             }
-        }
-        out.writeEndArray();
+        });
     }
 
     /** The area to draw: the scene's field, or the official 16000 x 9000, enlarged to contain every checkpoint. */

@@ -1,5 +1,6 @@
 package steward.game.podrace.protocol;
 
+import java.util.List;
 import steward.game.BotFrames;
 import steward.game.podrace.PodRace;
 import steward.game.podrace.PodRaceSettings;
@@ -41,11 +42,8 @@ final class PodRaceFrames implements BotFrames {
         PodRaceSettings settings = race.settings();
         out.writeNumberProperty("podsPerPlayer", settings.podsPerPlayer());
         out.writeNumberProperty("laps", settings.laps());
-        out.writeArrayPropertyStart("checkpoints");
-        for (double[] checkpoint : race.checkpoints()) {
-            DrawingJson.place(out, checkpoint[0], checkpoint[1]);
-        }
-        out.writeEndArray();
+        JsonObject.writeEach(out, "checkpoints", List.of(race.checkpoints()),
+            checkpoint -> DrawingJson.place(out, checkpoint[0], checkpoint[1]));
         JsonNumbers.write(out, "checkpointRadius", settings.checkpointRadius());
         JsonNumbers.write(out, "podRadius", settings.radius());
         JsonNumbers.write(out, "podMass", settings.mass());

@@ -2,9 +2,9 @@ package steward.game.pokerchiprace.protocol;
 
 import steward.game.CommandListState;
 import steward.game.pokerchiprace.ChipCommand;
-import steward.game.pokerchiprace.ChipTable;
 import steward.game.pokerchiprace.PokerChipRace;
 import steward.json.JsonNumbers;
+import steward.json.JsonObject;
 import steward.physics.PassingPairs;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.io.SerializedString;
@@ -57,36 +57,26 @@ final class PokerChipRaceState extends CommandListState<ChipCommand> {
     public void writeState(JsonGenerator out) {
         ChipJson.write(out, BODIES, game);
         PassingPairs pairs = game.bodies().passing();
-        out.writeArrayPropertyStart("contacts");
-        for (int k = 0; k < pairs.size(); k++) {
+        JsonObject.writeEach(out, "contacts", pairs.size(), k -> {
             out.writeStartArray();
             out.writeNumber(pairs.first(k));
             out.writeNumber(pairs.second(k));
             out.writeEndArray();
-        }
-        out.writeEndArray();
-        out.writeArrayPropertyStart("lost");
-        for (int player = 0; player < game.players(); player++) {
+        });
+        JsonObject.writeEach(out, "lost", game.players(), player -> {
             if (game.lost(player) < 0) {
                 out.writeNull();
             } else {
                 JsonNumbers.write(out, game.lost(player));
             }
-        }
-        out.writeEndArray();
+        });
         out.writeNumberProperty("nextId", game.bodies().nextId());
     }
 
     @Override
     public void writeProgress(JsonGenerator out) {
         JsonNumbers.writeAll(out, "scores", game.players(), game::score);
-        out.writeArrayPropertyStart("resources");
-        ChipTable table = game.table();
-        for (int player = 0; player < game.players(); player++) {
-            out.writeStartObject();
-            out.writeNumberProperty("chips", table.owned(player));
-            out.writeEndObject();
-        }
-        out.writeEndArray();
+        JsonObject.writeAll(out, "resources", game.players(),
+            player -> out.writeNumberProperty("chips", game.table().owned(player)));
     }
 }

@@ -1,11 +1,13 @@
 package steward.game.searchrace.protocol;
 
+import java.util.List;
 import steward.game.BotFrames;
 import steward.game.searchrace.OfficialSearchRace;
 import steward.game.searchrace.SearchRace;
 import steward.game.searchrace.SearchRaceSettings;
 import steward.json.DrawingJson;
 import steward.json.JsonNumbers;
+import steward.json.JsonObject;
 import steward.scene.Scene;
 import tools.jackson.core.JsonGenerator;
 
@@ -26,11 +28,8 @@ final class SearchRaceFrames implements BotFrames {
     public void writeSetup(JsonGenerator out, int player) {
         SearchRaceSettings settings = race.settings();
         out.writeNumberProperty("laps", settings.laps());
-        out.writeArrayPropertyStart("checkpoints");
-        for (double[] checkpoint : race.checkpoints()) {
-            DrawingJson.place(out, checkpoint[0], checkpoint[1]);
-        }
-        out.writeEndArray();
+        JsonObject.writeEach(out, "checkpoints", List.of(race.checkpoints()),
+            checkpoint -> DrawingJson.place(out, checkpoint[0], checkpoint[1]));
         JsonNumbers.write(out, "checkpointRadius", settings.checkpointRadius());
         out.writeNumberProperty("maximumThrust", SearchRaceSettings.MAXIMUM_THRUST);
         out.writeNumberProperty("maximumTurn", SearchRaceSettings.MAXIMUM_TURN);
