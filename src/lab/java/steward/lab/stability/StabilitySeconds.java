@@ -6,19 +6,22 @@ import java.io.InputStreamReader;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.HashMap;
+import java.util.Locale;
 import java.util.Map;
 import steward.lab.trial.RunLength;
 
 /**
  * Approximate seconds of each row of the stability table: for announcements and for the time left. The resource {@code
- * stability-seconds.csv} has a line per case and rung, with the seconds of {@code steward stability --quick} and of
- * {@code steward stability} as their {@code --out} told them on a machine with two cores; the last column says how many
- * times as much work the long version does as the normal one, by the counts in the cases.
+ * stability-seconds.csv} has a line per case and length of a run, with a column for each rung: the seconds of {@code
+ * steward stability --quick} and of {@code steward stability} as their {@code --out} told them on a machine with two
+ * cores, and those of the long version, from the normal ones by the counts in the cases.
  */
 public final class StabilitySeconds {
 
     private static final String RESOURCE = "/steward/stability-seconds.csv";
-    private static final int COLUMNS = 5;
+    private static final String SEPARATOR = ";";
+    /** Columns before those of the rungs. */
+    private static final int NAMES = 2;
     /** For a row that is not in the table. */
     private static final double UNKNOWN = 1;
     /** Least seconds of a row: the table itself, and the start of the code. */
@@ -28,7 +31,7 @@ public final class StabilitySeconds {
     private static final String CROWD = "crowd of ";
     private static final String STEPS = "step/";
 
-    private final Map<String, double[]> rows = new HashMap<>();
+    private final Map<String, Double> cells = new HashMap<>();
 
     private StabilitySeconds() { }
 
@@ -37,9 +40,12 @@ public final class StabilitySeconds {
         StabilitySeconds table = new StabilitySeconds();
         try (BufferedReader lines = new BufferedReader(new InputStreamReader(
                 StabilitySeconds.class.getResourceAsStream(RESOURCE), StandardCharsets.UTF_8))) {
-            lines.readLine();
+            String[] rungs = lines.readLine().split(SEPARATOR);
             for (String line = lines.readLine(); line != null; line = lines.readLine()) {
-                table.add(line.split(";"));
+                String[] words = line.split(SEPARATOR);
+                for (int k = NAMES; k < words.length; k++) {
+                    table.cells.put(key(words[0], rungs[k], words[1]), Double.parseDouble(words[k]));
+                }
             }
         } catch (IOException problem) {
             throw new UncheckedIOException(problem);
@@ -47,19 +53,13 @@ public final class StabilitySeconds {
         return table;
     }
 
-    private void add(String[] cells) {
-        double normal = Double.parseDouble(cells[COLUMNS - 2]);
-        rows.put(key(cells[0], cells[1]), new double[] {Double.parseDouble(cells[2]), normal,
-            normal * Double.parseDouble(cells[COLUMNS - 1])});
-    }
-
-    private static String key(String name, String rung) {
-        return name + ";" + rung;
+    private static String key(String name, String rung, String length) {
+        return String.join(SEPARATOR, name, rung, length.toLowerCase(Locale.ROOT));
     }
 
     /** True if the row is in the table. */
     public boolean knows(String name, String rung) {
-        return rows.containsKey(key(name, rung));
+        return cells.containsKey(key(name, rung, RunLength.NORMAL.name()));
     }
 
     /**
@@ -69,12 +69,8 @@ public final class StabilitySeconds {
      * @param impacts of each crowd on the event rungs, or 0 for the number of the run length
      */
     public double of(String name, String rung, RunLength size, long impacts) {
-        double[] row = rows.get(key(name, rung));
-        if (row == null) {
-            return UNKNOWN;
-        }
         boolean played = impacts > 0 && name.startsWith(CROWD) && !rung.startsWith(STEPS);
-        return Math.max(LEAST, played ? row[RunLength.NORMAL.ordinal()] * impacts / CROWD_IMPACTS
-            : row[size.ordinal()]);
+        double seconds = cells.getOrDefault(key(name, rung, (played ? RunLength.NORMAL : size).name()), UNKNOWN);
+        return Math.max(LEAST, played ? seconds * impacts / CROWD_IMPACTS : seconds);
     }
 }
