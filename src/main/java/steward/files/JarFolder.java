@@ -6,11 +6,8 @@ import java.net.URLClassLoader;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.security.CodeSource;
-import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
 import java.util.ArrayList;
 import java.util.HashMap;
-import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
@@ -51,18 +48,9 @@ public final class JarFolder extends URLClassLoader {
         for (Path file : files) {
             URL jar = file.toUri().toURL();
             jars.add(jar);
-            digests.put(jar.toString(), digest(file));
+            digests.put(jar.toString(), "sha256:" + Sha256.hex(Files.readAllBytes(file)));
         }
         return jars.isEmpty() ? null : new JarFolder(jars, digests, parent);
-    }
-
-    private static String digest(Path file) throws IOException {
-        try {
-            return "sha256:" + HexFormat.of()
-                .formatHex(MessageDigest.getInstance("SHA-256").digest(Files.readAllBytes(file)));
-        } catch (NoSuchAlgorithmException impossible) {
-            throw new IllegalStateException(impossible);
-        }
     }
 
     /** Digest of the jar that an object's class is from, or its own; {@code null} for what comes with the program. */

@@ -7,10 +7,10 @@ import java.nio.file.FileVisitOption;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 import java.util.List;
 import java.util.stream.Stream;
+import steward.files.Sha256;
 
 /**
  * Digest of a referee's files, whatever the folders above are called: all on its class path, or those that its command
@@ -34,7 +34,7 @@ final class RefereeDigest {
 
     private static String read(List<String> entries) {
         try {
-            MessageDigest digest = MessageDigest.getInstance("SHA-256");
+            MessageDigest digest = Sha256.begin();
             for (String entry : entries) {
                 Path root = Path.of(entry);
                 try (Stream<Path> files = Files.walk(root, FileVisitOption.FOLLOW_LINKS)) {
@@ -48,8 +48,6 @@ final class RefereeDigest {
         } catch (IOException | UncheckedIOException problem) {       // unchecked of a folder below
             throw new UncheckedIOException("referee: cannot be read: " + problem.getMessage(),
                 new IOException(problem));
-        } catch (NoSuchAlgorithmException impossible) {
-            throw new IllegalStateException(impossible);
         }
     }
 }

@@ -5,25 +5,17 @@ import java.io.InputStream;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
 import java.util.Arrays;
 import java.util.HexFormat;
 import java.util.List;
+import steward.files.Sha256;
 
 /** A hash of a list of texts: the first 128 bits of SHA-256 over each text's length and bytes. */
 final class TextHash {
 
     private static final int BYTES = 16;
 
-    private final MessageDigest digest = sha256();
-
-    private static MessageDigest sha256() {
-        try {
-            return MessageDigest.getInstance("SHA-256");
-        } catch (NoSuchAlgorithmException impossible) {
-            throw new IllegalStateException(impossible);
-        }
-    }
+    private final MessageDigest digest = Sha256.begin();
 
     TextHash add(String text) {
         byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
@@ -50,7 +42,7 @@ final class TextHash {
 
     /** The hash of a file's bytes, 64 hexadecimal digits. */
     static String of(InputStream in) throws IOException {
-        MessageDigest content = sha256();
+        MessageDigest content = Sha256.begin();
         byte[] buffer = new byte[1 << 16];
         for (int count = in.read(buffer); count >= 0; count = in.read(buffer)) {
             content.update(buffer, 0, count);

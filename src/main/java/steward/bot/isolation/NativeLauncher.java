@@ -2,15 +2,12 @@ package steward.bot.isolation;
 
 import java.io.IOException;
 import java.io.InputStream;
-import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.attribute.PosixFilePermission;
 import java.nio.file.attribute.PosixFilePermissions;
-import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
 import java.util.ArrayList;
 import java.util.HexFormat;
 import java.util.List;
@@ -20,6 +17,7 @@ import java.util.stream.Stream;
 import java.util.zip.CRC32;
 import steward.bot.command.ProgramFinder;
 import steward.bot.command.ProgramTrial;
+import steward.files.Sha256;
 
 /**
  * The small program that starts bots in a sandbox and stops them while others are asked, {@value #SOURCE}: as the
@@ -192,12 +190,7 @@ final class NativeLauncher {
     }
 
     private static String digest(byte[] source) {
-        try {
-            byte[] all = MessageDigest.getInstance("SHA-256").digest(source);
-            return HexFormat.of().formatHex(all, 0, DIGEST);
-        } catch (NoSuchAlgorithmException impossible) {
-            throw new UncheckedIOException(new IOException(impossible));
-        }
+        return HexFormat.of().formatHex(Sha256.of(source), 0, DIGEST);
     }
 
     /** The options of a launch, without the mode. */

@@ -3,9 +3,7 @@ package steward.cli.league;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Comparator;
 import java.util.List;
-import java.util.stream.Stream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import steward.cli.league.run.NoServing;
@@ -16,6 +14,7 @@ import steward.cli.options.ProgramCommand;
 import steward.cli.shared.ExitStatus;
 import steward.cli.streams.Streams;
 import steward.contest.KeptReplays;
+import steward.files.Folders;
 import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.league.LeagueBot;
@@ -86,11 +85,7 @@ final class LeagueDemoCommand extends ProgramCommand {
         }
         Path path = Path.of("build/league-demo");
         if (Files.exists(path)) {
-            try (Stream<Path> files = Files.walk(path)) {
-                for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
-                    Files.delete(file);
-                }
-            }
+            Folders.delete(path);
         }
         return path;
     }

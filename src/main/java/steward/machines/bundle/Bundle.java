@@ -7,10 +7,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.FileVisitOption;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
 import java.util.ArrayList;
-import java.util.HexFormat;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
@@ -20,6 +17,7 @@ import java.util.zip.ZipOutputStream;
 import steward.bot.command.BotCommand;
 import steward.files.InputException;
 import steward.files.OutputFiles;
+import steward.files.Sha256;
 import steward.league.BotIdentity;
 import steward.league.LeagueBot;
 import steward.machines.wire.HeaderText;
@@ -89,7 +87,7 @@ public record Bundle(String hash, byte[] bytes) {
             throw new InputException(who + ": its files cannot be packed for workers: "
                 + OutputFiles.reason(files.iterator().next(), problem));
         }
-        return new Bundle(hash(bytes.toByteArray()), bytes.toByteArray());
+        return new Bundle(Sha256.hex(bytes.toByteArray()), bytes.toByteArray());
     }
 
     /** Packs a guest's referee as a bot: all files of its class path, or those that its command names. */
@@ -140,13 +138,5 @@ public record Bundle(String hash, byte[] bytes) {
             place.append(place.charAt(place.length() - 1) == '/' ? "" : "/").append(part);
         }
         return place.toString();
-    }
-
-    static String hash(byte[] bytes) {
-        try {
-            return HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(bytes));
-        } catch (NoSuchAlgorithmException impossible) {
-            throw new IllegalStateException(impossible);
-        }
     }
 }

@@ -3,6 +3,7 @@ package steward.machines.bundle;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import steward.files.InputException;
+import steward.files.Sha256;
 import steward.machines.check.GzipText;
 import steward.machines.wire.WireMessage;
 import steward.scene.json.JsonLimits;
@@ -22,7 +23,7 @@ public final class LongScene {
             return null;
         }
         byte[] packed = GzipText.compressed(bytes);
-        return new Bundle(Bundle.hash(packed), packed);
+        return new Bundle(Sha256.hex(packed), packed);
     }
 
     /**
@@ -32,7 +33,7 @@ public final class LongScene {
      * @throws InputException if they have another one, or are no such scene
      */
     public static String text(String hash, byte[] packed) {
-        if (!Bundle.hash(packed).equals(hash)) {
+        if (!Sha256.hex(packed).equals(hash)) {
             throw new InputException("the league's scene: found other bytes, expected those of the hash " + hash);
         }
         try {

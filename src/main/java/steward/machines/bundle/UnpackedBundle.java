@@ -20,6 +20,7 @@ import steward.bot.command.BotCommand;
 import steward.bot.command.ProgramTrial;
 import steward.files.InputException;
 import steward.files.OutputFiles;
+import steward.files.Sha256;
 import steward.scene.json.Block;
 import steward.scene.json.JsonTree;
 import steward.scene.json.SceneException;
@@ -60,7 +61,7 @@ public record UnpackedBundle(Path folder, BotCommand command) {
      * @throws InputException if it is not what it should be, or the disk is full
      */
     public static UnpackedBundle of(Path parent, String hash, byte[] bytes, String here) {
-        if (!Bundle.hash(bytes).equals(hash)) {
+        if (!Sha256.hex(bytes).equals(hash)) {
             throw new InputException("bundle " + hash + ": found other bytes, expected those of that hash");
         }
         Path folder = parent.resolve(hash);

@@ -8,8 +8,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.security.GeneralSecurityException;
 import java.security.KeyStore;
-import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
 import java.security.PublicKey;
 import java.security.SecureRandom;
 import java.security.cert.Certificate;
@@ -18,6 +16,7 @@ import java.util.HexFormat;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import steward.files.InputException;
+import steward.files.Sha256;
 import steward.league.LeagueFolder;
 
 /**
@@ -165,14 +164,6 @@ public final class BrokerKey {
 
     /** The fingerprint of any key: 64 hexadecimal digits. */
     public static String fingerprint(PublicKey key) {
-        return HexFormat.of().formatHex(sha256(key.getEncoded()));
-    }
-
-    static byte[] sha256(byte[] bytes) {
-        try {
-            return MessageDigest.getInstance("SHA-256").digest(bytes);
-        } catch (NoSuchAlgorithmException impossible) {
-            throw new IllegalStateException(impossible);
-        }
+        return Sha256.hex(key.getEncoded());
     }
 }

@@ -5,9 +5,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.security.SecureRandom;
 import java.util.Base64;
-import java.util.HexFormat;
 import java.util.regex.Pattern;
 import steward.files.InputException;
+import steward.files.Sha256;
 import steward.scene.json.Block;
 import steward.scene.json.JsonTree;
 import steward.scene.json.SceneException;
@@ -45,7 +45,7 @@ public record WorkerToken(String worker, String secret, String broker, String in
 
     /** Returns the SHA-256 of a secret, as lists keep it. */
     static String hash(String secret) {
-        return HexFormat.of().formatHex(BrokerKey.sha256(secret.getBytes(StandardCharsets.UTF_8)));
+        return Sha256.hex(secret.getBytes(StandardCharsets.UTF_8));
     }
 
     /**

@@ -2,8 +2,8 @@ package steward.replay.sign;
 
 import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
+import steward.files.Sha256;
 
 /**
  * The part of a replay that is signed: all its lines up to the result, each without its field {@code times}, with its
@@ -28,7 +28,7 @@ public final class LinesDigest {
 
     private static final byte[] END = {'}', '\n'};
 
-    private final MessageDigest sha256 = sha256();
+    private final MessageDigest sha256 = Sha256.begin();
 
     /** Adds a line, without {@code times} and the closing brace. */
     public void add(byte[] line, int length) {
@@ -44,17 +44,8 @@ public final class LinesDigest {
     public byte[] message(String isolation) {
         String text = "steward replay sha256:" + HexFormat.of().formatHex(sha256.digest());
         if (isolation != null) {
-            text += " isolation sha256:" + HexFormat.of().formatHex(
-                sha256().digest(isolation.getBytes(StandardCharsets.UTF_8)));
+            text += " isolation sha256:" + Sha256.hex(isolation.getBytes(StandardCharsets.UTF_8));
         }
         return (text + "\n").getBytes(StandardCharsets.US_ASCII);
-    }
-
-    static MessageDigest sha256() {
-        try {
-            return MessageDigest.getInstance("SHA-256");
-        } catch (NoSuchAlgorithmException missing) {
-            throw new IllegalStateException("this Java knows no SHA-256", missing);
-        }
     }
 }

@@ -9,6 +9,7 @@ import java.security.spec.X509EncodedKeySpec;
 import java.util.Arrays;
 import java.util.Base64;
 import steward.files.InputException;
+import steward.files.Sha256;
 
 /** The public key of a signer of replays: an Ed25519 key of the JDK, in X.509 form. */
 public final class SignerKey {
@@ -74,7 +75,7 @@ public final class SignerKey {
 
     /** The fingerprint, for people to compare: {@code SHA256:} and the hash of the key in base64. */
     public String fingerprint() {
-        return "SHA256:" + Base64.getEncoder().withoutPadding().encodeToString(LinesDigest.sha256().digest(encoded));
+        return "SHA256:" + Base64.getEncoder().withoutPadding().encodeToString(Sha256.of(encoded));
     }
 
     /** True if the signature, in base64, is that of the message by the owner of this key. */

@@ -23,6 +23,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import steward.bot.command.BotCommand;
 import steward.bot.command.Platform;
 import steward.files.InputException;
+import steward.files.Sha256;
 import steward.game.GameSetup;
 import steward.guest.GuestType;
 import steward.league.LeagueBot;
@@ -109,7 +110,7 @@ class BundleTest {
     private void refused(byte[] bytes, String what) throws IOException {
         Path bundles = folder.resolve("bundles");
         InputException problem = assertThrows(InputException.class,
-            () -> UnpackedBundle.of(bundles, Bundle.hash(bytes), bytes, Platform.here()));
+            () -> UnpackedBundle.of(bundles, Sha256.hex(bytes), bytes, Platform.here()));
         assertTrue(problem.getMessage().contains(what), problem.getMessage());
         assertFalse(Files.exists(folder.resolve("out")), "nothing is written outside");
         try (var files = Files.walk(folder)) {
@@ -139,8 +140,8 @@ class BundleTest {
     @Test
     void whatIsUnpackedThereAlreadyStays() throws IOException {
         byte[] bytes = archive(Bundle.LIST, EMPTY, "here/a", "x");
-        UnpackedBundle first = UnpackedBundle.of(folder, Bundle.hash(bytes), bytes, Platform.here());
-        assertEquals(first, UnpackedBundle.of(folder, Bundle.hash(bytes), bytes, Platform.here()));
-        assertEquals(List.of(Bundle.hash(bytes)), List.of(folder.toFile().list()), "and nothing else is left");
+        UnpackedBundle first = UnpackedBundle.of(folder, Sha256.hex(bytes), bytes, Platform.here());
+        assertEquals(first, UnpackedBundle.of(folder, Sha256.hex(bytes), bytes, Platform.here()));
+        assertEquals(List.of(Sha256.hex(bytes)), List.of(folder.toFile().list()), "and nothing else is left");
     }
 }

@@ -5,17 +5,16 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.SplittableRandom;
 import java.util.function.Consumer;
-import java.util.stream.Stream;
 import steward.contest.Contest;
 import steward.contest.KeptReplays;
 import steward.contest.Series;
 import steward.contest.SeriesPlay;
+import steward.files.Folders;
 import steward.lab.bench.Effort;
 import steward.lab.bench.Row;
 import steward.lab.bench.Section;
@@ -101,7 +100,7 @@ record LeagueSection(MatchFixture fixture, int threads) implements Section {
             }
             compare(effort, folder, about, rows);
         } finally {
-            delete(folder);
+            Folders.delete(folder);
         }
     }
 
@@ -139,7 +138,7 @@ record LeagueSection(MatchFixture fixture, int threads) implements Section {
                 String.format(Locale.ROOT, "%.0f ms; the first %.0f ms", nanos[TABLES / 2] / NANOS_PER_MS,
                     first / NANOS_PER_MS)));
         } finally {
-            delete(folder);
+            Folders.delete(folder);
         }
     }
 
@@ -262,14 +261,6 @@ record LeagueSection(MatchFixture fixture, int threads) implements Section {
                 throw new IllegalStateException("found " + store.games(number) + " games, expected " + games);
             }
             return games * NANOS / nanos;
-        }
-    }
-
-    private static void delete(Path folder) throws IOException {
-        try (Stream<Path> files = Files.walk(folder)) {
-            for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
-                Files.delete(file);
-            }
         }
     }
 }

@@ -7,7 +7,6 @@ import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -19,6 +18,7 @@ import steward.contest.Contest;
 import steward.contest.KeptReplays;
 import steward.contest.Series;
 import steward.contest.SeriesPlay;
+import steward.files.Folders;
 import steward.game.GameSetup;
 import steward.guest.GuestType;
 import steward.lab.bench.Effort;
@@ -92,9 +92,7 @@ record RefereeSection(MatchFixture fixture, Path sdk, int threads) implements Se
             }
         } finally {
             GuestType.endIdle();
-            try (Stream<Path> files = Files.walk(folder)) {
-                files.sorted(Comparator.reverseOrder()).map(Path::toFile).forEach(File::delete);
-            }
+            Folders.delete(folder);
         }
     }
 

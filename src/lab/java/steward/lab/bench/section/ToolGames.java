@@ -9,11 +9,10 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
-import java.util.stream.Stream;
+import steward.files.Folders;
 
 /**
  * Games under one of the tools of others, in a folder of its own, in which two compiled bots are. CPU time is counted
@@ -188,10 +187,6 @@ final class ToolGames implements AutoCloseable {
     @Override
     public void close() throws IOException {
         endResident();
-        try (Stream<Path> files = Files.walk(folder)) {
-            for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
-                Files.deleteIfExists(file);
-            }
-        }
+        Folders.delete(folder);
     }
 }

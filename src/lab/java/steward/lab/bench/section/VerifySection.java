@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
+import steward.files.Folders;
 import steward.lab.bench.Contender;
 import steward.lab.bench.Effort;
 import steward.lab.bench.Meter;
@@ -69,7 +70,7 @@ record VerifySection(MatchFixture fixture) implements Section {
                 row.remark(row.name().startsWith("played") ? ""
                     : String.format(Locale.ROOT, "%.0f MB/s", row.perSecond() * mean / MEGABYTE))));
         } finally {
-            delete(folder);
+            Folders.delete(folder);
         }
     }
 
@@ -108,14 +109,5 @@ record VerifySection(MatchFixture fixture) implements Section {
             throw new IllegalStateException("a fresh recording ends otherwise");
         }
         return 1;
-    }
-
-    static void delete(Path folder) throws java.io.IOException {
-        try (Stream<Path> files = Files.list(folder)) {
-            for (Path file : files.toList()) {
-                Files.delete(file);
-            }
-        }
-        Files.delete(folder);
     }
 }
