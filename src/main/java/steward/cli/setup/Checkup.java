@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
 import steward.bot.command.BuiltinBots;
+import steward.bot.command.Platform;
 import steward.bot.command.ProgramFinder;
 import steward.bot.command.ProgramTrial;
 import steward.bot.isolation.ControlGroup;
@@ -65,7 +66,7 @@ final class Checkup {
     private void java() {
         add("java", "JDK", Runtime.version().feature() >= 17, Runtime.version() + ", "
             + System.getProperty("java.vendor") + ", " + System.getProperty("java.vm.name"));
-        items.add(CommandPlatforms.item());
+        items.add(platform(Platform.here()));
         boolean fma = useFma();
         add("java", "fused multiply-add", fma, fma ? "in hardware"
             : "not in hardware, or unknown: the rungs compensated and exact are slow, their results the same");
@@ -197,5 +198,12 @@ final class Checkup {
                 script.toFile().deleteOnExit();
             }
         }
+    }
+
+    /** An item about the platform of a machine. */
+    static Item platform(String platform) {
+        boolean tried = platform.startsWith("linux");
+        return new Item("java", "platform", tried, platform + (tried ? ": every command is tried on Linux"
+            : ": untried; what should work of each command is in docs/platforms.md"));
     }
 }
