@@ -1,15 +1,12 @@
 package steward.cli;
 
-import java.io.IOException;
-import java.io.InputStream;
-import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
 import picocli.AutoComplete;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Spec;
 import steward.cli.options.ProgramCommand;
 import steward.cli.shared.ExitStatus;
+import steward.files.Resources;
 
 /** {@code steward completion}: lets a shell complete commands and options. */
 @Command(name = CompletionCommand.NAME, description = "Prints a script for bash and zsh that completes commands.",
@@ -31,7 +28,7 @@ final class CompletionCommand extends ProgramCommand {
     @Override
     public Integer call() {
         String script = AutoComplete.bash("steward", spec.root().commandLine());
-        streams.out().print(replaced(replaced(script, NO_FILES, ""), COMPLETE, words()));
+        streams.out().print(replaced(replaced(script, NO_FILES, ""), COMPLETE, Resources.text(WORDS)));
         return ExitStatus.DONE;
     }
 
@@ -40,13 +37,5 @@ final class CompletionCommand extends ProgramCommand {
             throw new IllegalStateException("the script for completion has no '" + text.strip() + "'");
         }
         return script.replace(text, by);
-    }
-
-    private static String words() {
-        try (InputStream in = CompletionCommand.class.getResourceAsStream(WORDS)) {
-            return new String(in.readAllBytes(), StandardCharsets.UTF_8);
-        } catch (IOException problem) {
-            throw new UncheckedIOException(problem);
-        }
     }
 }

@@ -1,18 +1,14 @@
 package steward.lab.stability;
 
-import java.io.BufferedReader;
-import java.io.IOException;
-import java.io.InputStreamReader;
-import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import steward.files.Resources;
 import steward.lab.chart.ChartFiles;
-import steward.lab.stability.crowds.TruePathCase;
 import steward.lab.stability.crowds.TruePathCase.Figure;
+import steward.lab.stability.crowds.TruePathCase;
 import steward.lab.trial.Finding;
 import steward.lab.trial.RunLength;
 import steward.text.TextFormat;
@@ -93,12 +89,8 @@ public final class StabilityPage {
     /** One sentence for each case. */
     static Map<String, String> meanings() {
         Map<String, String> meanings = new LinkedHashMap<>();
-        try (BufferedReader lines = new BufferedReader(new InputStreamReader(
-                StabilityPage.class.getResourceAsStream(MEANINGS), StandardCharsets.UTF_8))) {
-            lines.lines().skip(1).map(line -> line.split(";")).forEach(cells -> meanings.put(cells[0], cells[1]));
-        } catch (IOException problem) {
-            throw new UncheckedIOException(problem);
-        }
+        Resources.text(MEANINGS).lines().skip(1).map(line -> line.split(";"))
+            .forEach(cells -> meanings.put(cells[0], cells[1]));
         return meanings;
     }
 

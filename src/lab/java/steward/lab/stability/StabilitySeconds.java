@@ -1,13 +1,10 @@
 package steward.lab.stability;
 
-import java.io.BufferedReader;
-import java.io.IOException;
-import java.io.InputStreamReader;
-import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import steward.files.Resources;
 import steward.lab.trial.RunLength;
 
 /**
@@ -38,17 +35,13 @@ public final class StabilitySeconds {
     /** Reads the resource. */
     public static StabilitySeconds read() {
         StabilitySeconds table = new StabilitySeconds();
-        try (BufferedReader lines = new BufferedReader(new InputStreamReader(
-                StabilitySeconds.class.getResourceAsStream(RESOURCE), StandardCharsets.UTF_8))) {
-            String[] rungs = lines.readLine().split(SEPARATOR);
-            for (String line = lines.readLine(); line != null; line = lines.readLine()) {
-                String[] words = line.split(SEPARATOR);
-                for (int k = NAMES; k < words.length; k++) {
-                    table.cells.put(key(words[0], rungs[k], words[1]), Double.parseDouble(words[k]));
-                }
+        List<String> lines = Resources.text(RESOURCE).lines().toList();
+        String[] rungs = lines.get(0).split(SEPARATOR);
+        for (String line : lines.subList(1, lines.size())) {
+            String[] words = line.split(SEPARATOR);
+            for (int k = NAMES; k < words.length; k++) {
+                table.cells.put(key(words[0], rungs[k], words[1]), Double.parseDouble(words[k]));
             }
-        } catch (IOException problem) {
-            throw new UncheckedIOException(problem);
         }
         return table;
     }

@@ -1,11 +1,9 @@
 package steward.bot.command;
 
-import java.io.IOException;
-import java.io.InputStream;
-import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
+import steward.files.Resources;
 
 /**
  * Call of Node.js for a bot of CodinGame's site, whose programs find {@code readline}, {@code print} and
@@ -25,16 +23,8 @@ public final class SiteJavaScript {
             || !PROGRAMS.contains(words.get(0).substring(words.get(0).lastIndexOf('/') + 1))) {
             return words;
         }
-        List<String> extended = new ArrayList<>(List.of(words.get(0), "-e", before()));
+        List<String> extended = new ArrayList<>(List.of(words.get(0), "-e", Resources.text(BEFORE)));
         extended.addAll(words.subList(1, words.size()));
         return extended;
-    }
-
-    private static String before() {
-        try (InputStream in = SiteJavaScript.class.getResourceAsStream(BEFORE)) {
-            return new String(in.readAllBytes(), StandardCharsets.UTF_8);
-        } catch (IOException problem) {
-            throw new IllegalStateException("the program is not whole: " + BEFORE, problem);
-        }
     }
 }

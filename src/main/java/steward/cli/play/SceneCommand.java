@@ -1,9 +1,5 @@
 package steward.cli.play;
 
-import java.io.IOException;
-import java.io.InputStream;
-import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
 import java.util.List;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
@@ -14,6 +10,7 @@ import steward.cli.options.ShippedScenes;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Games;
 import steward.cli.streams.Json;
+import steward.files.Resources;
 import steward.game.GameType;
 import steward.guest.GuestType;
 import steward.json.JsonObject;
@@ -79,10 +76,6 @@ public final class SceneCommand extends ProgramCommand {
 
     /** Every {@link GameType} of the program has one among its resources. */
     private static String schema(String game) {
-        try (InputStream in = SceneCommand.class.getResourceAsStream("/steward/schemas/" + game + ".json")) {
-            return new String(in.readAllBytes(), StandardCharsets.UTF_8);
-        } catch (IOException problem) {
-            throw new UncheckedIOException(problem);
-        }
+        return Resources.text("/steward/schemas/" + game + ".json");
     }
 }

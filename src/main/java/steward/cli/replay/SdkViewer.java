@@ -1,7 +1,6 @@
 package steward.cli.replay;
 
 import java.io.IOException;
-import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.FileSystems;
@@ -21,6 +20,7 @@ import steward.cli.shared.Pages;
 import steward.cli.streams.EnterKey;
 import steward.cli.streams.Streams;
 import steward.files.InputException;
+import steward.files.Resources;
 import steward.live.StatusServer;
 import steward.replay.RecordedMatch;
 import steward.replay.RecordedTurn;
@@ -176,10 +176,8 @@ final class SdkViewer {
 
     /** The page that shows the match in the viewer. */
     byte[] page() throws IOException {
-        try (InputStream page = SdkViewer.class.getResourceAsStream("/steward/viewer/page.html")) {
-            return new String(page.readAllBytes(), StandardCharsets.UTF_8)
-                .replace("MATCH", frames().toString().replace("<", "\\u003c")).getBytes(StandardCharsets.UTF_8);
-        }
+        return Resources.text("/steward/viewer/page.html")
+            .replace("MATCH", frames().toString().replace("<", "\\u003c")).getBytes(StandardCharsets.UTF_8);
     }
 
     /** Players and frames: a frame for each view, the last of a question with the answer. */

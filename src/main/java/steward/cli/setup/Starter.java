@@ -1,13 +1,11 @@
 package steward.cli.setup;
 
-import java.io.IOException;
-import java.io.InputStream;
-import java.io.UncheckedIOException;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import steward.bot.command.BotCommand;
 import steward.cli.shared.Games;
+import steward.files.Resources;
 import steward.match.Protocol;
 
 /**
@@ -91,10 +89,6 @@ enum Starter {
 
     /** The content of one of its {@link #files()}. */
     byte[] read(String game, String file) {
-        try (InputStream in = Starter.class.getResourceAsStream(folder(game) + file)) {
-            return in.readAllBytes();
-        } catch (IOException problem) {
-            throw new UncheckedIOException(problem);
-        }
+        return Resources.bytes(folder(game) + file);
     }
 }

@@ -1,8 +1,6 @@
 package steward.cli.tournament;
 
-import java.io.IOException;
-import java.io.InputStream;
-import java.nio.charset.StandardCharsets;
+import steward.files.Resources;
 import steward.replay.page.PageTemplate;
 
 /** Parts that all pages of a tournament have. They run no script and fetch nothing. */
@@ -15,21 +13,13 @@ final class Html {
 
     /** The page up to its heading. */
     static String head(String title) {
-        String style = style();
+        String style = Resources.text(STYLE);
         String plain = escape(title);
         return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
             + "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src "
             + PageTemplate.hash(style) + "; img-src data:\"><meta name=\"viewport\" content=\"width=device-width, "
             + "initial-scale=1\"><link rel=\"icon\" href=\"data:,\"><style>" + style + "</style><title>" + plain
             + "</title></head><body><main><h1>" + plain + "</h1>";
-    }
-
-    private static String style() {
-        try (InputStream in = Html.class.getResourceAsStream(STYLE)) {
-            return new String(in.readAllBytes(), StandardCharsets.UTF_8).replace("\r\n", "\n");
-        } catch (IOException problem) {
-            throw new IllegalStateException("the program is not whole: " + STYLE, problem);
-        }
     }
 
     /** A text that can stand in a page. */

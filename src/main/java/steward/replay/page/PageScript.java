@@ -1,14 +1,12 @@
 package steward.replay.page;
 
-import java.io.IOException;
-import java.io.InputStream;
-import java.nio.charset.StandardCharsets;
 import java.util.HashMap;
 import java.util.LinkedHashSet;
 import java.util.Map;
 import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import steward.files.Resources;
 
 /**
  * The script of a page: modules, put one after the other in the order of their imports, in one scope. A browser
@@ -48,7 +46,7 @@ final class PageScript {
         PageScript page = new PageScript();
         page.script.append("(() => {\n'use strict';\n");
         if (library != null) {
-            page.script.append(load(library)).append('\n');
+            page.script.append(Resources.text(library)).append('\n');
         }
         if (more != null) {
             page.add(more);
@@ -64,7 +62,7 @@ final class PageScript {
         if (!open.add(module)) {
             throw new IllegalStateException("modules import each other in a circle: " + open);
         }
-        String text = load(module);
+        String text = Resources.text(module);
         Matcher imports = IMPORT.matcher(text);
         while (imports.find()) {
             add(resolve(module, imports.group(1)));
@@ -96,17 +94,5 @@ final class PageScript {
             rest = rest.substring(3);
         }
         return folder + '/' + rest;
-    }
-
-    /** A resource as a browser reads it: every line end is {@code \n}, and hashes are of that. */
-    static String load(String name) {
-        try (InputStream in = PageScript.class.getResourceAsStream(name)) {
-            if (in == null) {
-                throw new IllegalStateException("the program is not whole: " + name + " is missing");
-            }
-            return new String(in.readAllBytes(), StandardCharsets.UTF_8).replace("\r\n", "\n");
-        } catch (IOException problem) {
-            throw new IllegalStateException("the program is not whole: " + name, problem);
-        }
     }
 }

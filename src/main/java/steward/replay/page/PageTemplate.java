@@ -7,6 +7,7 @@ import java.util.Base64;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.regex.Pattern;
+import steward.files.Resources;
 import steward.files.Sha256;
 
 /**
@@ -54,8 +55,8 @@ public final class PageTemplate {
     }
 
     private PageTemplate(String folder, String title, String look) {
-        template = PageScript.load(folder + "page.html");
-        style = PageScript.load(LIBRARY_STYLE) + PageScript.load(folder + "page.css");
+        template = Resources.text(folder + "page.html");
+        style = Resources.text(LIBRARY_STYLE) + Resources.text(folder + "page.css");
         script = PageScript.of(LIBRARY, folder + "page.js", look);
         values.put("title", escape(title));
         values.put("style", style);
