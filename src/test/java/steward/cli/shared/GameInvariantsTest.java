@@ -44,11 +44,22 @@ class GameInvariantsTest {
     @MethodSource("scenesAndRungs")
     @Tag("slow")
     void everyTurnKeepsThem(String scene, String rung) {
+        keepsThem(scene, rung, 1);
+    }
+
+    @ParameterizedTest
+    @MethodSource("scenesAndRungs")
+    @Tag("campaign")
+    void everyTurnOfSeveralGamesKeepsThem(String scene, String rung) {
+        keepsThem(scene, rung, GAMES);
+    }
+
+    private static void keepsThem(String scene, String rung, int most) {
         GameSetup setup = Games.open(scene, Accuracy.parse(rung));
         int impacts = 0;
         int turns = 0;
         boolean alone = setup.scene().players() == 0;
-        int games = alone ? 1 : GAMES;                                      // nobody plays otherwise there
+        int games = alone ? 1 : most;                                       // nobody plays otherwise there
         int mostTurns = alone ? MOST_TURNS_ALONE : MOST_TURNS;
         for (int seed = 1; seed <= games; seed++) {
             Game game = setup.create(seed);
