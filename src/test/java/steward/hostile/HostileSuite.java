@@ -18,9 +18,9 @@ import steward.text.TextFormat;
  * {@code escapes} or {@code succeeds}, and after how many milliseconds the match was over. With {@code --markdown FILE}
  * the tables of {@code docs/tables/attacks.md} and the day are written. Exit status 1 if anything is not as expected.
  *
- * <p>{@code --often} plays the attacks of the campaigns and leaves out those on files, pages and leagues; {@code --short}
- * plays each of them at one level alone, in turn; {@code --only guards} plays those left out, {@code --only WORD} those
- * of this word.
+ * <p>{@code --often} plays the attacks of the campaigns and leaves out those on files, pages and leagues; {@code
+ * --short} plays each of them at one level alone, in turn; {@code --only guards} plays those left out, {@code --only
+ * WORD} those of this word.
  */
 public final class HostileSuite {
 

@@ -244,7 +244,8 @@ class ShutInTest {
                 verdicts[warned ? 1 : 0]++;
             }
         }
-        assertTrue(Math.min(verdicts[0], verdicts[1]) > rounds / 6, "both verdicts: " + verdicts[0] + ", " + verdicts[1]);
+        assertTrue(Math.min(verdicts[0], verdicts[1]) > rounds / 6,
+            "both verdicts: " + verdicts[0] + ", " + verdicts[1]);
     }
 
     /** A thousand bumpers in each other and 901 maps with a warning each: after the steps allowed there are no more. */
