@@ -11,12 +11,15 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import steward.cli.Cli;
 import tools.jackson.databind.JsonNode;
 
 /** Rows of a league's database that cannot be used: refused by name, listed, set aside. */
+@Execution(ExecutionMode.CONCURRENT)
 class VerifyTest {
 
     private static final long SEED = 12;

@@ -21,6 +21,8 @@ import java.util.zip.GZIPInputStream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestReporter;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.game.GroundTruth;
 import steward.game.fantasticbits.FantasticBits;
 import steward.game.fantasticbits.Pitch;
@@ -36,6 +38,7 @@ import tools.jackson.databind.node.ObjectNode;
  * and each in {@link EveryWordIsComparedTest}.
  */
 @Tag("slow")
+@Execution(ExecutionMode.CONCURRENT)
 class WordsAreComparedTest {
 
     private static final Pattern WORD = Pattern.compile("[^\\s\"]+");
