@@ -27,19 +27,9 @@ class MachinesProofTest {
 
     @Test
     void nothingIsLostOrDoubledWhenWorkersLeagueAndConnectionsEnd(TestReporter report) throws Exception {
-        assertNothingIsLostOrDoubled(report, 24);
-    }
-
-    @Test
-    @Tag("campaign")
-    void nothingIsLostOrDoubledInMoreGames(TestReporter report) throws Exception {
-        assertNothingIsLostOrDoubled(report, 60);
-    }
-
-    private void assertNothingIsLostOrDoubled(TestReporter report, int games) throws Exception {
         assumeTrue(ShellBots.runnable() && ProgramFinder.find("kill") != null, "skipped: there is no sh or kill");
         StringBuilder said = new StringBuilder();
-        List<String> problems = MachinesProof.play(folder, games, 1, 200, said::append);
+        List<String> problems = MachinesProof.play(folder, 60, 1, 200, said::append);
         report.publishEntry(said.toString());
         assertEquals(List.of(), problems, said::toString);
     }
