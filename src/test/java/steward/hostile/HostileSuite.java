@@ -18,8 +18,9 @@ import steward.text.TextFormat;
  * {@code escapes} or {@code succeeds}, and after how many milliseconds the match was over. With {@code --markdown FILE}
  * the tables of {@code docs/tables/attacks.md} and the day are written. Exit status 1 if anything is not as expected.
  *
- * <p>{@code --short} plays the attacks of the usual tests and leaves out those on files, pages and leagues; {@code
- * --only guards} plays these, {@code --only WORD} those of this word.
+ * <p>{@code --often} plays the attacks of the campaigns and leaves out those on files, pages and leagues; {@code
+ * --short} plays each of them at one level alone, in turn; {@code --only guards} plays those left out, {@code --only
+ * WORD} those of this word.
  */
 public final class HostileSuite {
 
@@ -46,17 +47,19 @@ public final class HostileSuite {
             }
             next.put(level, trial.undisturbed(level));
         }
+        List<SandboxLevel> levels = List.copyOf(next.keySet());
         System.out.printf(ROW, "a bot", "off", "light", "strict", "verdict");
         for (Attack attack : chosen(options)) {
+            SandboxLevel only = options.contains("--short") ? levels.get(rows.size() % levels.size()) : null;
             if (!programs.has(attack)) {
                 System.out.println(attack.what() + ": skipped, there is no C compiler (cc)");
                 continue;
             }
-            rows.add(row(trial, attack, next, problems));
+            rows.add(row(trial, attack, only, next, problems));
         }
         int attacks = rows.size();
-        int only = options.indexOf("--only");
-        if (only >= 0 ? options.get(only + 1).equals("guards") : !options.contains("--short")) {
+        int named = options.indexOf("--only");
+        if (named >= 0 ? options.get(named + 1).equals("guards") : !isShort(options)) {
             guards(new Guards(Files.createDirectory(work.resolve("guards"))).run(), rows, problems);
         }
         String day = "Printed on " + LocalDate.now() + ".";
@@ -84,16 +87,21 @@ public final class HostileSuite {
     private static List<Attack> chosen(List<String> options) {
         int only = options.indexOf("--only");
         return Attacks.ALL.stream().filter(attack -> only >= 0 ? attack.word().equals(options.get(only + 1))
-            : attack.shortRun() || !options.contains("--short")).toList();
+            : attack.shortRun() || !isShort(options)).toList();
     }
 
-    private static String row(HostileTrial trial, Attack attack, Map<SandboxLevel, String> next,
+    private static boolean isShort(List<String> options) {
+        return options.contains("--short") || options.contains("--often");
+    }
+
+    /** @param only the level at which it is played; {@code null} for all that work here */
+    private static String row(HostileTrial trial, Attack attack, SandboxLevel only, Map<SandboxLevel, String> next,
                               List<String> problems) throws IOException, InterruptedException {
         String[] cells = {"-", "-", "-"};
         StringBuilder markdown = new StringBuilder("| " + attack.what() + " |");
         String verdict = "";
         for (SandboxLevel level : SandboxLevel.values()) {
-            if (!next.containsKey(level)) {
+            if (!next.containsKey(level) || only != null && level != only) {
                 markdown.append(" - |");
                 continue;
             }

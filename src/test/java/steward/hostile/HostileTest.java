@@ -48,8 +48,14 @@ class HostileTest {
     }
 
     @Test
-    void hostileBotsAtEveryLevel(TestReporter report) throws Exception {
+    void hostileBotsAtSomeLevel(TestReporter report) throws Exception {
         run(report, HostileSuite.class, "--short");
+    }
+
+    @Test
+    @Tag("campaign")
+    void hostileBotsAtEveryLevel(TestReporter report) throws Exception {
+        run(report, HostileSuite.class, "--often");
     }
 
     @Test
@@ -66,6 +72,12 @@ class HostileTest {
 
     @Test
     void manyMatchesInOneJvmLeaveNothing(TestReporter report) throws Exception {
+        run(report, Soak.class, "--matches", "100");
+    }
+
+    @Test
+    @Tag("campaign")
+    void hundredsOfMatchesInOneJvmLeaveNothing(TestReporter report) throws Exception {
         run(report, Soak.class, "--matches", "300");
     }
 

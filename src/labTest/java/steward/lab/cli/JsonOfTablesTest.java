@@ -57,6 +57,7 @@ class JsonOfTablesTest {
 
     @Test
     @Tag("process")
+    @Tag("campaign")
     void aSceneIsMeasured() {
         JsonNode json = Cli.run("tradeoff", "--quick", "--scene", "grazing", "--json").json();
         assertEquals("grazing", json.get("rows").get(0).get("scene").stringValue());

@@ -92,6 +92,7 @@ class TradeoffCommandTest {
     /** An interrupted run leaves the scenes that were measured, in files that are whole. */
     @Test
     @Tag("process")
+    @Tag("campaign")
     void whatWasMeasuredIsKept() throws IOException, InterruptedException {
         Path out = folder.resolve("results");
         Path errors = folder.resolve("errors");

@@ -20,9 +20,13 @@ import steward.league.sequential.Gsprt;
 class SelfCheckTest {
 
     private static final long LEAGUES = 1000;
-    /** Of a share of 95% of 1000. */
-    private static final double FOUR_DEVIATIONS = 4 * Math.sqrt(0.95 * 0.05 / LEAGUES);
+    private static final double FOUR_DEVIATIONS = fourDeviations(LEAGUES);
     private static final double PROMISED = 0.007;
+
+    /** Of a share of 95% of so many leagues. */
+    private static double fourDeviations(long leagues) {
+        return 4 * Math.sqrt(0.95 * 0.05 / leagues);
+    }
 
     private static void holds(MadeUpLeague league, int clusters) throws InterruptedException {
         Coverage found = FixedCheck.even(league, clusters).run(2, LEAGUES, 5).bars();
@@ -40,24 +44,34 @@ class SelfCheckTest {
         holds(MadeUpLeague.alone("alone", MadeUpLeague.spaced(4, 60)), 60);
     }
 
-    private static void holds(ScheduleCheck.Outcome found, Coverage.Among among) {
+    private static void holds(ScheduleCheck.Outcome found, Coverage.Among among, long leagues) {
         Coverage bars = found.ofFixed(among);
-        assertEquals(0.95, bars.least(), PROMISED + FOUR_DEVIATIONS, bars::toString);
-        assertEquals(0.95, bars.most(), PROMISED + FOUR_DEVIATIONS, bars::toString);
+        assertEquals(0.95, bars.least(), PROMISED + fourDeviations(leagues), bars::toString);
+        assertEquals(0.95, bars.most(), PROMISED + fourDeviations(leagues), bars::toString);
     }
 
     @Test
     @Tag("slow")
     void fixedBarsHoldHoweverBotsArePaired() throws InterruptedException {
-        holds(new ScheduleCheck(MadeUpLeagues.trio(), true, StopRule.NONE, 100).run(2, LEAGUES, 5),
-            Coverage.Among.ALL);
-        holds(new ScheduleCheck(MadeUpLeagues.mixed(), true, StopRule.NONE, 900).run(2, LEAGUES, 5),
-            Coverage.Among.ALL);
+        fixedBarsHoldHoweverPaired(LEAGUES / 5);
+    }
+
+    @Test
+    @Tag("campaign")
+    void inManyLeaguesFixedBarsHoldHoweverBotsArePaired() throws InterruptedException {
+        fixedBarsHoldHoweverPaired(LEAGUES);
+    }
+
+    private static void fixedBarsHoldHoweverPaired(long leagues) throws InterruptedException {
+        holds(new ScheduleCheck(MadeUpLeagues.trio(), true, StopRule.NONE, 100).run(2, leagues, 5),
+            Coverage.Among.ALL, leagues);
+        holds(new ScheduleCheck(MadeUpLeagues.mixed(), true, StopRule.NONE, 900).run(2, leagues, 5),
+            Coverage.Among.ALL, leagues);
         ScheduleCheck.Outcome gauntlet = new ScheduleCheck(MadeUpLeagues.mixed().gauntlet(3), false, StopRule.NONE,
-            200).run(2, LEAGUES, 5);
+            200).run(2, leagues, 5);
         assertEquals(40, gauntlet.rarest(), 1e-9);
-        holds(gauntlet, Coverage.Among.WITH_HERO);
-        holds(gauntlet, Coverage.Among.OTHERS);
+        holds(gauntlet, Coverage.Among.WITH_HERO, leagues);
+        holds(gauntlet, Coverage.Among.OTHERS, leagues);
     }
 
     @Test

@@ -27,10 +27,7 @@ import steward.scene.SceneFiles;
 @Execution(ExecutionMode.CONCURRENT)
 class GameInvariantsTest {
 
-    private static final int GAMES = 2;
     private static final int MOST_TURNS = 120;
-    /** Turns of a scene without players: heaps of hundreds take long. */
-    private static final int MOST_TURNS_ALONE = 40;
     /** Of the momentum exchanged: a few roundings of each velocity, and the official expressions' roundings of 1/m. */
     private static final double MOMENTUM_GAP = 1e-12;
     private static final double ENERGY_GAP = 1e-9;
@@ -44,12 +41,24 @@ class GameInvariantsTest {
     @MethodSource("scenesAndRungs")
     @Tag("slow")
     void everyTurnKeepsThem(String scene, String rung) {
+        keepsThem(scene, rung, 1, 20);
+    }
+
+    @ParameterizedTest
+    @MethodSource("scenesAndRungs")
+    @Tag("campaign")
+    void everyTurnOfSeveralGamesKeepsThem(String scene, String rung) {
+        keepsThem(scene, rung, 2, 40);
+    }
+
+    /** @param mostTurnsAlone turns of a scene without players: heaps of hundreds take long */
+    private static void keepsThem(String scene, String rung, int mostGames, int mostTurnsAlone) {
         GameSetup setup = Games.open(scene, Accuracy.parse(rung));
         int impacts = 0;
         int turns = 0;
         boolean alone = setup.scene().players() == 0;
-        int games = alone ? 1 : GAMES;                                      // nobody plays otherwise there
-        int mostTurns = alone ? MOST_TURNS_ALONE : MOST_TURNS;
+        int games = alone ? 1 : mostGames;                                  // nobody plays otherwise there
+        int mostTurns = alone ? mostTurnsAlone : MOST_TURNS;
         for (int seed = 1; seed <= games; seed++) {
             Game game = setup.create(seed);
             Game again = setup.create(seed);

@@ -19,6 +19,8 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestReporter;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.game.GameSetup;
 import steward.match.Seat;
 import steward.match.TestScenes;
@@ -26,18 +28,28 @@ import steward.match.TimeControl;
 
 /**
  * Three Poker Chip Race bots as contestants write them, in three languages, on the site's lines with seats rotated;
- * those whose language is not there leave their seat to the one in Java. More games: {@code -Dsteward.games=100}.
+ * those whose language is not there leave their seat to the one in Java. More games: {@code gradle campaigns
+ * -Psteward.games=100}.
  */
 @Tag("process")
+@Execution(ExecutionMode.CONCURRENT)
 class PokerChipRaceContestantsTest {
-
-    private static final int MATCHES = Integer.getInteger("steward.games", 6);
 
     @TempDir
     private Path folder;
 
     @Test
     void theyPlayWithoutAFault(TestReporter report) throws IOException, InterruptedException {
+        play(report, 2);
+    }
+
+    @Test
+    @Tag("campaign")
+    void inMoreGamesTheyPlayWithoutAFault(TestReporter report) throws IOException, InterruptedException {
+        play(report, Integer.getInteger("steward.games", 6));
+    }
+
+    private void play(TestReporter report, int matches) throws IOException, InterruptedException {
         JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
         assumeTrue(compiler != null, "skipped: this Java has no compiler");
         assertEquals(0, compiler.run(null, null, null, "-d", folder.toString(), source("Chaser.java").toString()));
@@ -51,7 +63,7 @@ class PokerChipRaceContestantsTest {
             cpp ? List.of(program.toString()) : java);
         int[] won = new int[commands.size()];
         int turns = 0;
-        for (int match = 0; match < MATCHES; match++) {
+        for (int match = 0; match < matches; match++) {
             Seat[] seats = new Seat[commands.size()];
             for (int seat = 0; seat < seats.length; seat++) {
                 int bot = (seat + match) % seats.length;
@@ -73,7 +85,7 @@ class PokerChipRaceContestantsTest {
         for (int each : won) {
             wins.add(each);
         }
-        report.publishEntry(MATCHES + " matches without a fault, " + turns + " turns; won " + wins
+        report.publishEntry(matches + " matches without a fault, " + turns + " turns; won " + wins
             + " (Java, Python " + python + ", C++ " + cpp + ")");
         assertTrue(turns > 0);
     }

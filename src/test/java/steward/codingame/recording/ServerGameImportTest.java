@@ -10,6 +10,8 @@ import java.io.ByteArrayOutputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import steward.match.TestScenes;
@@ -18,6 +20,7 @@ import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.ObjectNode;
 
 /** Recordings of a game with views of its own, played here and by the server: they verify, and changes are found. */
+@Execution(ExecutionMode.CONCURRENT)
 class ServerGameImportTest {
 
     private static final ServerMeanMax GAME = ServerMeanMax.play(5, 300);

@@ -67,8 +67,19 @@ class HostileClientsTest {
     /** The short form of what the Gradle task {@code hostileClients} does with 100 clients. */
     @Test
     void honestWorkersGoOnBesideManyThatAttack() throws Exception {
+        assertHonestWorkersGoOn(12, 1);
+    }
+
+    @Test
+    @Tag("campaign")
+    void honestWorkersGoOnBesideMoreThatAttackForLonger() throws Exception {
+        assertHonestWorkersGoOn(24, 3);
+    }
+
+    private void assertHonestWorkersGoOn(int clients, int seconds) throws Exception {
         StringBuilder said = new StringBuilder();
-        assertNull(HostileClients.play(folder, 12, 3, 256, line -> said.append(line).append('\n')), said::toString);
+        assertNull(HostileClients.play(folder, clients, seconds, 256, line -> said.append(line).append('\n')),
+            said::toString);
     }
 
     /** Long games: for minutes nobody says anything, and both connections stay. */

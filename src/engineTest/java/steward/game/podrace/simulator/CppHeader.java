@@ -33,8 +33,8 @@ public final class CppHeader implements AutoCloseable {
     public static final int NOT_COMPARED = -1000;
 
     private static final int PODS = 4;
-    private static final List<List<String>> FLAGS =
-        List.of(List.of("-O0"), List.of("-O2"), List.of("-O3", "-march=native"));
+    private static final List<String> USUAL = List.of("-O2");
+    private static final List<List<String>> FLAGS = List.of(USUAL, List.of("-O0"), List.of("-O3", "-march=native"));
     private static final int LARGEST_RECORD = 1 << 14;
     static final Path HEADER = Path.of(
         "src/main/resources/steward/starters/cpp-simulator/steward_podrace.hpp");
@@ -43,22 +43,33 @@ public final class CppHeader implements AutoCloseable {
     private static final String OFAST = "#pragma GCC optimize(\"Ofast\")\n#pragma GCC target(\"avx2,fma\")\n";
 
     private final ByteBuffer record = ByteBuffer.allocate(LARGEST_RECORD).order(ByteOrder.LITTLE_ENDIAN);
+    private final List<Path> programs;
     private final List<Process> running = new ArrayList<>();
     private final List<OutputStream> inputs = new ArrayList<>();
     private final TestReporter report;
     private long turns;
 
-    /** Programs, compiled once for all tests. */
-    private static final class Built {
-        static final List<Path> PROGRAMS = programs();
+    /** Programs by the usual flags, compiled once for all tests. */
+    private static final class Usual {
+        static final List<Path> PROGRAMS = programs(List.of(USUAL));
     }
 
-    /** Starts the programs; the test is skipped, saying so, where there is no compiler. */
-    public CppHeader(TestReporter report) {
+    /** Programs by all flags. */
+    private static final class Every {
+        static final List<Path> PROGRAMS = programs(FLAGS);
+    }
+
+    /**
+     * Starts the programs; the test is skipped, saying so, where there is no compiler.
+     *
+     * @param everyFlag whether compiled by all flags, for campaigns, or by {@code -O2} alone
+     */
+    public CppHeader(TestReporter report, boolean everyFlag) {
         this.report = report;
-        assumeTrue(!Built.PROGRAMS.isEmpty(), "skipped: there is neither g++ nor clang++");
+        programs = everyFlag ? Every.PROGRAMS : Usual.PROGRAMS;
+        assumeTrue(!programs.isEmpty(), "skipped: there is neither g++ nor clang++");
         try {
-            for (Path program : Built.PROGRAMS) {
+            for (Path program : programs) {
                 Process process = new ProcessBuilder(program.toString()).redirectErrorStream(true).start();
                 running.add(process);
                 inputs.add(new BufferedOutputStream(process.getOutputStream(), 1 << 16));
@@ -68,7 +79,7 @@ public final class CppHeader implements AutoCloseable {
         }
     }
 
-    private static List<Path> programs() {
+    private static List<Path> programs(List<List<String>> everyFlags) {
         try {
             Path folder = Files.createTempDirectory("steward-header");
             Files.copy(HEADER, folder.resolve(HEADER.getFileName()));
@@ -77,14 +88,11 @@ public final class CppHeader implements AutoCloseable {
             List<List<String>> calls = new ArrayList<>();
             for (String compiler : List.of("g++", "clang++")) {
                 if (isInstalled(compiler)) {
-                    for (List<String> flags : FLAGS) {
-                        calls.add(call(compiler, flags, plain));
-                    }
+                    everyFlags.forEach(flags -> calls.add(call(compiler, flags, plain)));
                 }
             }
             if (isInstalled("g++") && hasAvx2()) {
-                calls.add(call("g++", List.of("-O0"), ofast));
-                calls.add(call("g++", List.of("-O2"), ofast));
+                everyFlags.stream().limit(2).forEach(flags -> calls.add(call("g++", flags, ofast)));
             }
             List<Path> programs = IntStream.range(0, calls.size()).parallel()
                 .mapToObj(k -> compile(folder, calls.get(k))).toList();
@@ -248,7 +256,7 @@ public final class CppHeader implements AutoCloseable {
         for (int k = 0; k < running.size(); k++) {
             inputs.get(k).close();
             String said = text(running.get(k).getInputStream()).strip();
-            String name = Built.PROGRAMS.get(k).getFileName().toString();
+            String name = programs.get(k).getFileName().toString();
             report.publishEntry(name + ": " + said);
             assertEquals(0, running.get(k).waitFor(), name + ": " + said);
             assertEquals(turns, Long.parseLong(said.split(" ")[0]), name + ": " + said);

@@ -79,7 +79,18 @@ class PodRaceVectorsTest {
     @Test
     @Tag("process")
     void theHeaderForBotsPlaysTheSameTurns(TestReporter report) throws IOException, InterruptedException {
-        try (CppHeader header = new CppHeader(report)) {
+        theHeaderPlaysTheSameTurns(new CppHeader(report, false));
+    }
+
+    @Test
+    @Tag("process")
+    @Tag("campaign")
+    void byEveryFlagTheHeaderForBotsPlaysTheSameTurns(TestReporter report) throws IOException, InterruptedException {
+        theHeaderPlaysTheSameTurns(new CppHeader(report, true));
+    }
+
+    private static void theHeaderPlaysTheSameTurns(CppHeader started) throws IOException, InterruptedException {
+        try (CppHeader header = started) {
             for (Path file : files()) {
                 Comparison found = new SimulatedVectors(VectorMatch.read(file), header).compare();
                 assertEquals(List.of(), found.differences());

@@ -23,13 +23,12 @@ import steward.numerics.SplitMix64;
 
 /**
  * The header for bots in C++ against the engine of matches and the simulator, bit for bit, by g++ and clang++. The
- * number of turns of each kind is 20,000, or that of {@code -Psteward.turns}: {@code gradle test --tests
- * '*CppHeaderTest' -Psteward.turns=1000000}; {@code -Psteward.seed} draws others.
+ * number of turns of each kind is 4,000, in campaigns 20,000, or that of {@code -Psteward.turns}: {@code gradle test
+ * --tests '*CppHeaderTest' -Psteward.turns=1000000}; {@code -Psteward.seed} draws others.
  */
 @Tag("process")
 class CppHeaderTest {
 
-    private static final long TURNS = Long.getLong("steward.turns", 20_000);
     private static final long SEED = Long.getLong("steward.seed", 38);
     private static final int PODS = 4;
     private static final int LEFT = 100;
@@ -41,11 +40,16 @@ class CppHeaderTest {
 
     private final RandomTurns random = new RandomTurns(SEED);
     private final SplitMix64 choice = new SplitMix64(SEED);
+    private final long wanted = Long.getLong("steward.turns", isCampaign() ? 20_000 : 4_000);
     private CppHeader header;
 
     @BeforeEach
     void start(TestReporter report) {
-        header = new CppHeader(report);
+        header = new CppHeader(report, isCampaign());
+    }
+
+    boolean isCampaign() {
+        return false;
     }
 
     @AfterEach
@@ -79,7 +83,7 @@ class CppHeaderTest {
         double[][] map = null;
         PodRaceType.PodRaceSetup setup = null;
         long turns = 0;
-        for (long game = 0; turns < TURNS; game++) {
+        for (long game = 0; turns < wanted; game++) {
             if (game % MAP_GAMES == 0) {
                 map = random.map();
                 setup = game % (2 * MAP_GAMES) == 0 ? Recordings.official() : Recordings.contest();
@@ -109,7 +113,7 @@ class CppHeaderTest {
         EdgeTurns edges = new EdgeTurns(SEED, PODS);
         header.map(EDGE_MAP, RulesEdition.LIVE);
         long turns = 0;
-        while (turns < TURNS) {
+        while (turns < wanted) {
             PodRace race = Recordings.official().create(EDGE_MAP);
             edges.state();
             for (int pod = 0; pod < PODS; pod++) {
@@ -138,7 +142,7 @@ class CppHeaderTest {
         header.map(map, RulesEdition.CONTEST);
         PodRaceSimulator race = new PodRaceSimulator(map, 2, 2, 3, RulesEdition.CONTEST);
         long turns = 0;
-        while (turns < TURNS) {
+        while (turns < wanted) {
             random.state();
             random.put(race);
             if (!fits(race)) {
