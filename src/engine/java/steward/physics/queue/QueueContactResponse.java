@@ -100,10 +100,10 @@ abstract class QueueContactResponse {
         @Override
         boolean react(int a, int b, double now) {
             copy(a, 0);
-            idSink.first = bodies.id(crowd.index[a]);
+            idSink.first = crowd.id[a];
             if (b >= 0) {
                 copy(b, 1);
-                idSink.second = bodies.id(crowd.index[b]);
+                idSink.second = crowd.id[b];
                 collision.reactPair(pair, 0, 1, now, sink);
                 updateState(b, pair.x[1], pair.y[1], pair.vx[1], pair.vy[1]);
             } else {
