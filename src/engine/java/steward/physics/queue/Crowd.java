@@ -9,8 +9,8 @@ import steward.physics.time.PreciseFlight;
  * The bodies of a turn as {@link QueueAdvance} keeps them, each with a local clock: the state of a body is that of the
  * start of its present free flight. Bodies are stored in the order of their cells, so that neighbours are near each
  * other in memory; the classes of this package call the position in this order a body. The eight doubles of a body fill
- * a cache line; they are all that a search reads of a neighbour and a reaction of its pair. Offsets begin where a line
- * does: an array has a header of 16 bytes.
+ * a cache line; they are all that a search reads of a neighbour. Offsets begin where a line does: an array has a header of
+ * 16 bytes.
  */
 final class Crowd {
 
@@ -25,7 +25,8 @@ final class Crowd {
     static final int RADIUS = 11;
     /** The time of its predicted next impact; infinite for none in this turn. */
     static final int IMPACT = 12;
-    static final int MASS = 13;
+    /** The time of its event, kept by {@link EventBuckets}. */
+    static final int TIME = 13;
 
     /** Offsets in {@link #link}: its place in the queue, kept by {@link EventBuckets}. */
     static final int PLACE = 4;
@@ -62,8 +63,8 @@ final class Crowd {
     double nowLow;
     /** The index of each body in {@link Bodies}. */
     int[] index = new int[0];
-    /** The id of each body. */
     int[] id = new int[0];
+    double[] mass = new double[0];
     /** The bodies that are in no cell: too large, too far away, or too fast for cells to pay. */
     int[] outside = new int[0];
     int outsideCount;
@@ -90,6 +91,7 @@ final class Crowd {
             link = new int[8 * capacity + PLACE];
             index = new int[capacity];
             id = new int[capacity];
+            mass = new double[capacity];
             outside = new int[capacity];
             low = new double[exact ? 4 * capacity : 0];
         }
@@ -111,7 +113,7 @@ final class Crowd {
             state[at + SINCE] = now;
             state[at + RADIUS] = bodies.radius[of];
             state[at + IMPACT] = NEVER;
-            state[at + MASS] = bodies.mass[of];
+            mass[body] = bodies.mass[of];
             cells.clearChanges(body);
             link[at + OUTSIDE] = -1;
             assignCell(body);
@@ -300,7 +302,7 @@ final class Crowd {
 
     /** The size of its arrays, in bytes. */
     long bytes() {
-        return 8L * (state.length + low.length) + 4L * (link.length + index.length + id.length + outside.length)
+        return 8L * (state.length + low.length + mass.length) + 4L * (link.length + index.length + id.length + outside.length)
             + cells.bytes();
     }
 }

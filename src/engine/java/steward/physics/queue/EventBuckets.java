@@ -41,9 +41,9 @@ final class EventBuckets {
     private static final double MOST_SCALE = 0x1p60;
 
     private final Order order;
-    private double[] key = new double[0];
-    /** The records of the bodies, {@link Crowd#link}, of which {@link Crowd#PLACE} is kept here. */
-    private int[] records = new int[0];
+    /** The records of the bodies, of which {@link Crowd#PLACE} and {@link Crowd#TIME} are kept here. */
+    private int[] links = new int[0];
+    private double[] states = new double[0];
     /** Entries of lists, of two numbers each: a body, and the next entry or -1. */
     private int[] entries = new int[0];
     /** The first entry that is free again, or -1; and the number of entries that were ever used. */
@@ -77,12 +77,13 @@ final class EventBuckets {
      *
      * @param now     no event is earlier
      * @param meanGap estimated time from event to event of a body, above 0; affects only the speed
-     * @param records see {@link Crowd#link}
+     * @param links   see {@link Crowd#link}
+     * @param states  see {@link Crowd#state}
      */
-    void begin(int bodies, int capacity, double now, double meanGap, int[] records) {
-        this.records = records;
-        if (key.length < bodies) {
-            key = new double[capacity];
+    void begin(int bodies, int capacity, double now, double meanGap, int[] links, double[] states) {
+        this.links = links;
+        this.states = states;
+        if (heap.length < bodies) {
             entries = new int[2 * ENTRIES_PER_BODY * capacity];
             heap = new int[capacity];
         }
@@ -107,22 +108,22 @@ final class EventBuckets {
 
     /** The time of the event of a body; meaningless if it has none. */
     double time(int body) {
-        return key[body];
+        return states[8 * body + Crowd.TIME];
     }
 
     private int place(int body) {
-        return records[8 * body + Crowd.PLACE];
+        return links[8 * body + Crowd.PLACE];
     }
 
     private void setPlace(int body, int place) {
-        records[8 * body + Crowd.PLACE] = place;
+        links[8 * body + Crowd.PLACE] = place;
     }
 
     /** Sets the event of a body, replacing the one it had. */
     void put(int body, double time) {
         remove(body);
         size++;
-        key[body] = time;
+        states[8 * body + Crowd.TIME] = time;
         insert(body, time);
     }
 
@@ -197,7 +198,7 @@ final class EventBuckets {
             entries[2 * entry + 1] = free;
             free = entry;
             if (place(body) == IN_LIST - list) {
-                insert(body, key[body]);
+                insert(body, time(body));
             }
             entry = after;
         }
@@ -225,7 +226,7 @@ final class EventBuckets {
         clearLists();
         for (int body = 0; body < bodies; body++) {
             if (place(body) <= IN_LIST) {
-                insert(body, key[body]);
+                insert(body, time(body));
             }
         }
     }
@@ -240,7 +241,7 @@ final class EventBuckets {
     private double earliest() {
         double earliest = NONE;
         for (int body = 0; body < bodies; body++) {
-            earliest = place(body) <= IN_LIST ? Math.min(earliest, key[body]) : earliest;
+            earliest = place(body) <= IN_LIST ? Math.min(earliest, time(body)) : earliest;
         }
         return earliest;
     }
@@ -287,7 +288,7 @@ final class EventBuckets {
     }
 
     private boolean isBefore(int i, int j) {
-        return key[i] < key[j] || key[i] == key[j] && order.isBefore(i, j);
+        return time(i) < time(j) || time(i) == time(j) && order.isBefore(i, j);
     }
 
     private void push(int body) {
@@ -337,6 +338,6 @@ final class EventBuckets {
 
     /** The size of its arrays, in bytes. */
     long bytes() {
-        return 8L * key.length + 4L * (entries.length + heads.length + heap.length);
+        return 4L * (entries.length + heads.length + heap.length);
     }
 }

@@ -88,15 +88,21 @@ final class LookAhead {
         int all = count;
         for (int k = 0; k < count; k++) {
             int body = bodies[k];
-            sum += state(body) + Double.doubleToRawLongBits(events.time(body)) + crowd.index[body] + crowd.id[body];
+            int impact = link[8 * body + EVENT] - 1 >> 31;         // -1 for an impact, 0 for a crossing
             bodies[all] = link[8 * body + PARTNER];
-            all += link[8 * body + EVENT] - 1 >>> 31 & ~bodies[all] >>> 31;
+            all += 1 + (bodies[all] >> 31) & impact;
+            sum += state(body) + reaction(body & impact);
         }
         for (int k = count; k < all; k++) {
             int body = bodies[k];
-            sum += state(body) + link[8 * body + PARTNER] + crowd.index[body] + crowd.id[body];
+            sum += state(body) + reaction(body) + link[8 * body + PARTNER];
         }
         return sum;
+    }
+
+    /** Reads what only a reaction needs. */
+    private long reaction(int body) {
+        return Double.doubleToRawLongBits(crowd.mass[body]) + crowd.index[body] + crowd.id[body];
     }
 
     /** Appends the first bodies of the cells where an event searches, and returns how many there are then. */

@@ -143,7 +143,7 @@ public final class QueueAdvance implements Advance {
 
     /** Predicts the events of all bodies, at a time to which all have been moved. */
     private void predict(int capacity, double now) {
-        events.begin(crowd.size, capacity, now, crowd.meanGap(), crowd.link);
+        events.begin(crowd.size, capacity, now, crowd.meanGap(), crowd.link, crowd.state);
         search.begin(capacity);
         for (int body = 0; body < crowd.size; body++) {
             search.predict(body, now);

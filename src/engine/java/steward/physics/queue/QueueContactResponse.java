@@ -1,6 +1,5 @@
 package steward.physics.queue;
 
-import static steward.physics.queue.Crowd.MASS;
 import static steward.physics.queue.Crowd.RADIUS;
 import static steward.physics.queue.Crowd.VX;
 import static steward.physics.queue.Crowd.VY;
@@ -121,8 +120,8 @@ abstract class QueueContactResponse {
             pair.vx[to] = state[at + VX];
             pair.vy[to] = state[at + VY];
             pair.radius[to] = state[at + RADIUS];
-            pair.mass[to] = state[at + MASS];
-            pair.inverseMass[to] = 1 / state[at + MASS];
+            pair.mass[to] = crowd.mass[body];
+            pair.inverseMass[to] = 1 / crowd.mass[body];
             if (rounded != null) {
                 crowd.copyLowParts(body, rounded, to);
             }

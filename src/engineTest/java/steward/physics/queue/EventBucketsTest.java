@@ -17,8 +17,8 @@ class EventBucketsTest {
     private static final int BODIES = 120;
     private static final double NONE = Double.POSITIVE_INFINITY;
 
-    private static int[] records() {
-        return new int[8 * BODIES + Crowd.PLACE];
+    private static void begin(EventBuckets events, double now, double meanGap) {
+        events.begin(BODIES, BODIES, now, meanGap, new int[8 * BODIES + Crowd.PLACE], new double[8 * BODIES + Crowd.X]);
     }
 
     /** By time, ties by number. */
@@ -43,12 +43,11 @@ class EventBucketsTest {
     void theNextEventIsTheEarliest(double meanGap, int oneIn, double far) {
         EventBuckets events = new EventBuckets((i, j) -> i < j);
         SplitMix64 random = new SplitMix64(11);
-        int[] records = records();
         for (int turn = 0; turn < 20; turn++) {
             double[] times = new double[BODIES];
             Arrays.fill(times, NONE);
             double now = turn * 10;
-            events.begin(BODIES, BODIES, now, meanGap, records);
+            begin(events, now, meanGap);
             for (int step = 0; step < 5000; step++) {
                 int body = first(times);
                 assertEquals(body, events.first(), "seed 11, turn " + turn + ", step " + step);
@@ -78,7 +77,7 @@ class EventBucketsTest {
         for (int seed = 1; seed <= 50; seed++) {
             SplitMix64 random = new SplitMix64(seed);
             EventBuckets events = new EventBuckets((i, j) -> i < j);
-            events.begin(BODIES, BODIES, 0, 1, records());
+            begin(events, 0, 1);
             for (int body = 0; body < BODIES; body++) {
                 events.put(body, 2 * random.nextDouble());
             }
