@@ -35,6 +35,8 @@ final class Cells {
     private static final double USED_SHARE = 1 - 0x1p-10;
     /** Columns and rows that are empty at first on each side. */
     private static final int MARGIN = 2;
+    /** Bodies are sorted by squares of so many cells a side; change it and see {@code bench --only crowds}. */
+    private static final int TILE = 8;
     private static final int SAMPLE = 64;
     /** The maximum number of bodies that are left out of the grid for their size. */
     private static final int MOST_LARGE = 16;
@@ -45,7 +47,8 @@ final class Cells {
     private int columns;
     private int rows;
     private int[] heads = new int[0];
-    private int[] next = new int[0];
+    /** Two entries per body: the next one in its cell, and how often its flight has changed, for its neighbours. */
+    private int[] links = new int[0];
     private double originX;
     private double originY;
     private double side;
@@ -85,8 +88,8 @@ final class Cells {
         if (heads.length < columns * rows) {
             heads = new int[Math.min(columns * rows * 9 / 8, 4 * size + 64)];
         }
-        if (next.length < size) {
-            next = new int[bodies.capacity()];
+        if (links.length < 2 * size) {
+            links = new int[2 * bodies.capacity()];
         }
     }
 
@@ -170,7 +173,10 @@ final class Cells {
         }
     }
 
-    /** Orders indices by cells, ascending within a cell: a counting sort. */
+    /**
+     * Orders indices by tiles, in a tile by cells, ascending within a cell: a counting sort. Neighbours stay on few pages
+     * of memory that way, even after a turn in which bodies have flown through some cells.
+     */
     void sort(Bodies bodies, int[] index) {
         int cells = columns * rows;
         Arrays.fill(heads, 0, cells, 0);
@@ -178,14 +184,28 @@ final class Cells {
             heads[cellAt(column(bodies.x[k]), row(bodies.y[k]))]++;
         }
         int before = 0;
-        for (int cell = 0; cell < cells; cell++) {
-            before += heads[cell];
-            heads[cell] = before - heads[cell];
+        for (int fromRow = 0; fromRow < rows; fromRow += TILE) {
+            for (int fromColumn = 0; fromColumn < columns; fromColumn += TILE) {
+                before = countTile(fromColumn, fromRow, before);
+            }
         }
         for (int k = 0; k < bodies.size(); k++) {
             index[heads[cellAt(column(bodies.x[k]), row(bodies.y[k]))]++] = k;
         }
         Arrays.fill(heads, 0, cells, -1);
+    }
+
+    /** Replaces the numbers of bodies in the cells of a tile by those before each. @return the number after the last */
+    private int countTile(int fromColumn, int fromRow, int from) {
+        int before = from;
+        int endColumn = Math.min(columns, fromColumn + TILE);
+        for (int row = fromRow; row < Math.min(rows, fromRow + TILE); row++) {
+            for (int cell = row * columns + fromColumn; cell < row * columns + endColumn; cell++) {
+                before += heads[cell];
+                heads[cell] = before - heads[cell];
+            }
+        }
+        return before;
     }
 
     /** True if a body of this radius is kept in a cell. */
@@ -237,20 +257,20 @@ final class Cells {
     }
 
     void add(int body, int cell) {
-        next[body] = heads[cell];
+        links[2 * body] = heads[cell];
         heads[cell] = body;
     }
 
     void remove(int body, int cell) {
         int at = heads[cell];
         if (at == body) {
-            heads[cell] = next[body];
+            heads[cell] = links[2 * body];
             return;
         }
-        while (next[at] != body) {
-            at = next[at];
+        while (links[2 * at] != body) {
+            at = links[2 * at];
         }
-        next[at] = next[body];
+        links[2 * at] = links[2 * body];
     }
 
     /**
@@ -282,23 +302,49 @@ final class Cells {
         return count;
     }
 
+    /**
+     * Appends the first body of each of three cells: the one given, and those one step before and after it.
+     *
+     * @param into room for three more
+     */
+    int appendSideHeads(int column, int row, int stepColumn, int stepRow, int[] into, int before) {
+        int count = append(heads[cellAt(column - stepColumn, row - stepRow)], into, before);
+        count = append(heads[cellAt(column, row)], into, count);
+        return append(heads[cellAt(column + stepColumn, row + stepRow)], into, count);
+    }
+
+    /** The first body of a cell, or -1. */
+    int first(int column, int row) {
+        return heads[cellAt(column, row)];
+    }
+
+    /** How often the flight of a body has changed since it was loaded. */
+    int changes(int body) {
+        return links[2 * body + 1];
+    }
+
+    void countChange(int body) {
+        links[2 * body + 1]++;
+    }
+
+    void clearChanges(int body) {
+        links[2 * body + 1] = 0;
+    }
+
     /** The body that follows another one in its cell, or -1. */
     int following(int body) {
-        return next[body];
+        return links[2 * body];
     }
 
     /** Collects the bodies of three cells: the one given, and those one step before and after it. */
     int gatherSide(int column, int row, int stepColumn, int stepRow, int[] into) {
-        int count = append(heads[cellAt(column - stepColumn, row - stepRow)], into, 0);
-        count = append(heads[cellAt(column, row)], into, count);
-        count = append(heads[cellAt(column + stepColumn, row + stepRow)], into, count);
-        return appendFollowing(into, count);
+        return appendFollowing(into, appendSideHeads(column, row, stepColumn, stepRow, into, 0));
     }
 
     private int appendFollowing(int[] into, int heads) {
         int count = heads;
         for (int k = 0; k < count; k++) {
-            count = append(next[into[k]], into, count);
+            count = append(links[2 * into[k]], into, count);
         }
         return count;
     }
@@ -311,6 +357,6 @@ final class Cells {
 
     /** The size of its arrays, in bytes. */
     long bytes() {
-        return 4L * (heads.length + next.length) + 8L * (SAMPLE + MOST_LARGE);
+        return 4L * (heads.length + links.length) + 8L * (SAMPLE + MOST_LARGE);
     }
 }

@@ -9,38 +9,40 @@ import steward.physics.time.PreciseFlight;
  * The bodies of a turn as {@link QueueAdvance} keeps them, each with a local clock: the state of a body is that of the
  * start of its present free flight. Bodies are stored in the order of their cells, so that neighbours are near each
  * other in memory; the classes of this package call the position in this order a body. The eight doubles of a body fill
- * a cache line; they are all that a search reads of a neighbour and a reaction of its pair.
+ * a cache line; they are all that a search reads of a neighbour. Offsets begin where a line does: an array has a header of
+ * 16 bytes.
  */
 final class Crowd {
 
     /** Offsets in {@link #state}: the position at the start of the flight, in u. */
-    static final int X = 0;
-    static final int Y = 1;
+    static final int X = 6;
+    static final int Y = 7;
     /** The velocity of the flight, in u per turn. */
-    static final int VX = 2;
-    static final int VY = 3;
+    static final int VX = 8;
+    static final int VY = 9;
     /** The local clock: the start of the flight, as a time of the turn. */
-    static final int SINCE = 4;
-    static final int RADIUS = 5;
+    static final int SINCE = 10;
+    static final int RADIUS = 11;
     /** The time of its predicted next impact; infinite for none in this turn. */
-    static final int IMPACT = 6;
-    static final int MASS = 7;
+    static final int IMPACT = 12;
+    /** The time of its event, kept by {@link EventBuckets}. */
+    static final int TIME = 13;
 
-    /** Offsets in {@link #link}: how often the flight of a body has changed. */
-    static final int CHANGES = 0;
+    /** Offsets in {@link #link}: its place in the queue, kept by {@link EventBuckets}. */
+    static final int PLACE = 4;
     /** The partner of its predicted impact: a body, or {@code ~wall}. */
-    static final int PARTNER = 1;
+    static final int PARTNER = 5;
     /** How often the partner's flight had changed at the prediction. */
-    static final int PARTNER_CHANGES = 2;
+    static final int PARTNER_CHANGES = 6;
     /** Its cell; kept by counting the crossings, not from its coordinates. */
-    static final int COLUMN = 3;
-    static final int ROW = 4;
+    static final int COLUMN = 7;
+    static final int ROW = 8;
     /** Cell crossings since its last full search. */
-    static final int CROSSED = 5;
+    static final int CROSSED = 9;
     /** Its event: an impact (0), or a cell crossing, as 2 + step of column + 4 (2 + step of row). */
-    static final int EVENT = 6;
+    static final int EVENT = 10;
     /** Its index in {@link #outside}, or -1. */
-    static final int OUTSIDE = 7;
+    static final int OUTSIDE = 11;
 
     /** Offsets in {@link #low}: the low parts of {@link #SINCE} and {@link #IMPACT}. */
     static final int SINCE_LOW = 0;
@@ -51,9 +53,9 @@ final class Crowd {
 
     static final double NEVER = Double.POSITIVE_INFINITY;
 
-    /** Eight entries per body. */
+    /** Eight entries per body, after {@code X} that are not used. */
     double[] state = new double[0];
-    /** Eight entries per body. */
+    /** Eight entries per body, after {@code PLACE} that are not used. */
     int[] link = new int[0];
     /** Four entries per body where times are double-doubles, otherwise none. */
     double[] low = new double[0];
@@ -61,6 +63,8 @@ final class Crowd {
     double nowLow;
     /** The index of each body in {@link Bodies}. */
     int[] index = new int[0];
+    int[] id = new int[0];
+    double[] mass = new double[0];
     /** The bodies that are in no cell: too large, too far away, or too fast for cells to pay. */
     int[] outside = new int[0];
     int outsideCount;
@@ -83,9 +87,11 @@ final class Crowd {
         size = bodies.size();
         if (index.length < size) {
             int capacity = bodies.capacity();
-            state = new double[8 * capacity];
-            link = new int[8 * capacity];
+            state = new double[8 * capacity + X];
+            link = new int[8 * capacity + PLACE];
             index = new int[capacity];
+            id = new int[capacity];
+            mass = new double[capacity];
             outside = new int[capacity];
             low = new double[exact ? 4 * capacity : 0];
         }
@@ -99,6 +105,7 @@ final class Crowd {
         for (int body = 0; body < size; body++) {
             int of = index[body];
             int at = 8 * body;
+            id[body] = bodies.id(of);
             state[at + X] = bodies.x[of];
             state[at + Y] = bodies.y[of];
             state[at + VX] = bodies.vx[of];
@@ -106,11 +113,20 @@ final class Crowd {
             state[at + SINCE] = now;
             state[at + RADIUS] = bodies.radius[of];
             state[at + IMPACT] = NEVER;
-            state[at + MASS] = bodies.mass[of];
-            link[at + CHANGES] = 0;
+            mass[body] = bodies.mass[of];
+            cells.clearChanges(body);
             link[at + OUTSIDE] = -1;
             assignCell(body);
         }
+    }
+
+    /** The step to another column, or 0, of a crossing as {@link #EVENT} has it. */
+    static int columnStep(int crossing) {
+        return (crossing & 3) - 2;
+    }
+
+    static int rowStep(int crossing) {
+        return (crossing >> 2) - 2;
     }
 
     /** Puts a body that is in no list into the cell of its position, or outside if it does not fit into cells. */
@@ -286,6 +302,7 @@ final class Crowd {
 
     /** The size of its arrays, in bytes. */
     long bytes() {
-        return 8L * (state.length + low.length) + 4L * (link.length + index.length + outside.length) + cells.bytes();
+        return 8L * (state.length + low.length + mass.length) + 4L * (link.length + index.length + id.length + outside.length)
+            + cells.bytes();
     }
 }

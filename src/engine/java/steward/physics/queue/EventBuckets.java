@@ -9,6 +9,9 @@ import java.util.Arrays;
  * simulations", 2007). The overflow list is redistributed once in a round of the ring: an event enters it only if it is
  * at least a whole round away. Where many events fall into one bucket, this is a plain heap of them. The width affects
  * only the speed, never the order.
+ *
+ * An entry whose body has left its list stays there until the list is taken apart: so an event is replaced without
+ * reading the records of other bodies, which lie anywhere in memory. When all entries are used, the lists are made anew.
  */
 
 /**
@@ -24,24 +27,31 @@ final class EventBuckets {
         boolean isBefore(int i, int j);
     }
 
-    private static final int ABSENT = Integer.MIN_VALUE;
-    private static final int IN_HEAP = Integer.MIN_VALUE + 1;
+    /** The place of a body without an event. In the heap a place is at least 0, in list n it is {@code IN_LIST - n}. */
+    private static final int ABSENT = -1;
+    private static final int IN_LIST = -2;
     /** Buckets per body: the ring is this many mean gaps long, and few events are farther away. */
     private static final int PER_BODY = 3;
     private static final int LEAST_BUCKETS = 16;
+    private static final int ENTRIES_PER_BODY = 2;
     /** With fewer or more events per bucket on the average, the width is chosen anew. */
     private static final double LEAST_FILL = 0.1;
     private static final double MOST_FILL = 3;
+    private static final double NONE = Double.POSITIVE_INFINITY;
     private static final double MOST_SCALE = 0x1p60;
 
     private final Order order;
-    private double[] key = new double[0];
-    /** The next body in the list, or the position in the heap. */
-    private int[] next = new int[0];
-    /** The previous body in the list, {@code ~bucket} for the first one, or {@link #ABSENT} or {@link #IN_HEAP}. */
-    private int[] previous = new int[0];
+    /** The records of the bodies, of which {@link Crowd#PLACE} and {@link Crowd#TIME} are kept here. */
+    private int[] links = new int[0];
+    private double[] states = new double[0];
+    /** Entries of lists, of two numbers each: a body, and the next entry or -1. */
+    private int[] entries = new int[0];
+    /** The first entry that is free again, or -1; and the number of entries that were ever used. */
+    private int free;
+    private int used;
     private int[] heads = new int[0];
     private int[] heap = new int[0];
+    private int bodies;
     private int buckets;
     /** The number of events, in all and in the heap. */
     private int size;
@@ -67,20 +77,25 @@ final class EventBuckets {
      *
      * @param now     no event is earlier
      * @param meanGap estimated time from event to event of a body, above 0; affects only the speed
+     * @param links   see {@link Crowd#link}
+     * @param states  see {@link Crowd#state}
      */
-    void begin(int bodies, int capacity, double now, double meanGap) {
-        if (key.length < bodies) {
-            key = new double[capacity];
-            next = new int[capacity];
-            previous = new int[capacity];
+    void begin(int bodies, int capacity, double now, double meanGap, int[] links, double[] states) {
+        this.links = links;
+        this.states = states;
+        if (heap.length < bodies) {
+            entries = new int[2 * ENTRIES_PER_BODY * capacity];
             heap = new int[capacity];
         }
         buckets = LEAST_BUCKETS + PER_BODY * bodies;
         if (heads.length <= buckets) {
             heads = new int[LEAST_BUCKETS + PER_BODY * capacity + 1];
         }
-        Arrays.fill(heads, 0, buckets + 1, -1);
-        Arrays.fill(previous, 0, bodies, ABSENT);
+        for (int body = 0; body < bodies; body++) {
+            setPlace(body, ABSENT);
+        }
+        clearLists();
+        this.bodies = bodies;
         size = 0;
         heapSize = 0;
         slot = 0;
@@ -93,16 +108,22 @@ final class EventBuckets {
 
     /** The time of the event of a body; meaningless if it has none. */
     double time(int body) {
-        return key[body];
+        return states[8 * body + Crowd.TIME];
+    }
+
+    private int place(int body) {
+        return links[8 * body + Crowd.PLACE];
+    }
+
+    private void setPlace(int body, int place) {
+        links[8 * body + Crowd.PLACE] = place;
     }
 
     /** Sets the event of a body, replacing the one it had. */
     void put(int body, double time) {
-        if (previous[body] != ABSENT) {
-            remove(body);
-        }
+        remove(body);
         size++;
-        key[body] = time;
+        states[8 * body + Crowd.TIME] = time;
         insert(body, time);
     }
 
@@ -112,42 +133,37 @@ final class EventBuckets {
             push(body);
         } else if (ahead < buckets) {
             int bucket = slot + (int) ahead;
-            link(body, bucket < buckets ? bucket : bucket - buckets);
+            addTo(bucket < buckets ? bucket : bucket - buckets, body);
         } else {
-            link(body, buckets);
+            addTo(buckets, body);
         }
     }
 
-    private void link(int body, int bucket) {
-        int head = heads[bucket];
-        next[body] = head;
-        previous[body] = ~bucket;
-        if (head >= 0) {
-            previous[head] = body;
+    private void addTo(int list, int body) {
+        int entry = free;
+        if (entry >= 0) {
+            free = entries[2 * entry + 1];
+        } else {
+            if (2 * used == entries.length) {
+                insertAllAnew();
+            }
+            entry = used++;
         }
-        heads[bucket] = body;
+        entries[2 * entry] = body;
+        entries[2 * entry + 1] = heads[list];
+        heads[list] = entry;
+        setPlace(body, IN_LIST - list);
     }
 
-    /** Removes the event of a body, if it has one. */
+    /** Removes the event of a body, if it has one; an entry of a list stays there until its turn comes. */
     void remove(int body) {
-        int before = previous[body];
-        if (before == ABSENT) {
-            return;
-        }
-        size--;
-        previous[body] = ABSENT;
-        int after = next[body];
-        if (before == IN_HEAP) {
-            removeFromHeap(after);
-            return;
-        }
-        if (before >= 0) {
-            next[before] = after;
-        } else {
-            heads[~before] = after;
-        }
-        if (after >= 0) {
-            previous[after] = before;
+        int from = place(body);
+        if (from != ABSENT) {
+            size--;
+            setPlace(body, ABSENT);
+            if (from >= 0) {
+                removeFromHeap(from);
+            }
         }
     }
 
@@ -163,7 +179,7 @@ final class EventBuckets {
                 slot = 0;
             }
             if (heads[slot] >= 0) {
-                moveToHeap(slot);
+                insertAnew(slot);
             }
             if (current == horizon) {
                 redistributeOverflow();
@@ -172,14 +188,19 @@ final class EventBuckets {
         return heap[0];
     }
 
-    /** Moves a list into the heap. */
-    private void moveToHeap(int bucket) {
-        int body = heads[bucket];
-        heads[bucket] = -1;
-        while (body >= 0) {
-            int after = next[body];
-            push(body);
-            body = after;
+    /** Takes a list apart, and inserts the bodies that are still in it anew: those of the present bucket into the heap. */
+    private void insertAnew(int list) {
+        int entry = heads[list];
+        heads[list] = -1;
+        while (entry >= 0) {
+            int body = entries[2 * entry];
+            int after = entries[2 * entry + 1];
+            entries[2 * entry + 1] = free;
+            free = entry;
+            if (place(body) == IN_LIST - list) {
+                insert(body, time(body));
+            }
+            entry = after;
         }
     }
 
@@ -189,25 +210,40 @@ final class EventBuckets {
      */
     private void redistributeOverflow() {
         double fill = (double) eventsServed / bucketsPassed;
-        int chain = heads[buckets];
-        heads[buckets] = -1;
-        boolean even = fill >= LEAST_FILL && fill <= MOST_FILL;
-        for (int bucket = 0; bucket < buckets && !even; bucket++) {
-            chain = prepend(heads[bucket], chain);
-            heads[bucket] = -1;
-        }
-        if (even || chain < 0) {
-            startRound(current);
-        } else {
-            base = earliest(chain);
+        double earliest = fill >= LEAST_FILL && fill <= MOST_FILL ? NONE : earliest();
+        if (earliest < NONE) {
+            base = earliest;
             scale = Math.min(scale * Math.min(16, Math.max(0.0625, fill)), MOST_SCALE);
             startRound(0);
+            insertAllAnew();
+        } else {
+            startRound(current);
+            insertAnew(buckets);
         }
-        for (int body = chain; body >= 0;) {
-            int after = next[body];
-            insert(body, key[body]);
-            body = after;
+    }
+
+    private void insertAllAnew() {
+        clearLists();
+        for (int body = 0; body < bodies; body++) {
+            if (place(body) <= IN_LIST) {
+                insert(body, time(body));
+            }
         }
+    }
+
+    private void clearLists() {
+        Arrays.fill(heads, 0, buckets + 1, -1);
+        free = -1;
+        used = 0;
+    }
+
+    /** The time of the earliest event in a list. */
+    private double earliest() {
+        double earliest = NONE;
+        for (int body = 0; body < bodies; body++) {
+            earliest = place(body) <= IN_LIST ? Math.min(earliest, time(body)) : earliest;
+        }
+        return earliest;
     }
 
     private void startRound(long from) {
@@ -217,75 +253,62 @@ final class EventBuckets {
         horizon = from + buckets;
     }
 
-    private int prepend(int list, int chain) {
-        int joined = chain;
-        for (int body = list; body >= 0;) {
-            int after = next[body];
-            next[body] = joined;
-            joined = body;
-            body = after;
-        }
-        return joined;
-    }
-
-    private double earliest(int chain) {
-        double earliest = Double.POSITIVE_INFINITY;
-        for (int body = chain; body >= 0; body = next[body]) {
-            earliest = Math.min(earliest, key[body]);
-        }
-        return earliest;
-    }
-
     /** The number of buckets that have been passed so far, in all turns. */
     long passed() {
         return passed;
     }
 
-    /** Reads all that is stored of a body. @return a value that depends on it */
-    double read(int body) {
-        return key[body] + next[body] + previous[body];
-    }
-
-    /** Collects the bodies of at most {@code most} events in the next buckets, and returns how many they are. */
+    /**
+     * Collects the bodies of at most {@code most} entries of the next buckets, and returns how many they are. A body
+     * that has left one of these buckets and come back is there twice. No branch depends on what is read.
+     *
+     * @param into room for one more
+     */
     int gatherNext(int nextBuckets, int[] into, int most) {
         int found = 0;
-        for (int k = 1; k <= Math.min(nextBuckets, buckets - 1) && found < most; k++) {
+        int last = Math.min(nextBuckets, buckets - 1);
+        for (int k = 1; k <= last && found < most; k++) {
             int bucket = slot + k;
-            int head = heads[bucket < buckets ? bucket : bucket - buckets];
-            into[found] = head;
-            found += head < 0 ? 0 : 1;
+            into[found] = heads[bucket < buckets ? bucket : bucket - buckets];
+            found += 1 + (into[found] >> 31);
         }
         for (int k = 0; k < found && found < most; k++) {
-            int after = next[into[k]];
-            into[found] = after;
-            found += after < 0 ? 0 : 1;
+            into[found] = entries[2 * into[k] + 1];
+            found += 1 + (into[found] >> 31);
         }
-        return found;
+        int staying = 0;
+        for (int k = 0; k < found; k++) {
+            into[staying] = entries[2 * into[k]];
+            int list = IN_LIST - place(into[staying]);
+            int ahead = list - slot;
+            ahead += ahead >> 31 & buckets;
+            staying += 1 + (last - ahead >> 31) & ~(list >> 31);
+        }
+        return staying;
     }
 
     private boolean isBefore(int i, int j) {
-        return key[i] < key[j] || key[i] == key[j] && order.isBefore(i, j);
+        return time(i) < time(j) || time(i) == time(j) && order.isBefore(i, j);
     }
 
     private void push(int body) {
         eventsServed++;
-        previous[body] = IN_HEAP;
         rise(body, heapSize++);
     }
 
     private void rise(int body, int from) {
-        int place = from;
-        while (place > 0) {
-            int parent = place - 1 >> 1;
+        int at = from;
+        while (at > 0) {
+            int parent = at - 1 >> 1;
             if (!isBefore(body, heap[parent])) {
                 break;
             }
-            heap[place] = heap[parent];
-            next[heap[place]] = place;
-            place = parent;
+            heap[at] = heap[parent];
+            setPlace(heap[at], at);
+            at = parent;
         }
-        heap[place] = body;
-        next[body] = place;
+        heap[at] = body;
+        setPlace(body, at);
     }
 
     private void removeFromHeap(int hole) {
@@ -293,28 +316,28 @@ final class EventBuckets {
         if (hole == heapSize) {
             return;
         }
-        int place = hole;
-        for (int child = 2 * place + 1; child < heapSize; child = 2 * place + 1) {
+        int at = hole;
+        for (int child = 2 * at + 1; child < heapSize; child = 2 * at + 1) {
             if (child + 1 < heapSize && isBefore(heap[child + 1], heap[child])) {
                 child++;
             }
             if (isBefore(last, heap[child])) {
                 break;
             }
-            heap[place] = heap[child];
-            next[heap[place]] = place;
-            place = child;
+            heap[at] = heap[child];
+            setPlace(heap[at], at);
+            at = child;
         }
-        if (place == hole) {
-            rise(last, place);
+        if (at == hole) {
+            rise(last, at);
         } else {
-            heap[place] = last;
-            next[last] = place;
+            heap[at] = last;
+            setPlace(last, at);
         }
     }
 
     /** The size of its arrays, in bytes. */
     long bytes() {
-        return 8L * key.length + 4L * (next.length + previous.length + heads.length + heap.length);
+        return 4L * (entries.length + heads.length + heap.length);
     }
 }

@@ -1,6 +1,5 @@
 package steward.physics.queue;
 
-import static steward.physics.queue.Crowd.CHANGES;
 import static steward.physics.queue.Crowd.EVENT;
 import static steward.physics.queue.Crowd.PARTNER;
 import static steward.physics.queue.Crowd.PARTNER_CHANGES;
@@ -144,7 +143,7 @@ public final class QueueAdvance implements Advance {
 
     /** Predicts the events of all bodies, at a time to which all have been moved. */
     private void predict(int capacity, double now) {
-        events.begin(crowd.size, capacity, now, crowd.meanGap());
+        events.begin(crowd.size, capacity, now, crowd.meanGap(), crowd.link, crowd.state);
         search.begin(capacity);
         for (int body = 0; body < crowd.size; body++) {
             search.predict(body, now);
@@ -213,7 +212,7 @@ public final class QueueAdvance implements Advance {
 
     private boolean isStale(int body) {
         int partner = crowd.link[8 * body + PARTNER];
-        return partner >= 0 && crowd.link[8 * partner + CHANGES] != crowd.link[8 * body + PARTNER_CHANGES];
+        return partner >= 0 && crowd.cells.changes(partner) != crowd.link[8 * body + PARTNER_CHANGES];
     }
 
     private void react(Bodies bodies, int body, int partner, double now, TurnSink sink) {
@@ -338,6 +337,6 @@ public final class QueueAdvance implements Advance {
     }
 
     private void countChange(int body) {
-        crowd.link[8 * body + CHANGES]++;
+        crowd.cells.countChange(body);
     }
 }

@@ -1,6 +1,5 @@
 package steward.physics.queue;
 
-import static steward.physics.queue.Crowd.MASS;
 import static steward.physics.queue.Crowd.RADIUS;
 import static steward.physics.queue.Crowd.VX;
 import static steward.physics.queue.Crowd.VY;
@@ -100,10 +99,10 @@ abstract class QueueContactResponse {
         @Override
         boolean react(int a, int b, double now) {
             copy(a, 0);
-            idSink.first = bodies.id(crowd.index[a]);
+            idSink.first = crowd.id[a];
             if (b >= 0) {
                 copy(b, 1);
-                idSink.second = bodies.id(crowd.index[b]);
+                idSink.second = crowd.id[b];
                 collision.reactPair(pair, 0, 1, now, sink);
                 updateState(b, pair.x[1], pair.y[1], pair.vx[1], pair.vy[1]);
             } else {
@@ -121,8 +120,8 @@ abstract class QueueContactResponse {
             pair.vx[to] = state[at + VX];
             pair.vy[to] = state[at + VY];
             pair.radius[to] = state[at + RADIUS];
-            pair.mass[to] = state[at + MASS];
-            pair.inverseMass[to] = 1 / state[at + MASS];
+            pair.mass[to] = crowd.mass[body];
+            pair.inverseMass[to] = 1 / crowd.mass[body];
             if (rounded != null) {
                 crowd.copyLowParts(body, rounded, to);
             }

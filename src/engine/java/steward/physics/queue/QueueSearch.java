@@ -1,6 +1,5 @@
 package steward.physics.queue;
 
-import static steward.physics.queue.Crowd.CHANGES;
 import static steward.physics.queue.Crowd.COLUMN;
 import static steward.physics.queue.Crowd.CROSSED;
 import static steward.physics.queue.Crowd.EVENT;
@@ -109,7 +108,7 @@ sealed class QueueSearch permits ExactQueueSearch {
         storePrediction(body);
         if (best < NEVER) {
             crowd.link[at + PARTNER] = partner;
-            crowd.link[at + PARTNER_CHANGES] = partner >= 0 ? crowd.link[8 * partner + CHANGES] : 0;
+            crowd.link[at + PARTNER_CHANGES] = partner >= 0 ? crowd.cells.changes(partner) : 0;
         }
         enqueue(body, now);
     }
@@ -165,8 +164,8 @@ sealed class QueueSearch permits ExactQueueSearch {
         }
         Cells cells = crowd.cells;
         cells.remove(body, cells.cellAt(column, row));
-        int stepColumn = (link[at + EVENT] & 3) - 2;
-        int stepRow = (link[at + EVENT] >> 2) - 2;
+        int stepColumn = Crowd.columnStep(link[at + EVENT]);
+        int stepRow = Crowd.rowStep(link[at + EVENT]);
         column += stepColumn;
         row += stepRow;
         link[at + COLUMN] = column;
@@ -188,7 +187,7 @@ sealed class QueueSearch permits ExactQueueSearch {
                 state[at + IMPACT] = best;
                 storePrediction(body);
                 link[at + PARTNER] = partner;
-                link[at + PARTNER_CHANGES] = crowd.link[8 * partner + CHANGES];
+                link[at + PARTNER_CHANGES] = crowd.cells.changes(partner);
             }
         }
         enqueue(body, now);

@@ -1,6 +1,7 @@
 package steward.physics.queue;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Arrays;
 import java.util.Set;
@@ -15,6 +16,10 @@ class EventBucketsTest {
 
     private static final int BODIES = 120;
     private static final double NONE = Double.POSITIVE_INFINITY;
+
+    private static void begin(EventBuckets events, double now, double meanGap) {
+        events.begin(BODIES, BODIES, now, meanGap, new int[8 * BODIES + Crowd.PLACE], new double[8 * BODIES + Crowd.X]);
+    }
 
     /** By time, ties by number. */
     private static int first(double[] times) {
@@ -42,7 +47,7 @@ class EventBucketsTest {
             double[] times = new double[BODIES];
             Arrays.fill(times, NONE);
             double now = turn * 10;
-            events.begin(BODIES, BODIES, now, meanGap);
+            begin(events, now, meanGap);
             for (int step = 0; step < 5000; step++) {
                 int body = first(times);
                 assertEquals(body, events.first(), "seed 11, turn " + turn + ", step " + step);
@@ -72,9 +77,16 @@ class EventBucketsTest {
         for (int seed = 1; seed <= 50; seed++) {
             SplitMix64 random = new SplitMix64(seed);
             EventBuckets events = new EventBuckets((i, j) -> i < j);
-            events.begin(BODIES, BODIES, 0, 1);
+            begin(events, 0, 1);
             for (int body = 0; body < BODIES; body++) {
-                events.put(body, 0.3 * random.nextDouble());
+                events.put(body, 2 * random.nextDouble());
+            }
+            for (int put = random.nextInt(6000); put > 0; put--) {                // perhaps round the ring
+                int body = random.nextInt(3) == 0 ? random.nextInt(BODIES) : events.first();
+                events.put(body, events.time(events.first()) + 2 * random.nextDouble());
+            }
+            for (int body = 0; body < BODIES; body += 7) {
+                events.remove(body);
             }
             events.first();
             int[] gathered = new int[3 * BODIES];
@@ -82,7 +94,7 @@ class EventBucketsTest {
             long passed = events.passed();
             Set<Integer> expected = new TreeSet<>();
             Set<Integer> seen = new TreeSet<>();
-            int count = events.gatherNext(ahead, gathered, BODIES);
+            int count = events.gatherNext(ahead, gathered, gathered.length - 1);
             Arrays.stream(gathered, 0, count).forEach(seen::add);
             int most = events.gatherNext(BODIES, gathered, 5);
             for (int body = events.first(); body >= 0 && events.passed() <= passed + ahead; body = events.first()) {
@@ -92,8 +104,7 @@ class EventBucketsTest {
                 events.remove(body);
             }
             assertEquals(expected, seen, "seed " + seed);
-            assertEquals(count, seen.size(), "seed " + seed);
-            assertEquals(5, most, "seed " + seed);
+            assertTrue(most > 0 && most <= 5, "seed " + seed + ": " + most);
         }
     }
 }
