@@ -174,8 +174,8 @@ final class Cells {
     }
 
     /**
-     * Orders indices by tiles, in a tile by cells, ascending within a cell: a counting sort. Neighbours stay on few pages
-     * of memory that way, even after a turn in which bodies have flown through some cells.
+     * Orders indices by tiles, in a tile by cells, ascending within a cell: a counting sort. So neighbours stay on few
+     * pages of memory, even after a turn in which bodies have flown through some cells.
      */
     void sort(Bodies bodies, int[] index) {
         int cells = columns * rows;

@@ -9,8 +9,8 @@ import steward.physics.time.PreciseFlight;
  * The bodies of a turn as {@link QueueAdvance} keeps them, each with a local clock: the state of a body is that of the
  * start of its present free flight. Bodies are stored in the order of their cells, so that neighbours are near each
  * other in memory; the classes of this package call the position in this order a body. The eight doubles of a body fill
- * a cache line; they are all that a search reads of a neighbour. Offsets begin where a line does: an array has a header of
- * 16 bytes.
+ * a cache line; they are all that a search reads of a neighbour. Offsets begin where a line does: an array has a header
+ * of 16 bytes.
  */
 final class Crowd {
 
@@ -61,7 +61,7 @@ final class Crowd {
     double[] low = new double[0];
     /** The low part of the present time. */
     double nowLow;
-    /** The index of each body in {@link Bodies}. */
+    /** The index of each body in {@link Bodies}, its id and its mass: what only a reaction needs. */
     int[] index = new int[0];
     int[] id = new int[0];
     double[] mass = new double[0];
@@ -302,7 +302,7 @@ final class Crowd {
 
     /** The size of its arrays, in bytes. */
     long bytes() {
-        return 8L * (state.length + low.length + mass.length) + 4L * (link.length + index.length + id.length + outside.length)
-            + cells.bytes();
+        return 8L * (state.length + low.length + mass.length)
+            + 4L * (link.length + index.length + id.length + outside.length) + cells.bytes();
     }
 }

@@ -11,7 +11,7 @@ import java.util.Arrays;
  * only the speed, never the order.
  *
  * An entry whose body has left its list stays there until the list is taken apart: so an event is replaced without
- * reading the records of other bodies, which lie anywhere in memory. When all entries are used, the lists are made anew.
+ * reading the records of other bodies, which lie anywhere in memory. When all entries are used, lists are made anew.
  */
 
 /**
@@ -188,7 +188,7 @@ final class EventBuckets {
         return heap[0];
     }
 
-    /** Takes a list apart, and inserts the bodies that are still in it anew: those of the present bucket into the heap. */
+    /** Takes a list apart, and inserts the bodies still in it anew: those of the present bucket into the heap. */
     private void insertAnew(int list) {
         int entry = heads[list];
         heads[list] = -1;

@@ -117,7 +117,8 @@ final class LookAhead {
             int stepRow = Crowd.rowStep(event);
             near[before] = crowd.cells.first(column, row);
             int found = before + 1 + (near[before] >> 31);
-            return crowd.cells.appendSideHeads(column + 2 * stepColumn, row + 2 * stepRow, stepRow, stepColumn, near, found);
+            return crowd.cells.appendSideHeads(column + 2 * stepColumn, row + 2 * stepRow, stepRow, stepColumn, near,
+                found);
         }
         int found = crowd.cells.appendHeads(column, row, near, before);
         int partner = 8 * link[at + PARTNER];
