@@ -77,7 +77,7 @@ final class CrowdSection implements Section {
     }
 
     private static int rounds(int bodies, Effort effort) {
-        return bodies > 30_000 || effort == Effort.QUICK ? 1 : effort.rounds();
+        return bodies > 30_000 ? effort.fewRounds() : effort == Effort.QUICK ? 1 : effort.rounds();
     }
 
     private void run(Gas gas, Effort effort, Consumer<String> about, Consumer<Row> rows) {
