@@ -29,7 +29,6 @@ public final class InProcessPlayer implements Player {
         return name;
     }
 
-    /** Never used: {@link #ask} calls the bot on the same thread, so it cannot be abandoned. */
     @Override
     public void tell(byte[] lines, int length) {
         told.write(lines, 0, length);

@@ -77,7 +77,6 @@ final class OldRefereePlayer implements Player {
         return Math.round(nanos / NANOS_PER_MS * 10) / 10.0;
     }
 
-    /** Never used: reading ends when the tool ends. */
     /** The tool ends its bots itself; the text protocol has no last lines. Without any, this player has failed. */
     @Override
     public void finish(byte[] frame, int length) {

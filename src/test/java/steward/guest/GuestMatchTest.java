@@ -126,6 +126,11 @@ class GuestMatchTest {
         Path file = folder.resolve("x.jsonl");
         match(scene("good", 2, ""), "--out", file.toString());
         String replay = Files.readString(file);
+        Files.writeString(folder.resolve("standin.py"), "# another one\n");
+        Files.writeString(file, replay.replace("[\"python3\"", "[\"python3\",\"-Wd\",\"-X.y=1\",\"no/such.py\""));
+        Cli.run("replay", file.toString(), "--verify", "--run-referee").assertRefused(
+            "which is that of the referee's files here; no file is no/such.py");
+        Files.writeString(file, replay);
         Files.delete(folder.resolve("standin.py"));
         Cli.run("replay", file.toString(), "--verify", "--run-referee").assertRefused(file + ":1: jar: found no file "
             + folder.resolve("standin.py") + ", expected the files of sha256:");

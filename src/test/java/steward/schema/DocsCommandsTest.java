@@ -15,8 +15,6 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.api.parallel.Execution;
-import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.bot.command.CommandLine;
 
 /**
@@ -26,7 +24,6 @@ import steward.bot.command.CommandLine;
 @Tag("process")
 @Tag("slow")
 @Timeout(300)
-@Execution(ExecutionMode.CONCURRENT)
 class DocsCommandsTest {
 
     private static final String FENCE = "```\\w*\\R(.*?)```";

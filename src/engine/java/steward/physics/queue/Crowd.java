@@ -7,10 +7,10 @@ import steward.physics.time.PreciseFlight;
 
 /**
  * The bodies of a turn as {@link QueueAdvance} keeps them, each with a local clock: the state of a body is that of the
- * start of its present free flight. Bodies are stored in the order of their cells, so that neighbours are near each
+ * start of its present free flight. Bodies are stored in the order of tiles of cells, so that neighbours are near each
  * other in memory; the classes of this package call the position in this order a body. The eight doubles of a body fill
- * a cache line; they are all that a search reads of a neighbour. Offsets begin where a line does: an array has a header
- * of 16 bytes.
+ * a cache line; they are all that a search reads of a neighbour. They begin 64 bytes after an array does, whose header
+ * has 16: where arrays begin with a line, as large ones do, no record lies in two.
  */
 final class Crowd {
 

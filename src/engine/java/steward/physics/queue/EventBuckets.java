@@ -260,7 +260,7 @@ final class EventBuckets {
 
     /**
      * Collects the bodies of at most {@code most} entries of the next buckets, and returns how many they are. A body
-     * that has left one of these buckets and come back is there twice. No branch depends on what is read.
+     * whose event has moved within these buckets is there several times. No branch depends on what is read.
      *
      * @param into room for one more
      */
@@ -282,7 +282,7 @@ final class EventBuckets {
             int list = IN_LIST - place(into[staying]);
             int ahead = list - slot;
             ahead += ahead >> 31 & buckets;
-            staying += 1 + (last - ahead >> 31) & ~(list >> 31);
+            staying += 1 + (last - ahead >> 31) & ~(list >> 31) & (list - buckets >> 31);
         }
         return staying;
     }

@@ -136,7 +136,7 @@ public final class QueueAdvance implements Advance {
         passing.releaseSeparatedPairs(bodies);
     }
 
-    /** The size of its arrays after a turn, in bytes: below 200 per body of the capacity, from a capacity of 150 on. */
+    /** The size of its arrays after a turn, in bytes: at most 220 per body of the capacity, from 100 on. */
     public long bytes() {
         return crowd.bytes() + events.bytes() + search.bytes() + lookAhead.bytes();
     }

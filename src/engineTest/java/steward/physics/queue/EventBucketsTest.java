@@ -87,6 +87,7 @@ class EventBucketsTest {
             }
             for (int body = 0; body < BODIES; body += 7) {
                 events.remove(body);
+                events.put(Math.min(BODIES - 1, body + 3), 1000);
             }
             events.first();
             int[] gathered = new int[3 * BODIES];

@@ -1,2 +1,2 @@
-/** Commands that measure accuracy: {@code explain}, {@code tradeoff}, {@code stability}. */
+/** Commands that measure: {@code stability}, {@code tradeoff}, {@code bench}. */
 package steward.lab.cli;

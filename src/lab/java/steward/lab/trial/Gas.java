@@ -17,8 +17,8 @@ public final class Gas {
     public static final double MOST_COVERAGE = 0.88;
     /** Largest number of bodies. */
     public static final int MOST_BODIES = 10_000_000;
-    /** Most memory for a body, in bytes: 100 in {@link Bodies}, twice, and 200 in an advance. */
-    private static final long BYTES = 400;
+    /** Most memory for a body, in bytes: 100 in {@link Bodies}, twice, and 220 in an advance. */
+    private static final long BYTES = 420;
     private static final double SPEED = 100;
 
     private final long seed;

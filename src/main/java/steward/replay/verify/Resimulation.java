@@ -2,10 +2,11 @@ package steward.replay.verify;
 
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.Arrays;
-import java.util.List;
 import java.util.Objects;
+import java.util.stream.Collectors;
 import steward.files.JarFolder;
 import steward.game.FrameCodec;
 import steward.game.Game;
@@ -124,12 +125,21 @@ public final class Resimulation {
         if (Objects.equals(header.jar(), here)) {
             return;
         }
-        List<String> absent = setup.words().stream().filter(word -> word.matches(".*[/\\\\.].*")
-            && !Files.exists(Path.of(word))).toList();
-        throw new ReplayException(source + ":1: jar: found " + (absent.isEmpty()
-            ? Objects.requireNonNullElse(header.jar(), "none") + ", expected " + here
-                + ", which is that of the referee's files here"
-            : "no file " + String.join(", ", absent) + ", expected the files of " + header.jar()));
+        String absent = setup.words().stream().filter(Resimulation::isAbsentFile).collect(Collectors.joining(", "));
+        String recorded = Objects.requireNonNullElse(header.jar(), "none");
+        throw new ReplayException(source + ":1: jar: found " + (here == null && !absent.isEmpty()
+            ? "no file " + absent + ", expected the files of " + recorded
+            : recorded + ", expected " + here + ", which is that of the referee's files here"
+                + (absent.isEmpty() ? "" : "; no file is " + absent)));
+    }
+
+    /** True for a word of a command that looks like a path, and no file is there. */
+    private static boolean isAbsentFile(String word) {
+        try {
+            return !word.startsWith("-") && word.matches(".*[/\\\\.].*") && !Files.exists(Path.of(word));
+        } catch (InvalidPathException noPath) {
+            return false;
+        }
     }
 
     private void checkLaw(int recorded, String source) {

@@ -13,8 +13,6 @@ import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.api.parallel.Execution;
-import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import steward.bot.command.CommandLine;
@@ -24,7 +22,6 @@ import steward.cli.shared.ExitStatus;
 import tools.jackson.databind.JsonNode;
 
 /** {@code steward new}. */
-@Execution(ExecutionMode.CONCURRENT)
 class NewCommandTest {
 
     @TempDir

@@ -19,8 +19,6 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestReporter;
 import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.api.parallel.Execution;
-import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.match.Seat;
 import steward.match.TestScenes;
 import steward.match.TimeControl;
@@ -31,7 +29,6 @@ import steward.match.TimeControl;
  * campaigns -Psteward.games=100}.
  */
 @Tag("process")
-@Execution(ExecutionMode.CONCURRENT)
 class FantasticBitsContestantsTest {
 
     @TempDir
