@@ -24,8 +24,8 @@ import steward.scene.Scene;
 
 /**
  * The physics of a scene put together one part at a time, from an empty scene where bodies only fly: a benchmark
- * measures what each part adds. The parts that the scene has come first, each added to those before; then the parts that
- * it does not have, each added to the whole scene, with typical settings.
+ * measures what each part adds. The parts that the scene has come first, each added to those before; then the parts
+ * that it does not have, each added to the whole scene, with typical settings.
  *
  * <p>Caveats: a broad phase comes last and saves work; reactions are those of a game that
  * always answers {@code BOUNCE}; restitution is looked up but bodies keep their values; a batch window needs a minimum
