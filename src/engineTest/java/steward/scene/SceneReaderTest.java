@@ -26,7 +26,7 @@ class SceneReaderTest {
         "name": "s", "game": "g", "players": 3, "time": { "firstAnswerMs": 1000, "answerMs": 75 },
         "accuracy": { "advance": "event", "arithmetic": "official" }""";
 
-    /** Whether velocities and places become whole numbers at the end of a turn. */
+    /** Flags of a scene: velocities and places become whole numbers at the end of a turn, or not. */
     private static List<Boolean> roundings(Scene scene) {
         return List.of(scene.motion().step(Motion.Of.VELOCITY) != null,
             scene.motion().step(Motion.Of.POSITION) != null);

@@ -318,7 +318,7 @@ final class Cells {
         return heads[cellAt(column, row)];
     }
 
-    /** How often the flight of a body has changed since it was loaded. */
+    /** The number of times that the flight of a body has changed since it was loaded. */
     int changes(int body) {
         return links[2 * body + 1];
     }

@@ -16,7 +16,7 @@ final class LookAhead {
 
     /** The least number of bodies for which it pays: smaller crowds fit into the caches. */
     static final int LEAST_BODIES = 1 << 16;
-    /** The wanted number of events at a time: what they need takes a quarter of a cache of the second level. */
+    /** The wanted number of events at a time: what they need leaves room in a cache of the second level. */
     private static final int EVENTS = 70;
     /** The greatest number of cells where one event searches. */
     private static final int MOST_HEADS = 18;
