@@ -200,6 +200,7 @@ public final class LeagueRun {
     /** Plays until an end is reached. Call once. */
     public void play() throws InterruptedException {
         int far = elsewhere == null ? 0 : 1;
+        writer.start();                                // not before: a run that is refused leaves no thread
         try {
             WorkerThreads.run("league", limits.threads() + far, thread -> thread < limits.threads() ? this::playHere
                 : () -> new FarGames(elsewhere).play(new Far()));

@@ -27,11 +27,15 @@ public final class GameWriter implements AutoCloseable {
     private long stored;
     private long transactions;
 
-    /** Starts. */
+    /** A writer into a season, whose thread is not running yet. */
     public GameWriter(GameStore store, int season) {
         this.store = store;
         this.season = season;
         thread.setDaemon(true);
+    }
+
+    /** Starts the thread, once. */
+    public void start() {
         thread.start();
     }
 

@@ -7,6 +7,8 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.io.OutputStream;
+import java.net.InetAddress;
+import java.net.ServerSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermission;
@@ -16,6 +18,9 @@ import java.sql.DriverManager;
 import java.sql.SQLException;
 import java.sql.Statement;
 import java.util.Set;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.FutureTask;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -190,6 +195,26 @@ class LeagueCommandTest {
         Files.setPosixFilePermissions(league, PosixFilePermissions.fromString("rwxr-xr-x"));
         assertEquals("", league("table", "TMP/a").err());
         assertEquals("rwxr-xr-x", PosixFilePermissions.toString(Files.getPosixFilePermissions(league)), "only read");
+    }
+
+    /** A thread that stores games polls until the run is over: one that never began had no end. */
+    @Test
+    void aRunThatIsRefusedLeavesNoThread() throws IOException, InterruptedException {
+        done("init", "TMP/a", "--scene", "duel", "--seed", "1");
+        done("add", "TMP/a", "one=builtin:racer");
+        done("add", "TMP/a", "two=builtin:regular");
+        ThreadGroup group = new ThreadGroup("run");
+        try (ServerSocket taken = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+            FutureTask<String> run = new FutureTask<>(() -> refused("run", "TMP/a", "--watch", "--port",
+                Integer.toString(taken.getLocalPort())));
+            new Thread(group, run).start();
+            assertTrue(run.get().contains("cannot listen on port"), run.get());
+        } catch (ExecutionException failed) {
+            throw new AssertionError(failed.getCause());
+        }
+        Thread[] left = new Thread[group.activeCount() + 100];
+        int count = group.enumerate(left);
+        assertEquals(0, Stream.of(left).limit(count).filter(thread -> thread.getName().equals("league writer")).count());
     }
 
     @Test

@@ -204,6 +204,7 @@ class GameStoreTest {
             Version a = store.add("a", "./a", false, "1a", 1);
             Version b = store.add("b", "./b", false, "1b", 2);
             GameWriter writer = new GameWriter(store, season);
+            writer.start();
             for (int seed = 0; seed < 5000; seed++) {
                 assertTrue(writer.add(List.of(game(a, b, seed, 1, 1, true))));
             }
@@ -414,6 +415,7 @@ class GameStoreTest {
                 return null;
             });
             GameWriter writer = new GameWriter(store, season);
+            writer.start();
             boolean more = true;
             for (int seed = 1; seed < 5000 && more; seed++) {
                 more = writer.add(List.of(game(a, b, seed, 1, 1, true)));
