@@ -221,7 +221,6 @@ public final class Bodies {
         size--;
     }
 
-    /** Returns the number of bodies. */
     public int size() {
         return size;
     }

@@ -25,7 +25,6 @@ public record Impact(double time, int a, int b, double ax, double ay, double bx,
     /** How many numbers an impact has after {@code time, a, b}. */
     static final int NUMBERS = 18;
 
-    /** True if the second partner is a wall. */
     public boolean isWall() {
         return b < 0;
     }

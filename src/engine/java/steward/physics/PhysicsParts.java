@@ -38,7 +38,6 @@ public record PhysicsParts(ImpactLaw law, Arithmetic arithmetic, Contacts contac
         this(law, arithmetic, new Contacts(1), List.of(), null, false);
     }
 
-    /** Returns these parts with another arithmetic. */
     public PhysicsParts withArithmetic(Arithmetic other) {
         return new PhysicsParts(law, other, contacts, walls, reaction, infiniteMasses, official);
     }

@@ -34,7 +34,6 @@ import steward.scene.json.SceneException;
 public record AccuracyFigures(String source, String key, String sample, int states, double unitNanos,
                               List<OfRung> rungs) {
 
-    /** The format that is read and written. */
     public static final int FORMAT = 2;
     /**
      * The shares of states for which an error is kept, as fields are named; a demand for a share between two of them is
@@ -83,14 +82,12 @@ public record AccuracyFigures(String source, String key, String sample, int stat
         }
     }
 
-    /** The file with the figures of a scene file. */
     public static Path beside(Path scene) {
         String name = scene.getFileName().toString();
         String base = name.endsWith(SUFFIX) ? name.substring(0, name.length() - SUFFIX.length()) : name;
         return scene.resolveSibling(base + FIGURES);
     }
 
-    /** The resource with the figures of a shipped scene. */
     public static String resource(String shipped) {
         return "/scenes/" + shipped + FIGURES;
     }

@@ -17,7 +17,6 @@ public final class Answer {
     private TimeSpent timeSpent;
     private boolean held;
 
-    /** Clears the previous answer. */
     public void clear() {
         length = 0;
         nanos = 0;
@@ -77,7 +76,6 @@ public final class Answer {
         return held;
     }
 
-    /** See {@link #held}. */
     public void setHeld(boolean stopped) {
         held = stopped;
     }
@@ -87,7 +85,6 @@ public final class Answer {
         return timeSpent;
     }
 
-    /** Adds bytes to the answer. */
     public void append(byte[] source, int from, int count) {
         if (length + count > bytes.length) {
             bytes = Arrays.copyOf(bytes, Math.max(2 * bytes.length, length + count));
@@ -96,27 +93,22 @@ public final class Answer {
         length += count;
     }
 
-    /** Sets {@link #nanos()}. */
     public void setNanos(long value) {
         nanos = value;
     }
 
-    /** Sets {@link #fault()}. */
     public void setFault(String reason) {
         fault = reason;
     }
 
-    /** Sets {@link #stderr()}. */
     public void setStderr(String text) {
         stderr = text;
     }
 
-    /** Sets {@link #extraLines()}. */
     public void setExtraLines(int count) {
         extraLines = count;
     }
 
-    /** Sets {@link #timeSpent()}. */
     public void setTimeSpent(TimeSpent spent) {
         timeSpent = spent;
     }

@@ -123,7 +123,6 @@ public final class OldReferee {
         lines.flush();
     }
 
-    /** Notes that a player has failed. */
     void failed(int player) {
         if (!brokenOff) {
             failed.add(player);

@@ -58,13 +58,11 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
         this(setup, entrants, time, timeFactor, null, Isolation::usual, Entrant::player);
     }
 
-    /** Returns this contest with its replays signed. */
     @Internal
     public Contest signedWith(SigningKey other) {
         return new Contest(setup, entrants, time, timeFactor, other, isolation, starter);
     }
 
-    /** Returns this contest between other bots. */
     public Contest between(List<Entrant> others) {
         return new Contest(setup, others, time, timeFactor, key, isolation, starter);
     }

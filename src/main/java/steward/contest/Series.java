@@ -103,7 +103,6 @@ public record Series(Contest contest, long first, int seeds, boolean swap, Path 
         folder = keep == KeptReplays.NONE ? null : folder;
     }
 
-    /** Returns the number of games in all. */
     public int games() {
         return seeds * sides();
     }

@@ -50,7 +50,6 @@ record Block(Name name, List<String> lines) {
     static final Pattern HEAD = Pattern.compile("\\[\\[(" + Stream.of(Name.values()).map(Name::name)
         .collect(Collectors.joining("|")) + ")\\] ?(\\d{1,9})\\]");
 
-    /** Copies the list. */
     Block {
         lines = List.copyOf(lines);
     }

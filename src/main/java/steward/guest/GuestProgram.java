@@ -56,7 +56,6 @@ record GuestProgram(List<String> command, List<String> classPath, String main, S
     static final Set<Name> FOR_PEOPLE = EnumSet.of(Name.VIEW, Name.INFOS, Name.SUMMARY, Name.TOOLTIP,
         Name.UINPUT, Name.METADATA);
 
-    /** Reads the block of a scene. */
     static GuestProgram read(Block root) {
         Block block = root.block(SceneReader.REFEREE);
         boolean resident = block.contains("classPath");
@@ -131,7 +130,6 @@ record GuestProgram(List<String> command, List<String> classPath, String main, S
         return !classPath.isEmpty();
     }
 
-    /** True if its games are for one player. */
     boolean isSolo() {
         return SOLO.equals(system.get(MODE));
     }

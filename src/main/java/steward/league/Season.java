@@ -31,7 +31,6 @@ public record Season(String key, String sceneName, String sceneKey, String limit
         return of(scene.name(), sceneKey, limits, rules, scene.players(), setup.create(0).lowerScoreIsBetter());
     }
 
-    /** A season of these parts. */
     public static Season of(String sceneName, String sceneKey, String limits, String rules, int players,
                             boolean lowerScoreIsBetter) {
         return new Season(new TextHash().add(sceneKey).add(limits).add(rules).hex(), sceneName, sceneKey, limits,

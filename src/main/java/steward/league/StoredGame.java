@@ -34,7 +34,6 @@ public record StoredGame(long id, byte[] name, int decision, long seed, int atte
 
     private static final Pattern VALUE = Pattern.compile("([A-Za-z]+)=(-?[0-9]+(?:\\.[0-9]+)?(?:E-?[0-9]+)?)");
 
-    /** Copies the list. */
     public StoredGame {
         seats = List.copyOf(seats);
     }

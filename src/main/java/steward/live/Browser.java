@@ -30,7 +30,6 @@ public final class Browser {
         this.openers = openers;
     }
 
-    /** The browser of this system. */
     public static Browser ofSystem() {
         String system = System.getProperty("os.name").toLowerCase(Locale.ROOT);
         if (system.contains("mac")) {

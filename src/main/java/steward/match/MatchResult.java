@@ -13,7 +13,6 @@ import java.util.Map;
  */
 public record MatchResult(int turns, String ending, List<PlayerResult> players, Map<String, String> data) {
 
-    /** Copies the list. */
     public MatchResult {
         players = List.copyOf(players);
     }

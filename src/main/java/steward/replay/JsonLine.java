@@ -198,7 +198,6 @@ public final class JsonLine {
         return where;
     }
 
-    /** The whole line. */
     public byte[] json() {
         return bytes;
     }

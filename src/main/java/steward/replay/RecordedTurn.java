@@ -48,7 +48,6 @@ public record RecordedTurn(int number, byte[] commands, String[] faults, String 
         return false;
     }
 
-    /** True if a command of the player was recorded. */
     public boolean hasCommand(int player) {
         try (JsonParser in = parser(commands)) {
             in.nextToken();

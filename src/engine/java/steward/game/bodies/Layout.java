@@ -15,7 +15,6 @@ import steward.scene.Field;
  */
 public record Layout(Field field, List<Body> listed, List<Fill> fills) {
 
-    /** Copies the lists. */
     public Layout {
         listed = List.copyOf(listed);
         fills = List.copyOf(fills);
@@ -35,7 +34,6 @@ public record Layout(Field field, List<Body> listed, List<Fill> fills) {
             this.placed = placed;
         }
 
-        /** Index of the fill. */
         public int fill() {
             return fill;
         }

@@ -27,7 +27,6 @@ public enum Variant {
         return turns[spell.ordinal()];
     }
 
-    /** The magic that a spell costs. */
     public int cost(Spell spell) {
         return costs[spell.ordinal()];
     }

@@ -10,10 +10,8 @@ package steward.game.meanmax;
  */
 public record LooterCommand(Action action, double x, double y, double power) {
 
-    /** The greatest power of a thrust. */
     public static final int MOST_POWER = 300;
 
-    /** Nothing. */
     public static final LooterCommand WAIT = new LooterCommand(Action.WAIT, 0, 0, 0);
 
     /** Kinds of commands. */
@@ -31,7 +29,6 @@ public record LooterCommand(Action action, double x, double y, double power) {
         return new LooterCommand(Action.MOVE, x, y, power);
     }
 
-    /** The looter's skill at a place. */
     public static LooterCommand skill(double x, double y) {
         return new LooterCommand(Action.SKILL, x, y, 0);
     }

@@ -143,7 +143,6 @@ public final class Headings {
         return turns == 1 ? angle : turned(angle, (long) turns);
     }
 
-    /** True if the angle is unset. */
     public static boolean isUnset(double[] headings, int at) {
         return Double.isNaN(headings[at + BASE_X]);
     }

@@ -36,7 +36,6 @@ public record PodRaceSettings(RulesEdition rules, boolean siteCommands, int play
 
     /** The official greatest ordinary thrust, in u per turn^2; a scene may set another. */
     private static final int OFFICIAL_THRUST = 200;
-    /** The thrust of a boost. */
     public static final int BOOST_THRUST = 650;
     /** A raised shield multiplies the mass by this for its turn. */
     public static final int SHIELD_MASS_FACTOR = 10;
@@ -48,7 +47,6 @@ public record PodRaceSettings(RulesEdition rules, boolean siteCommands, int play
     private static final int MAXIMUM_CHECKPOINTS = 64;
     private static final double MAXIMUM_COORDINATE = 1e6;
 
-    /** The number of pods in the race. */
     public int pods() {
         return players * podsPerPlayer;
     }

@@ -242,7 +242,6 @@ public final class PokerChipRace extends AbstractGame {
         return ownValue("chips", player -> table().owned(player));
     }
 
-    /** The score of a player now. */
     public int score(int player) {
         return ranking.score(player);
     }
@@ -261,7 +260,6 @@ public final class PokerChipRace extends AbstractGame {
         return owner == ChipTable.NEUTRAL || isIn(owner) ? owner : ChipTable.NEUTRAL;
     }
 
-    /** The settings from the scene. */
     public PokerChipRaceSettings settings() {
         return settings;
     }

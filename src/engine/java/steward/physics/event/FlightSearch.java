@@ -119,7 +119,6 @@ sealed class FlightSearch permits PreciseFlightSearch {
         keep(i);
     }
 
-    /** Offers all impacts of a row. */
     final void offerRow(Bodies bodies, int i, double now) {
         for (int j = i + 1; bodiesMeet && j < bodies.size(); j++) {
             offerIfPossible(bodies, i, j, now);

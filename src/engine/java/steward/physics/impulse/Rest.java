@@ -90,7 +90,6 @@ public final class Rest {
         return parts.law().bodiesRest() && !parts.law().separatingPairsReact() ? new Rest(parts, walls) : null;
     }
 
-    /** Begins a turn with these bodies. */
     public void begin(Bodies bodies) {
         size = bodies.size();
         if (impacts.length < size) {

@@ -232,12 +232,10 @@ final class Cells {
         return side;
     }
 
-    /** The x coordinate of the middle of a column. */
     double middleX(int column) {
         return originX + (column + 0.5) * side;
     }
 
-    /** The y coordinate of the middle of a row. */
     double middleY(int row) {
         return originY + (row + 0.5) * side;
     }
@@ -247,7 +245,6 @@ final class Cells {
         return side / 2 + beyond;
     }
 
-    /** The index of the cell in a column and a row. */
     int cellAt(int column, int row) {
         return wrap(row, rows) * columns + wrap(column, columns);
     }
@@ -355,7 +352,6 @@ final class Cells {
         return count + 1 + (body >> 31);
     }
 
-    /** The size of its arrays, in bytes. */
     long bytes() {
         return 4L * (heads.length + links.length) + 8L * (SAMPLE + MOST_LARGE);
     }

@@ -336,7 +336,6 @@ final class EventBuckets {
         }
     }
 
-    /** The size of its arrays, in bytes. */
     long bytes() {
         return 4L * (entries.length + heads.length + heap.length);
     }

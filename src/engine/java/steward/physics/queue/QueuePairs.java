@@ -26,7 +26,6 @@ final class QueuePairs {
         return all ? null : new QueuePairs(crowd, parts.contacts());
     }
 
-    /** Begins a turn with these bodies. */
     void begin(Bodies ofTurn) {
         bodies = ofTurn;
     }
@@ -35,7 +34,6 @@ final class QueuePairs {
         return selection.canReact(bodies, crowd.index[a], crowd.index[b]);
     }
 
-    /** True if a body can react with any wall. */
     boolean canReactWithWalls(int body) {
         return selection.canReactWithWalls(bodies, crowd.index[body]);
     }

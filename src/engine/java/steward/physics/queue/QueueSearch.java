@@ -93,7 +93,6 @@ sealed class QueueSearch permits ExactQueueSearch {
         // here a prediction is a double and no more
     }
 
-    /** The size of its arrays, in bytes. */
     long bytes() {
         return 4L * near.length;
     }
@@ -113,7 +112,6 @@ sealed class QueueSearch permits ExactQueueSearch {
         enqueue(body, now);
     }
 
-    /** Tests a body with all its neighbours and all walls. */
     final void testAll(int body, double now) {
         testPairs(body, crowd.isOutside(body) ? allBodies() : neighbours(8 * body), now);
         testWalls(body, now);

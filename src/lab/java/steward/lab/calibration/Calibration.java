@@ -157,7 +157,6 @@ public final class Calibration {
         }
     }
 
-    /** Returns the number of blocks. */
     public int blocks() {
         return blocks.length;
     }

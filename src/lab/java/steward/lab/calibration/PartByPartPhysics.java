@@ -87,7 +87,6 @@ public final class PartByPartPhysics {
         return Reaction.Verdict.BOUNCE;
     }
 
-    /** The steps of a scene. */
     public static List<Step> of(GameSetup setup) {
         List<Part> parts = setup.plan().parts().stream()
             .filter(part -> KNOWN.contains(part.name()) && (part.in() || !part.name().equals(Part.BROAD_PHASE)))

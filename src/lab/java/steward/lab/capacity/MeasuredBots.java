@@ -19,7 +19,6 @@ import steward.game.GameTypes;
 public record MeasuredBots(GameTypes types, GameSetup setup, BotStarter playing, BotStarter asked,
                            IntFunction<String> commands) {
 
-    /** Returns how a bot is called. */
     String command(int number) {
         return commands.apply(number);
     }

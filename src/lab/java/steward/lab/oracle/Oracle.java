@@ -160,7 +160,6 @@ public final class Oracle {
             touch.b < 0 ? touch.b : contacts.startIndex(touch.b));
     }
 
-    /** One turn. */
     public List<OracleImpact> turn(List<OracleBody> bodies) {
         return play(bodies, BigDecimal.ONE);
     }

@@ -38,7 +38,6 @@ public final class OracleBody {
         return all;
     }
 
-    /** 1 / mass. */
     BigDecimal inverseMass() {
         return mass == null ? BigDecimal.ZERO : Decimals.divide(BigDecimal.ONE, mass);
     }
@@ -62,7 +61,6 @@ public final class OracleBody {
         }
     }
 
-    /** Reverses the velocity. */
     void reverse() {
         vx = vx.negate();
         vy = vy.negate();

@@ -62,7 +62,6 @@ final class OracleTimeOfImpact {
         return Decimals.divide(c, Decimals.root(discriminant).subtract(Decimals.dot(px, py, vx, vy)));
     }
 
-    /** Of a body and a wall. */
     static BigDecimal wall(OracleBody body, Wall wall) {
         if (wall instanceof HalfPlane plane) {
             return halfPlane(body, plane);

@@ -105,7 +105,6 @@ public final class TurnTruth {
         return Accuracy.event(Arithmetic.EXACT).advance(parts.withArithmetic(Arithmetic.EXACT), bodies.size());
     }
 
-    /** Returns the number of impacts. */
     public int impacts() {
         return pairs.length;
     }

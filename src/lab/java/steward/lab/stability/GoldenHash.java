@@ -43,7 +43,6 @@ public final class GoldenHash {
      */
     public record Part(String name, long hash) { }
 
-    /** The hash of all parts in their order. */
     public static long total(List<Part> parts) {
         StateHash hash = new StateHash();
         parts.forEach(part -> hash.add(part.hash));

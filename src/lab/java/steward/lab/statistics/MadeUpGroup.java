@@ -147,7 +147,6 @@ final class MadeUpGroup {
         return (random.nextLong() >>> 11) * 0x1p-53;
     }
 
-    /** The chance of each pattern. */
     double[] chances() {
         double[] chances = cumulative.clone();
         for (int k = chances.length - 1; k > 0; k--) {

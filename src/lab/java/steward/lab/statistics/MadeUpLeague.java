@@ -20,7 +20,6 @@ record MadeUpLeague(String name, int bots, boolean pooled, List<MadeUpGroup> gro
     /** Number of clusters so large that the prior does not matter. */
     private static final long MANY = 1L << 40;
 
-    /** Returns a league of these groups. */
     static MadeUpLeague of(String name, int bots, boolean pooled, List<MadeUpGroup> groups) {
         return of(name, bots, pooled, groups, -1);
     }

@@ -48,7 +48,6 @@ public final class TimingJvm implements TimedPlace {
         }, () -> true);
     }
 
-    /** True if it has not ended. */
     boolean isAlive() {
         return process.isAlive();
     }

@@ -34,7 +34,6 @@ public class Probe implements TurnSink {
         limited++;
     }
 
-    /** True if all positions and velocities are finite. */
     public static boolean finite(Bodies bodies) {
         for (int k = 0; k < bodies.size(); k++) {
             if (!(Double.isFinite(bodies.x[k]) && Double.isFinite(bodies.y[k])

@@ -50,7 +50,6 @@ public record Isolation(SandboxLevel level, boolean network, ResourceLimits limi
             + (visible.isEmpty() ? "" : ", visible " + visible.size());
     }
 
-    /** Returns this isolation without a limit of memory. */
     public Isolation withoutMemoryLimit() {
         return new Isolation(level, network, limits.withoutMemory(), environment, visible, hidden, hold);
     }
@@ -75,7 +74,6 @@ public record Isolation(SandboxLevel level, boolean network, ResourceLimits limi
             .filter(path -> !SystemFiles.isCommon(path)).toList());
     }
 
-    /** A copy with another policy of holding. */
     public Isolation holding(HoldPolicy other) {
         return new Isolation(level, network, limits, environment, visible, hidden, other);
     }

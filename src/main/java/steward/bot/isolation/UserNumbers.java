@@ -26,7 +26,6 @@ final class UserNumbers {
         return own == 0 ? NOBODY : own;
     }
 
-    /** The name of {@link #userInside}. */
     static String nameInside() {
         return isRoot() ? "nobody" : System.getProperty("user.name");
     }

@@ -262,7 +262,6 @@ final class QuestionClock {
         return unread;
     }
 
-    /** Returns how long ago the clock was started. */
     long passed(long now) {
         return now - start;
     }
@@ -292,7 +291,6 @@ final class QuestionClock {
         return basis;
     }
 
-    /** Returns when the clock was started. */
     long started() {
         return start;
     }

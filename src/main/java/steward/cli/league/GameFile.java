@@ -35,7 +35,6 @@ final class GameFile {
 
     private GameFile() { }
 
-    /** The heads of the columns. */
     static void csvHead(PrintStream out) {
         out.print(new CsvRow().words(Stream.of(GameLine.GAME, List.of(SEAT), GameLine.SEAT).flatMap(List::stream)
             .toArray(String[]::new)).line());

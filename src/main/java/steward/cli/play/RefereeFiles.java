@@ -25,7 +25,6 @@ final class RefereeFiles {
 
     private RefereeFiles() { }
 
-    /** The page beside a replay. */
     static Path pageOf(Path replay) {
         String name = replay.getFileName().toString();
         String base = name.endsWith(REPLAY) ? name.substring(0, name.length() - REPLAY.length()) : name;

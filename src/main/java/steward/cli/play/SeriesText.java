@@ -52,7 +52,6 @@ final class SeriesText {
             + series.contest().sceneName();
     }
 
-    /** Everything. */
     static void print(PrintStream out, Colour colour, Series series, Standings standings) {
         long last = series.first() + series.seeds() - 1;
         int without = standings.games().size() - standings.results();

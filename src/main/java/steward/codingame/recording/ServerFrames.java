@@ -63,7 +63,6 @@ final class ServerFrames {
         return ShownFrame.of(frame(0));
     }
 
-    /** Facts of the game beside its frames. */
     GameFacts facts(int players) {
         return GameFacts.of(result, players);
     }

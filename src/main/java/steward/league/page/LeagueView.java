@@ -19,7 +19,6 @@ import steward.league.rating.RatingPath;
 public record LeagueView(Season season, LeagueTable table, RatingPath path, List<StoredGame> games, double rate,
                          List<WorkerRow> workers) {
 
-    /** Copies the lists. */
     public LeagueView {
         games = List.copyOf(games);
         workers = List.copyOf(workers);

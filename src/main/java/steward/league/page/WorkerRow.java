@@ -23,7 +23,6 @@ import steward.text.TextFormat;
 public record WorkerRow(String name, String state, long games, long aside, double rate, long faults, long repeated,
                         String version, long silentMs, List<String> doubts) {
 
-    /** Copies the list. */
     public WorkerRow {
         doubts = List.copyOf(doubts);
     }

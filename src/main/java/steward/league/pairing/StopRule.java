@@ -38,7 +38,6 @@ public record StopRule(double bars, boolean ranked, double equal) {
         return ranked || !Double.isNaN(bars);
     }
 
-    /** True if enough is known. */
     public boolean isMet(Ratings ratings) {
         return (Double.isNaN(bars) || ratings.versions().stream()
             .allMatch(version -> ratings.rating(version).anytimeBar() <= bars))

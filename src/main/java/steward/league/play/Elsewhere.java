@@ -25,7 +25,6 @@ public interface Elsewhere {
      */
     int takePlace(long waitMs) throws InterruptedException;
 
-    /** Gives a place back. */
     void leavePlace();
 
     /**

@@ -58,7 +58,6 @@ public record Difference(double value, double variance, double freedom, double s
         return bar < MOST_BAR;
     }
 
-    /** The difference in Elo. */
     public double elo() {
         return RatingFit.ELO * value;
     }

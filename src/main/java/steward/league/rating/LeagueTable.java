@@ -51,7 +51,6 @@ public record LeagueTable(List<Row> rows, Results results, Ratings ratings) {
         }
     }
 
-    /** Copies the list. */
     public LeagueTable {
         rows = List.copyOf(rows);
     }
@@ -97,7 +96,6 @@ public record LeagueTable(List<Row> rows, Results results, Ratings ratings) {
         return results.games(rows.get(row).entry().version(), rows.get(column).entry().version());
     }
 
-    /** The difference of the ratings of two rows. */
     public Difference difference(int row, int column) {
         return ratings.difference(rows.get(row).entry().version(), rows.get(column).entry().version());
     }

@@ -234,7 +234,6 @@ public final class RatingFit {
         return strata;
     }
 
-    /** Returns the number of bots. */
     public int bots() {
         return bots;
     }
@@ -264,7 +263,6 @@ public final class RatingFit {
         return residuals;
     }
 
-    /** The difference of two ratings. */
     public Difference difference(int one, int other) {
         return of(along(one, other), ratings[one] - ratings[other]);
     }

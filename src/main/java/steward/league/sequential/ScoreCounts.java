@@ -28,7 +28,6 @@ public final class ScoreCounts {
         counts = new long[scores.length];
     }
 
-    /** Adds a score. */
     public void add(double score) {
         add(score, 1);
     }
@@ -82,7 +81,6 @@ public final class ScoreCounts {
         return shares;
     }
 
-    /** Number of observations. */
     public long observations() {
         return observations;
     }

@@ -57,7 +57,6 @@ public final class GameQueries {
         this.key = key;
     }
 
-    /** The sums of all games. */
     public Results results() {
         Results results = new Results(key);
         database.inSnapshot(() -> {

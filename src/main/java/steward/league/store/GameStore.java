@@ -152,7 +152,6 @@ public final class GameStore implements AutoCloseable {
         });
     }
 
-    /** The version of an identity. */
     public Optional<Version> version(String identity) {
         Object id = database.with(() -> database.value("SELECT version FROM identity WHERE hash = ?", identity));
         return id == null ? Optional.empty()
@@ -165,7 +164,6 @@ public final class GameStore implements AutoCloseable {
             .max(Comparator.comparingLong(Version::played).thenComparing(Version::number));
     }
 
-    /** A new version of a bot. */
     public Version add(String bot, String command, boolean random, String identity, long now) {
         database.inTransaction(() -> {
             database.update("INSERT INTO version (bot, number, command, random, began) VALUES (?, 1 + (SELECT "
@@ -234,7 +232,6 @@ public final class GameStore implements AutoCloseable {
 
     // ---- games -----------------------------------------------------------------------------------
 
-    /** True if a game of this name is there. */
     public boolean has(byte[] name) {
         return database.with(() -> database.value("SELECT 1 FROM game WHERE name = ?", (Object) name) != null);
     }

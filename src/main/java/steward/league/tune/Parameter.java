@@ -21,7 +21,6 @@ public record Parameter(String name, double low, double high, boolean whole, Lis
     private static final double HALF = 0.5;
     private static final int DECIMALS = 6;
 
-    /** Copies the list. */
     public Parameter {
         choices = List.copyOf(choices);
     }

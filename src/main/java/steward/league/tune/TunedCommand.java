@@ -11,7 +11,6 @@ import java.util.List;
  */
 public record TunedCommand(List<String> parts, List<Parameter> parameters) {
 
-    /** Copies the lists. */
     public TunedCommand {
         parts = List.copyOf(parts);
         parameters = List.copyOf(parameters);
@@ -66,7 +65,6 @@ public record TunedCommand(List<String> parts, List<Parameter> parameters) {
         return String.join(", ", words);
     }
 
-    /** Returns where tuning begins. */
     public double[] start() {
         return parameters.stream().mapToDouble(Parameter::start).toArray();
     }

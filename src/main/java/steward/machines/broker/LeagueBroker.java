@@ -214,7 +214,6 @@ public final class LeagueBroker implements AutoCloseable {
         }
     }
 
-    /** Tells a worker something. */
     public void tell(String worker, byte[] message) {
         send(Queues.TO + worker, message, null, Set.of());
     }

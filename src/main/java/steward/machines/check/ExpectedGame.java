@@ -12,7 +12,6 @@ import steward.match.Protocol;
  */
 public record ExpectedGame(long seed, List<String> names, List<Protocol> protocols) {
 
-    /** Copies the lists. */
     public ExpectedGame {
         names = List.copyOf(names);
         protocols = List.copyOf(protocols);

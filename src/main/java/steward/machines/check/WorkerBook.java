@@ -66,7 +66,6 @@ public final class WorkerBook {
      */
     public record Line(String name, long games, long aside, long faults, long repeated, List<String> doubts) {
 
-        /** Copies the list. */
         public Line {
             doubts = List.copyOf(doubts);
         }

@@ -36,7 +36,6 @@ public record WorkerToken(String worker, String secret, String broker, String in
         this(worker, secret, broker, null);
     }
 
-    /** Returns a new secret. */
     static String newSecret() {
         byte[] random = new byte[SECRET_BYTES];
         new SecureRandom().nextBytes(random);

@@ -20,7 +20,6 @@ public record GameJob(String id, List<Game> games) {
     private static final int MOST_SEATS = 16;
     private static final int MOST_BOTS = MOST_GAMES * MOST_SEATS;
 
-    /** Copies the list. */
     public GameJob {
         games = List.copyOf(games);
     }
@@ -33,7 +32,6 @@ public record GameJob(String id, List<Game> games) {
      */
     public record Game(long seed, List<Seat> seats) {
 
-        /** Copies the list. */
         public Game {
             seats = List.copyOf(seats);
         }

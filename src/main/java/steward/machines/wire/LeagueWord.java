@@ -38,7 +38,6 @@ public interface LeagueWord {
             return new Welcome(version, rules, jar, factor, basis, hiccups, hold, text, hash, bytes);
         }
 
-        /** Returns the encoded message. */
         public byte[] bytes() {
             HeaderText header = new HeaderText().put("type", "welcome").put("version", version).put("rules", rules)
                 .put("jar", jar).put("factor", Double.toString(factor)).put("basis", basis.word())
@@ -53,7 +52,6 @@ public interface LeagueWord {
     /** Refusal of a worker. */
     record Refused(String reason) implements LeagueWord {
 
-        /** Returns the encoded message. */
         public byte[] bytes() {
             return WireMessage.bytes(new HeaderText().put("type", "refused").put("reason", reason));
         }

@@ -45,12 +45,10 @@ public interface WorkerWord {
      */
     record Result(String job, List<Played> games) implements WorkerWord {
 
-        /** Copies the list. */
         public Result {
             games = List.copyOf(games);
         }
 
-        /** Returns the encoded message. */
         public byte[] bytes() {
             List<HeaderText> texts = new ArrayList<>();
             List<byte[]> payloads = new ArrayList<>();
@@ -84,7 +82,6 @@ public interface WorkerWord {
             this(transcripts, starved, problem, null);
         }
 
-        /** Copies the lists. */
         public Played {
             transcripts = List.copyOf(transcripts);
             starved = List.copyOf(starved);

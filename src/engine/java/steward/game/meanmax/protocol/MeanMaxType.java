@@ -31,7 +31,6 @@ import steward.scene.Scene;
 /** Mean Max as a {@link GameType}. */
 public final class MeanMaxType implements GameType {
 
-    /** Most tankers per player. */
     private static final int TANKERS = 3;
 
     @Override

@@ -119,7 +119,6 @@ public final class PodCommands {
         }
     }
 
-    /** The number of pods. */
     public int pods() {
         return thrust.length;
     }

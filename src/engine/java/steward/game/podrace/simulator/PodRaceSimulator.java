@@ -245,12 +245,10 @@ public final class PodRaceSimulator {
         turn.play(state, counts, commands.targetX, commands.targetY, commands.thrust, 0);
     }
 
-    /** The number of pods in the race. */
     public int pods() {
         return pods;
     }
 
-    /** The player that owns a pod. */
     public int playerOf(int pod) {
         return pod / perPlayer;
     }
@@ -340,7 +338,6 @@ public final class PodRaceSimulator {
         return counts[PodTurn.COUNTS * pod + PodTurn.TIMER] & PodTurn.TIMER_BITS;
     }
 
-    /** True if the boost is left. */
     public boolean boostLeft(int pod) {
         return counts[PodTurn.COUNTS * pod + PodTurn.BOOST] != 0;
     }

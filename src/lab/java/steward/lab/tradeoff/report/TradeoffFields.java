@@ -45,7 +45,6 @@ final class TradeoffFields {
 
     private TradeoffFields() { }
 
-    /** The heads of the columns. */
     static String[] names() {
         return ALL.stream().map(Field::name).toArray(String[]::new);
     }
