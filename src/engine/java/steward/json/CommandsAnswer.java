@@ -12,8 +12,6 @@ import tools.jackson.core.JsonToken;
  * Reads an array of commands, one object for each body of a player: in an answer, beside an optional {@code message},
  * and in a replay. Commands may have a target {@code x}, {@code y}; all else is the game's. A game's sentences about a
  * command begin with {@code .field: } or {@code : }, behind which the place of the command is put.
- *
- * @param <C> a command
  */
 public abstract class CommandsAnswer<C> extends JsonAnswer {
 
@@ -35,7 +33,6 @@ public abstract class CommandsAnswer<C> extends JsonAnswer {
     /**
      * @param name     of the array
      * @param farthest the greatest coordinate of a target, in u; {@code Double.MAX_VALUE} for any finite number
-     * @param fields   of a command
      */
     protected CommandsAnswer(String name, double farthest, String... fields) {
         super(name);

@@ -24,12 +24,11 @@ import steward.scene.json.SceneException;
  * <p>The figures of shipped scenes are resources of the program; those of another scene are beside the scene file: for
  * {@code my.json} in {@code my.accuracy.json}.
  *
- * @param source  where the figures were read, for people
- * @param key     of the scene that was measured
- * @param sample  a hash of the results of the first states
- * @param states  number of states
+ * @param source    where the figures were read, for people
+ * @param key       of the scene that was measured
+ * @param sample    a hash of the results of the first states
  * @param unitNanos time of a turn on {@code event/double}, in nanoseconds; NaN in files that do not say it
- * @param rungs   the figures, cheapest rung first
+ * @param rungs     the figures, cheapest rung first
  */
 public record AccuracyFigures(String source, String key, String sample, int states, double unitNanos,
                               List<OfRung> rungs) {

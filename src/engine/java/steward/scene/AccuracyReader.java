@@ -27,7 +27,6 @@ final class AccuracyReader {
 
     /**
      * @param scene   the whole file
-     * @param law     its law of impact
      * @param figures where figures of this scene's accuracy may be
      * @param instead a rung that replaces the one of the file, or {@code null}
      * @throws SceneException if there is no such rung, or none is known to meet the demand

@@ -8,7 +8,6 @@ import java.util.stream.Stream;
 /**
  * A block of lines, {@code [[NAME] n]} and n lines behind it: all that a referee and its host say to each other.
  *
- * @param name  of the block
  * @param lines behind its head, without line ends
  */
 record Block(Name name, List<String> lines) {

@@ -25,7 +25,6 @@ public record LeagueBot(String name, String command, List<String> files, boolean
      * Command of a bot on one platform.
      *
      * @param platform see {@link steward.bot.command.Platform}
-     * @param command  as that of a bot
      * @param files    as those of a bot
      */
     public record ForPlatform(String platform, String command, List<String> files) {

@@ -20,7 +20,6 @@ import steward.contest.KeptReplays;
  * @param basis    what the limits are limits of
  * @param hiccups  what becomes of games lost on time on a starved machine
  * @param sandbox  how bots are kept apart: the options of a match that say so
- * @param keep     which replays are kept
  * @param keepOf   with {@link KeptReplays#LOST}: the bots whose lost games are meant; none for those of any bot
  * @param bots     all of them, in the order of the file
  */

@@ -3,7 +3,6 @@ package steward.game.fantasticbits;
 /**
  * A wizard's command for a turn.
  *
- * @param action what
  * @param x      the place it is about, in u; 0 for a spell
  * @param y      the same
  * @param power  of a thrust or throw; 0 for a spell

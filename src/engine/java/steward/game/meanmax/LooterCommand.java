@@ -3,10 +3,9 @@ package steward.game.meanmax;
 /**
  * A looter's command for a turn.
  *
- * @param action what
- * @param x      the place it is about, in u; 0 for {@code WAIT}
- * @param y      the same
- * @param power  of a thrust, at least 0; more than {@value #MOST_POWER} counts as {@value #MOST_POWER}
+ * @param x     the place it is about, in u; 0 for {@code WAIT}
+ * @param y     the same
+ * @param power of a thrust, at least 0; more than {@value #MOST_POWER} counts as {@value #MOST_POWER}
  */
 public record LooterCommand(Action action, double x, double y, double power) {
 

@@ -12,7 +12,6 @@ import steward.scene.json.Block;
 /**
  * The settings of a pod race, from the blocks {@code pods} and {@code race} of a scene.
  *
- * @param rules                  edition of the rules
  * @param siteCommands           whether lines of commands are read as the site reads them; otherwise leniently
  * @param players                how many players, 1..16
  * @param podsPerPlayer          1..8

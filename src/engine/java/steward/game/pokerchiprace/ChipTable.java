@@ -179,7 +179,6 @@ public final class ChipTable {
     /**
      * A chip ejects a part of itself and moves the other way.
      *
-     * @param id    of the chip
      * @param angle to which it is pushed, in radians
      * @param sink  learns where the chips were
      * @return the index of the new chip

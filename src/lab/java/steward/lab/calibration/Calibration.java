@@ -82,7 +82,6 @@ public final class Calibration {
 
     /**
      * @param setup  a scene, opened on {@link #PLAYED_ON}
-     * @param plays  seeded play of it, from a seed
      * @param states how many states, at least 1
      */
     public Calibration(GameSetup setup, LongFunction<SeededPlay> plays, int states) {

@@ -69,7 +69,6 @@ public final class PartByPartPhysics {
      *
      * @param part    the part that the previous step (or the whole scene) does not have
      * @param in      whether the scene has it
-     * @param parts   of the physics
      * @param advance made of these parts, on the scene's rung
      * @param motion  the end of a turn
      */

@@ -10,7 +10,6 @@ import steward.lab.capacity.MeasuredLeague.Sample;
  * @param rounds how often both leagues were measured in turn; medians are told
  * @param alone  a league that plays its games itself
  * @param served the same with a worker in the same process
- * @param prices of the checks
  * @param table  simulated
  */
 public record Capacity(double rate, int rounds, Sample alone, Sample served, CheckPrices prices,

@@ -114,12 +114,7 @@ public final class TurnTruth {
         return limited;
     }
 
-    /**
-     * Compares a computed turn with the true one.
-     *
-     * @param after all bodies after the turn
-     * @param log   of the turn
-     */
+    /** Compares a computed turn with the true one. */
     public TurnError error(Bodies after, TurnLog log) {
         return new TurnError(positionError(after), beyond(pairs, found(log)), beyond(found(log), pairs),
             energyError(after));

@@ -141,7 +141,6 @@ public final class GoldenHash {
      * A game whose players answer by rule: a part with the hashes of all its turns. Each has a generator of its own,
      * the same in every play of the game.
      *
-     * @param name  of the part
      * @param turns at most this many turns
      * @throws IllegalArgumentException if an answer is refused
      */

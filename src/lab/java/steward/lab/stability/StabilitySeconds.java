@@ -56,7 +56,6 @@ public final class StabilitySeconds {
     /**
      * Seconds of a row, approximately.
      *
-     * @param name    of the case
      * @param impacts of each crowd on the event rungs, or 0 for the number of the run length
      */
     public double of(String name, String rung, RunLength size, long impacts) {

@@ -12,8 +12,7 @@ import java.util.regex.Pattern;
  * {@code racer.py}, {@code blue=python3 racer.py} or {@code builtin:racer}.
  *
  * @param name  the name before the {@code =} (letters, digits, dot, underscore, hyphen), or {@code null}
- * @param prefix what kind of command it is
- * @param words  the program and its arguments, split as by {@link CommandLine}; for {@link Prefix#BUILTIN} the bot's
+ * @param words the program and its arguments, split as by {@link CommandLine}; for {@link Prefix#BUILTIN} the bot's
  *     name and further arguments; at least one word
  */
 public record BotCommand(String name, Prefix prefix, List<String> words) {

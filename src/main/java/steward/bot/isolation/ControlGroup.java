@@ -42,7 +42,6 @@ public final class ControlGroup {
     /**
      * Group in which groups can be created.
      *
-     * @param folder of the group
      * @param limits whether its groups limit memory and processes
      */
     record Base(Path folder, boolean limits) {

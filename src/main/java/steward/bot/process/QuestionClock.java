@@ -76,7 +76,6 @@ final class QuestionClock {
     private long spentOf;
 
     /**
-     * @param asking  the state of the thread that asks
      * @param sampler what the bot's processes have done up to a moment
      */
     QuestionClock(Supplier<OwnThread.State> asking, LongFunction<TreeSample> sampler) {

@@ -29,7 +29,6 @@ final class GameRecordingFile {
     /**
      * The object whose field {@code frames} is an array that is not empty.
      *
-     * @param text   of the file
      * @param source its name, for errors
      * @throws IllegalArgumentException if it is no recording
      */

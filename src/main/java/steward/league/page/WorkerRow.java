@@ -9,7 +9,6 @@ import steward.text.TextFormat;
 /**
  * A worker that plays games of a league on another machine, for people.
  *
- * @param name     its name
  * @param state    such as {@code away} or {@code caught}; empty where the league is not being played
  * @param games    that count
  * @param aside    that were set aside

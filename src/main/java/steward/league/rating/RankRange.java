@@ -3,8 +3,7 @@ package steward.league.rating;
 /**
  * The ranks that the games leave a bot, with 95%: the bars of its differences to all others hold together (Bonferroni).
  *
- * @param best  the best of them, from 1
- * @param worst the worst
+ * @param best the best of them, from 1
  */
 public record RankRange(int best, int worst) {
 

@@ -48,8 +48,7 @@ public final class GameQueries {
     private final Season key;
 
     /**
-     * @param season its number
-     * @param key    what all its games have in common
+     * @param key what all its games have in common
      */
     public GameQueries(GameStore store, int season, Season key) {
         database = store.database();

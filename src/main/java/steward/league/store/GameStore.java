@@ -313,7 +313,6 @@ public final class GameStore implements AutoCloseable {
      * A game that counted and was set aside.
      *
      * @param decision or -1
-     * @param seed     its seed
      * @param lineup   the versions by seat, apart by blanks
      */
     public record SetAside(int decision, long seed, String lineup) { }
@@ -353,7 +352,6 @@ public final class GameStore implements AutoCloseable {
     /**
      * A game that counts, whose replay is kept and whose transcript is not known: earlier versions did not keep it.
      *
-     * @param id     its number
      * @param replay its path in the folder of replays
      */
     public record Unknown(long id, String replay) { }

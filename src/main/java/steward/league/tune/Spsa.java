@@ -29,8 +29,7 @@ public final class Spsa {
     private final long seed;
 
     /**
-     * @param steps in all
-     * @param seed  of the lots
+     * @param seed of the lots
      */
     public Spsa(TunedCommand command, int steps, long seed) {
         this.command = command;

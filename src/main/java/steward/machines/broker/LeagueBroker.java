@@ -72,7 +72,6 @@ public final class LeagueBroker implements AutoCloseable {
      * A worker's message.
      *
      * @param worker its name, as the broker knows it
-     * @param bytes  of the message
      */
     public record Report(String worker, byte[] bytes) { }
 
@@ -80,7 +79,6 @@ public final class LeagueBroker implements AutoCloseable {
      * Starts.
      *
      * @param address   to listen at
-     * @param key       of the broker
      * @param workers   whom there may be a queue for
      * @param admission of them, and of others that come with an invitation
      * @param gate      who may be handed jobs
@@ -221,7 +219,6 @@ public final class LeagueBroker implements AutoCloseable {
     /**
      * Offers a job to all workers.
      *
-     * @param job     its id
      * @param bundles the bots that it needs, by their hashes
      */
     public void offer(String job, Set<String> bundles, byte[] message) {

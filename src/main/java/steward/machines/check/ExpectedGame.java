@@ -6,7 +6,6 @@ import steward.match.Protocol;
 /**
  * A game that has to have been played.
  *
- * @param seed      its seed
  * @param names     that the players go by
  * @param protocols that they speak
  */

@@ -57,7 +57,6 @@ public final class WorkerBook {
     /**
      * A worker, as its games tell.
      *
-     * @param name     its name
      * @param games    that count
      * @param aside    that were set aside
      * @param faults   of bots in those that count

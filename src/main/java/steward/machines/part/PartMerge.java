@@ -62,10 +62,9 @@ public final class PartMerge {
     /**
      * A merge.
      *
-     * @param number  of the season in the store
-     * @param roster  the bots as they are now
-     * @param contest of the scene
-     * @param share   of the games whose bots are asked again, 0..1; with 0 it is none of the first, either
+     * @param number of the season in the store
+     * @param roster the bots as they are now
+     * @param share  of the games whose bots are asked again, 0..1; with 0 it is none of the first, either
      */
     public PartMerge(LeagueFolder folder, GameStore store, Season season, int number, Roster roster, Contest contest,
                      GameTypes types, double share) {

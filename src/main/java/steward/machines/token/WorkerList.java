@@ -184,7 +184,6 @@ public record WorkerList(List<Worker> workers, List<Invitation> invitations) {
     /**
      * Makes an invitation, and a key for the broker if there is none.
      *
-     * @param name of the invitation
      * @param file where it is written
      * @throws InputException if the name is taken, or the file cannot be written
      */

@@ -10,7 +10,6 @@ import steward.scene.json.Block;
  * Games that a worker is to play, one after the other. Short ones go in one message: a message costs as much as a short
  * game.
  *
- * @param id    of the job
  * @param games in order, at least one
  */
 public record GameJob(String id, List<Game> games) {
@@ -27,7 +26,6 @@ public record GameJob(String id, List<Game> games) {
     /**
      * One of them.
      *
-     * @param seed  of the game
      * @param seats the players in order
      */
     public record Game(long seed, List<Seat> seats) {

@@ -12,7 +12,6 @@ public interface LeagueWord {
     /**
      * Acceptance of a worker, and how its games are played.
      *
-     * @param version of its program
      * @param rules   what that computes in the scene, as a fingerprint
      * @param jar     digest of the game's jar, {@code null} for a game of the program
      * @param factor  by which the scene's time limits are multiplied
@@ -60,9 +59,8 @@ public interface LeagueWord {
     /**
      * A piece of a bundle or of a long scene.
      *
-     * @param bundle its hash
-     * @param from   which byte is the first
-     * @param bytes  none if the league does not know it; not copied
+     * @param from  which byte is the first
+     * @param bytes none if the league does not know it; not copied
      */
     record Piece(String bundle, int from, byte[] bytes) implements LeagueWord {
     }

@@ -17,7 +17,6 @@ public interface WorkerWord {
     /**
      * First message of a worker: its version, rules and capacity.
      *
-     * @param version of its program
      * @param bits    what that computes: the keys of the laws of all rungs, or one key for all
      * @param machine what it plays on
      * @param slots   games at the same time
@@ -31,8 +30,7 @@ public interface WorkerWord {
     /**
      * Request for the next piece of a bundle.
      *
-     * @param bundle its hash
-     * @param from   which byte is the first
+     * @param from which byte is the first
      */
     record Fetch(String bundle, int from) implements WorkerWord {
     }
@@ -40,7 +38,6 @@ public interface WorkerWord {
     /**
      * Result of a job.
      *
-     * @param job   its id
      * @param games of the job's in their order; those that are missing at the end were not begun
      */
     record Result(String job, List<Played> games) implements WorkerWord {

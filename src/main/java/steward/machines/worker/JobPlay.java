@@ -92,10 +92,9 @@ final class JobPlay {
     /**
      * Takes what the league says of its games.
      *
-     * @param folder  where bundles go
+     * @param folder   where bundles go
      * @param platform that this machine is
-     * @param version of this program
-     * @param starter starts bots, or {@code null} for programs
+     * @param starter  starts bots, or {@code null} for programs
      * @throws InputException      if it cannot be used
      * @throws OtherRulesException if the league's program computes other results in this scene
      */

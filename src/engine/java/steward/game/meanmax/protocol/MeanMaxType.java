@@ -96,7 +96,6 @@ public final class MeanMaxType implements GameType {
     /**
      * Mean Max with the settings of one scene.
      *
-     * @param scene    the scene
      * @param settings its block {@code harvest}
      * @param plan     the parts that the scene requires
      */

@@ -138,16 +138,15 @@ public final class PodRaceSimulator {
      * Sets the state of a pod. Whole numbers are usual; others are played as {@link PodRace} would. The turns left of
      * the player do not change.
      *
-     * @param x             in u, of at most {@link #GREATEST} in magnitude
-     * @param y             in u, likewise
-     * @param vx            in u per turn, likewise
-     * @param vy            in u per turn, likewise
-     * @param heading       in radians, NaN while unset
-     * @param podTimer      4 after the turn the shield was raised, counting down to 0; at 4 the pod weighs 10 until its
-     *                      next command
-     * @param podBoostLeft  whether the boost is left
-     * @param podPassed     checkpoints passed since the start, 0..1,000,000; the next is number
-     *                      {@code (podPassed + 1) % n}
+     * @param x         in u, of at most {@link #GREATEST} in magnitude
+     * @param y         in u, likewise
+     * @param vx        in u per turn, likewise
+     * @param vy        in u per turn, likewise
+     * @param heading   in radians, NaN while unset
+     * @param podTimer  4 after the turn the shield was raised, counting down to 0; at 4 the pod weighs 10 until its
+     *                  next command
+     * @param podPassed checkpoints passed since the start, 0..1,000,000; the next is number
+     *                  {@code (podPassed + 1) % n}
      * @throws IllegalArgumentException  if a number is out of range; then the state is unchanged
      * @throws IndexOutOfBoundsException if there is no such pod
      */

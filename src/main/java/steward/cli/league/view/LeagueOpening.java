@@ -95,7 +95,6 @@ public final class LeagueOpening {
     /**
      * The games of the last season, opened for reading.
      *
-     * @param folder   of the league
      * @param settings as the file says now
      * @param store    to be closed
      * @param season   what all its games have in common
