@@ -81,10 +81,7 @@ public record Accuracy(Way way, int steps, Arithmetic arithmetic) {
         return new Accuracy(Way.STEP, steps, Arithmetic.DOUBLE);
     }
 
-    /**
-     * The rungs, cheapest first: {@code step/1}, {@code step/2}, {@code step/4}, ... {@code step/1024}, then the
-     * arithmetics of {@code event}.
-     */
+    /** Rungs, cheapest first: {@code step/1}, {@code step/2}, ... {@code step/1024}, then those of {@code event}. */
     public static List<Accuracy> ladder() {
         List<Accuracy> rungs = new ArrayList<>();
         for (int steps = 1; steps <= StepAdvance.MOST_STEPS; steps *= 2) {

@@ -148,10 +148,7 @@ public final class Meter {
         return NANOS * units / (now - start);
     }
 
-    /**
-     * Bytes allocated per unit by the calling thread, or by all threads that live on; NaN by the wall clock, where
-     * threads come and go.
-     */
+    /** Bytes allocated per unit, by the calling thread or all that live on; NaN by the wall clock. */
     private double bytes(Contender contender) throws Exception {
         if (contender.clock() == Contender.Clock.WALL) {
             return Double.NaN;

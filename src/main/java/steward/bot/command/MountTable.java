@@ -6,10 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 
-/**
- * Table of mounted file systems, as Linux tells it, a line each: device, mount point, type, options (see {@code
- * fstab(5)}).
- */
+/** Table of mounted file systems, as Linux tells it, a line each: device, mount point, type, options. */
 final class MountTable {
 
     private static final Path FILE = Path.of("/proc/self/mounts");

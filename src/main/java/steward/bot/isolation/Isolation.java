@@ -78,10 +78,7 @@ public record Isolation(SandboxLevel level, boolean network, ResourceLimits limi
         return new Isolation(level, network, limits, environment, visible, hidden, other);
     }
 
-    /**
-     * Returns which bots are stopped in fact: at {@link SandboxLevel#OFF} burners are not, since bots there can hide
-     * what they use.
-     */
+    /** Returns which bots are stopped in fact: no burners at {@link SandboxLevel#OFF}, where bots can hide use. */
     public HoldPolicy holds() {
         return level == SandboxLevel.OFF && hold == HoldPolicy.BURNERS ? HoldPolicy.NEVER : hold;
     }
