@@ -138,8 +138,6 @@ public final class OldReferee {
     /** Another player should have been asked, but the input had ended already. */
     static final class InputEnded extends RuntimeException {
 
-        private static final long serialVersionUID = 1L;
-
         private InputEnded() {
             super("the input ended", null, false, false);
         }

@@ -23,8 +23,6 @@ public record Layout(Field field, List<Body> listed, List<Fill> fills) {
     /** A fill for which there is not enough room. */
     public static final class NoRoomException extends RuntimeException {
 
-        private static final long serialVersionUID = 1;
-
         private final int fill;
         private final int placed;
 

@@ -6,8 +6,6 @@ package steward.scene.json;
  */
 public final class SceneException extends RuntimeException {
 
-    private static final long serialVersionUID = 1;
-
     public SceneException(String message) {
         super(message);
     }

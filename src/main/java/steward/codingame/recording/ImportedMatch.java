@@ -86,8 +86,6 @@ final class ImportedMatch {
     /** The recording has no more turns, but by our rules the game goes on. */
     private static final class RecordingEnds extends RuntimeException {
 
-        private static final long serialVersionUID = 1L;
-
         RecordingEnds() {
             super("the recording ends", null, false, false);
         }

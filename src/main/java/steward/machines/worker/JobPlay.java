@@ -55,8 +55,6 @@ final class JobPlay {
     /** The league's program computes other results. */
     static final class OtherRulesException extends Exception {
 
-        private static final long serialVersionUID = 1;
-
         private final String field;
         private final String own;
 
@@ -74,8 +72,6 @@ final class JobPlay {
 
     /** A bot that does not run here. */
     static final class UnfitException extends Exception {
-
-        private static final long serialVersionUID = 1;
 
         private final String bundle;
 

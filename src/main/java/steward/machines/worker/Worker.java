@@ -65,8 +65,6 @@ public final class Worker {
     /** The league does not take this worker: its token is not good, or the programs compute other results. */
     public static final class RefusedException extends RuntimeException {
 
-        private static final long serialVersionUID = 1;
-
         RefusedException(String message) {
             super(message);
         }
