@@ -23,8 +23,6 @@ final class AccuracyReader {
     /** Of the states, by whose error rungs are compared where only a cost is stated. */
     private static final double USUAL_SHARE = 0.99;
 
-    private AccuracyReader() { }
-
     /**
      * @param scene   the whole file
      * @param figures where figures of this scene's accuracy may be

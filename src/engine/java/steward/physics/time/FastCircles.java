@@ -43,8 +43,6 @@ final class FastCircles {
     /** Result of {@link #firstTouch}: there is no impact. */
     static final int NONE = 2;
 
-    private FastCircles() { }
-
     /**
      * The time at which two circles first touch, or 0 if they touch and react.
      *

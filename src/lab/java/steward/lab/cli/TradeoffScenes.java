@@ -50,8 +50,6 @@ final class TradeoffScenes {
     /** Of a game without players every seventh turn gives a state, so that few states are from all of it. */
     private static final int STRIDE = 7;
 
-    private TradeoffScenes() { }
-
     /** All of its own scenes, in the order of the table. */
     static List<TradeoffScene> all() {
         List<String> words = new ArrayList<>(List.of(RACE, BRAWL));

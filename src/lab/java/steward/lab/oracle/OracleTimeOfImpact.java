@@ -23,8 +23,6 @@ import steward.physics.Wall;
  */
 final class OracleTimeOfImpact {
 
-    private OracleTimeOfImpact() { }
-
     /** True if a point is within s of the origin; a distance equal to s except for rounding counts. */
     static boolean within(BigDecimal px, BigDecimal py, BigDecimal s) {
         return Decimals.atMost(Decimals.dot(px, py, px, py), Decimals.square(s));

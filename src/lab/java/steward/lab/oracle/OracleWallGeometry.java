@@ -15,8 +15,6 @@ final class OracleWallGeometry {
     /** Normals of planes: a root for each body in each scan would cost more than all the rest. */
     private static final Map<HalfPlane, BigDecimal[]> PLANES = Collections.synchronizedMap(new WeakHashMap<>());
 
-    private OracleWallGeometry() { }
-
     /** Unit vector from the centre of the body to the wall; along x for a body in the middle of an arena. */
     static BigDecimal[] normal(OracleBody body, Wall wall) {
         if (wall instanceof HalfPlane plane) {

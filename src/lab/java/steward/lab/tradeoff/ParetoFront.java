@@ -3,8 +3,6 @@ package steward.lab.tradeoff;
 /** The Pareto front of cost and error: a point on it improves in one only at the expense of the other. */
 final class ParetoFront {
 
-    private ParetoFront() { }
-
     /**
      * Returns which points are on the front: those that no other point beats in one respect while being at least as
      * good in the other. Equal points are on it together; NaN never is.

@@ -16,8 +16,6 @@ final class TradeoffFreeRun {
     /** A body farther than this from its true position, in u, has diverged. */
     static final double OFF = 1;
 
-    private TradeoffFreeRun() { }
-
     /**
      * After how many turns each rung has diverged; one more than the bound if it never does. From the first turn on in
      * which a heap rests, truth is {@code exact}.

@@ -11,8 +11,6 @@ final class MountTable {
 
     private static final Path FILE = Path.of("/proc/self/mounts");
 
-    private MountTable() { }
-
     /** The mount point of a file system that holds the file and forbids to execute what it holds, or {@code null}. */
     static String noexec(Path file) {
         try {

@@ -9,8 +9,6 @@ final class UserNumbers {
 
     private static final int NOBODY = 65534;
 
-    private UserNumbers() { }
-
     /** True if this program runs as root, whose files and rights a bot would share. */
     static boolean isRoot() {
         return number("unix:uid") == 0;

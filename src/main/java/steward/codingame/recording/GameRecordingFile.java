@@ -24,8 +24,6 @@ final class GameRecordingFile {
     private static final int LONGEST_NAME = 40;
     private static final int MOST_SHOWN = 40;
 
-    private GameRecordingFile() { }
-
     /**
      * The object whose field {@code frames} is an array that is not empty.
      *

@@ -43,8 +43,6 @@ final class TradeoffFields {
         new Field("ratioLow", TradeoffRow::ratioLow),
         new Field("ratioHigh", TradeoffRow::ratioHigh));
 
-    private TradeoffFields() { }
-
     static String[] names() {
         return ALL.stream().map(Field::name).toArray(String[]::new);
     }
