@@ -11,6 +11,7 @@ import java.util.StringJoiner;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.LongFunction;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import steward.game.GameSetup;
 import steward.lab.oracle.TurnTruth;
@@ -186,10 +187,7 @@ public final class Calibration {
 
     /** Returns how many pairs, and bodies with walls, a scan tests. */
     private int tests(Bodies bodies) {
-        int movable = 0;
-        for (int k = 0; k < bodies.size(); k++) {
-            movable += bodies.inverseMass[k] > 0 ? 1 : 0;
-        }
+        int movable = (int) IntStream.range(0, bodies.size()).filter(k -> bodies.inverseMass[k] > 0).count();
         int fixed = bodies.size() - movable;
         return movable * (movable - 1) / 2 + movable * fixed + movable * parts.walls().size();
     }

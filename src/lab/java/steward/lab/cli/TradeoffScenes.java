@@ -7,6 +7,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.function.Function;
+import java.util.stream.IntStream;
 import steward.cli.shared.Games;
 import steward.cli.streams.StandardFiles;
 import steward.files.InputException;
@@ -138,10 +139,6 @@ final class TradeoffScenes {
     }
 
     private static int movable(Bodies bodies) {
-        int movable = 0;
-        for (int k = 0; k < bodies.size(); k++) {
-            movable += bodies.inverseMass[k] > 0 ? 1 : 0;
-        }
-        return movable;
+        return (int) IntStream.range(0, bodies.size()).filter(k -> bodies.inverseMass[k] > 0).count();
     }
 }

@@ -2,6 +2,7 @@ package steward.lab.stability;
 
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import steward.game.FrameCodec;
 import steward.game.Game;
@@ -148,9 +149,7 @@ public final class GoldenHash {
         Game game = setup.create(SEED);
         FrameCodec codec = setup.codec(game);
         SplitMix64[] randoms = new SplitMix64[game.players()];
-        for (int player = 0; player < randoms.length; player++) {
-            randoms[player] = new SplitMix64(SEED + player);
-        }
+        Arrays.setAll(randoms, player -> new SplitMix64(SEED + player));
         StateHash hash = new StateHash();
         while (!game.isOver() && game.turn() < turns) {
             for (int player = 0; player < randoms.length; player++) {

@@ -1,11 +1,13 @@
 package steward.bot.command;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Objects;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 
 /**
  * A bot as it is named on the command line: {@code [NAME=][builtin:|json:|codingame:]COMMAND}, for example
@@ -198,14 +200,8 @@ public record BotCommand(String name, Prefix prefix, List<String> words) {
 
     private String hint() {
         boolean odd = prefix != Prefix.BUILTIN && UNKNOWN_PREFIX.matcher(words.get(0)).matches();
-        if (!odd) {
-            return "";
-        }
-        List<String> known = new ArrayList<>();
-        for (Prefix each : Prefix.values()) {
-            known.add(each.written());
-        }
-        return "; the known prefixes are " + String.join(" ", known);
+        return !odd ? "" : "; the known prefixes are "
+            + Arrays.stream(Prefix.values()).map(Prefix::written).collect(Collectors.joining(" "));
     }
 
     /** The command as it could have been written, quoted where necessary. */

@@ -3,6 +3,7 @@ package steward.league.sequential;
 import java.util.Arrays;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.stream.IntStream;
 
 /**
  * Scores of one bot against another, one for each seed that both have played from all seats: (1 + d) / 2, with d the
@@ -74,11 +75,8 @@ public final class ScoreCounts {
         for (int k = 0; k < counts.length; k++) {
             sum += count(k);
         }
-        double[] shares = new double[counts.length];
-        for (int k = 0; k < counts.length; k++) {
-            shares[k] = count(k) / sum;
-        }
-        return shares;
+        double all = sum;
+        return IntStream.range(0, counts.length).mapToDouble(k -> count(k) / all).toArray();
     }
 
     public long observations() {

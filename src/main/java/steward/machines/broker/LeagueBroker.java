@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.stream.Collectors;
 import org.apache.activemq.artemis.api.core.ActiveMQException;
 import org.apache.activemq.artemis.api.core.Message;
 import org.apache.activemq.artemis.api.core.QueueConfiguration;
@@ -294,13 +295,8 @@ public final class LeagueBroker implements AutoCloseable {
 
     /** The workers that are connected, by name. */
     public Set<String> connected() {
-        Set<String> workers = new TreeSet<>();
-        for (ServerSession session : server.getSessions()) {
-            if (!LEAGUE.equals(session.getUsername())) {
-                workers.add(String.valueOf(session.getUsername()));
-            }
-        }
-        return workers;
+        return server.getSessions().stream().map(session -> String.valueOf(session.getUsername()))
+            .filter(worker -> !worker.equals(LEAGUE)).collect(Collectors.toCollection(TreeSet::new));
     }
 
     /** Closes the connections of a worker and removes what waits of it and for it; its jobs go to others. */

@@ -250,12 +250,8 @@ public final class PartMerge {
     private static ExpectedGame expected(PartStore part, StoredGame game, Map<Integer, Version> versions) {
         Map<Integer, String> names = part.games().versions().stream()
             .collect(Collectors.toMap(Version::id, Version::display));
-        List<Protocol> protocols = new ArrayList<>();
-        for (int version : game.lineup()) {
-            Version own = versions.get(version);
-            LeagueBot bot = new LeagueBot(own.bot(), own.command(), null, false, false);
-            protocols.add(Contest.entrant(bot.typed(), Protocol.JSON).protocol());
-        }
+        List<Protocol> protocols = Arrays.stream(game.lineup()).mapToObj(versions::get).map(own -> Contest.entrant(
+            new LeagueBot(own.bot(), own.command(), null, false, false).typed(), Protocol.JSON).protocol()).toList();
         return new ExpectedGame(game.seed(), Arrays.stream(game.lineup()).mapToObj(names::get).toList(), protocols);
     }
 

@@ -49,10 +49,8 @@ public record GameJob(String id, List<Game> games) {
         Map<Seat, Integer> numbers = new LinkedHashMap<>();
         List<HeaderText> texts = new ArrayList<>();
         for (Game game : games) {
-            List<HeaderText> seats = new ArrayList<>();
-            for (Seat seat : game.seats()) {
-                seats.add(new HeaderText().put("bot", numbers.computeIfAbsent(seat, any -> numbers.size())));
-            }
+            List<HeaderText> seats = game.seats().stream().map(seat -> new HeaderText().put("bot",
+                numbers.computeIfAbsent(seat, any -> numbers.size()))).toList();
             texts.add(new HeaderText().put("seed", Long.toString(game.seed())).put("seats", seats));
         }
         List<HeaderText> bots = numbers.keySet().stream().map(bot -> new HeaderText().put("name", bot.name())

@@ -3,6 +3,7 @@ package steward.machines.wire;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
 import steward.contest.Attempts;
 import steward.scene.json.Block;
 
@@ -50,11 +51,8 @@ public interface WorkerWord {
             List<HeaderText> texts = new ArrayList<>();
             List<byte[]> payloads = new ArrayList<>();
             for (Played game : games) {
-                List<HeaderText> attempts = new ArrayList<>();
-                for (int k = 0; k < game.transcripts().size(); k++) {
-                    attempts.add(new HeaderText().put("size", game.transcripts().get(k).length)
-                        .put("starved", game.starved().get(k)));
-                }
+                List<HeaderText> attempts = IntStream.range(0, game.transcripts().size()).mapToObj(k -> new HeaderText()
+                    .put("size", game.transcripts().get(k).length).put("starved", game.starved().get(k))).toList();
                 texts.add(new HeaderText().put("attempts", attempts).put("problem", game.problem())
                     .put("discarded", game.discarded()));
                 payloads.addAll(game.transcripts());

@@ -2,10 +2,10 @@ package steward.replay.feed;
 
 import java.io.OutputStream;
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.IntConsumer;
+import java.util.stream.IntStream;
 import steward.bot.Player;
 import steward.game.Game;
 import steward.game.GameTypes;
@@ -262,12 +262,6 @@ public final class Takeover {
 
     private List<String> ahead() {
         int[] ranks = game.ranks();
-        List<String> ahead = new ArrayList<>();
-        for (int player = 0; player < ranks.length; player++) {
-            if (ranks[player] == 0) {
-                ahead.add(names.get(player));
-            }
-        }
-        return Collections.unmodifiableList(ahead);
+        return IntStream.range(0, ranks.length).filter(player -> ranks[player] == 0).mapToObj(names::get).toList();
     }
 }
