@@ -35,7 +35,6 @@ public abstract class AbstractGame implements Game {
     @FunctionalInterface
     public interface Order {
 
-        /** True if {@code one} is ahead of {@code other}. */
         boolean isAhead(int one, int other);
     }
 

@@ -5,11 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import steward.text.TextFormat;
 
-/**
- * Lines of a game in which a player answers with a line for each of its bodies, a command with a message behind it.
- *
- * @param <C> a command
- */
+/** Lines of a game in which a player answers with a line for each of its bodies, a command with a message behind it. */
 public abstract class CommandLines<C> implements TextCodec {
 
     private static final int SHOWN = 40;

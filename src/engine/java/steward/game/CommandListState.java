@@ -4,11 +4,7 @@ import steward.json.CommandsAnswer;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.JsonParser;
 
-/**
- * States of a game in which a player gives a list of commands, one for each of its bodies.
- *
- * @param <C> a command
- */
+/** States of a game in which a player gives a list of commands, one for each of its bodies. */
 public abstract class CommandListState<C> implements StateCodec {
 
     private final CommandsAnswer<C> commands;

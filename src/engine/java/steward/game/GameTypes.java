@@ -23,7 +23,6 @@ import steward.text.NearestName;
  */
 public record GameTypes(List<GameType> types, GameType hosted) {
 
-    /** Name of the list of services. */
     private static final String SERVICES = "/META-INF/services/" + GameType.class.getName();
 
     /** Games that Steward computes. */
@@ -83,7 +82,6 @@ public record GameTypes(List<GameType> types, GameType hosted) {
         }
     }
 
-    /** The game of an id, if it is known. */
     public Optional<GameType> of(String gameId) {
         return hosted != null && hosted.id().equals(gameId) ? Optional.of(hosted)
             : types.stream().filter(type -> type.id().equals(gameId)).findFirst();

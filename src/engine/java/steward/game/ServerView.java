@@ -49,7 +49,6 @@ public interface ServerView {
         /** Its scene, as JSON. */
         String scene();
 
-        /** Its seed. */
         long seed();
 
         /**

@@ -3,7 +3,6 @@ package steward.game;
 /**
  * An event of a turn other than an impact, for people: it is kept in the replay and drawn.
  *
- * @param kind     the kind of event
  * @param time     within the turn, 0..1
  * @param body     id of the body concerned, or -1
  * @param x        where, in u

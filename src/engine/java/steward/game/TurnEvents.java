@@ -20,7 +20,6 @@ public final class TurnEvents {
     private boolean[] headlines = new boolean[ROOM];
     private int size;
 
-    /** No events. */
     public TurnEvents() {
         // The columns are there.
     }
@@ -69,12 +68,10 @@ public final class TurnEvents {
         headlines = Arrays.copyOf(headlines, room);
     }
 
-    /** Removes all. */
     public void clear() {
         size = 0;
     }
 
-    /** Returns how many there are. */
     public int size() {
         return size;
     }

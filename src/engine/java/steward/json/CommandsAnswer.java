@@ -12,8 +12,6 @@ import tools.jackson.core.JsonToken;
  * Reads an array of commands, one object for each body of a player: in an answer, beside an optional {@code message},
  * and in a replay. Commands may have a target {@code x}, {@code y}; all else is the game's. A game's sentences about a
  * command begin with {@code .field: } or {@code : }, behind which the place of the command is put.
- *
- * @param <C> a command
  */
 public abstract class CommandsAnswer<C> extends JsonAnswer {
 
@@ -35,7 +33,6 @@ public abstract class CommandsAnswer<C> extends JsonAnswer {
     /**
      * @param name     of the array
      * @param farthest the greatest coordinate of a target, in u; {@code Double.MAX_VALUE} for any finite number
-     * @param fields   of a command
      */
     protected CommandsAnswer(String name, double farthest, String... fields) {
         super(name);
@@ -58,10 +55,7 @@ public abstract class CommandsAnswer<C> extends JsonAnswer {
     /** Reads a field of a command that is neither x nor y. @return what is wrong, or {@code null} */
     protected abstract String commandField(String field, JsonParser in);
 
-    /**
-     * Returns the error of a command, something missing or too much; {@code null} if right, and then {@linkplain #keep
-     * kept}.
-     */
+    /** Returns the error of a command, a missing or needless field; {@code null} if {@linkplain #keep kept}. */
     protected abstract String endCommand(int index);
 
     /** Keeps a command that is right. @return {@code null} */

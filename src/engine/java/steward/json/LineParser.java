@@ -19,7 +19,6 @@ public final class LineParser {
     private int rest;
     private JsonParser parser;
 
-    /** True if this class can read a line. */
     public static boolean canRead(byte[] bytes, int from, int to) {
         return to - from > 1 && (bytes[from] == '{' || bytes[from] == '[') && bytes[from + 1] != 0;
     }

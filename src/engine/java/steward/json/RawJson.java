@@ -70,12 +70,10 @@ public final class RawJson implements SerializableString {
         return this;
     }
 
-    /** Adds true or false. */
     public RawJson add(boolean value) {
         return add(value ? TRUE : FALSE);
     }
 
-    /** Adds a whole number. */
     public RawJson add(long value) {
         if (value == Long.MIN_VALUE) {
             return add(text(Long.toString(value)));

@@ -33,14 +33,12 @@ public final class DoubleDouble {
         return low;
     }
 
-    /** Sets this to a double. */
     public DoubleDouble set(double value) {
         high = value;
         low = 0;
         return this;
     }
 
-    /** Sets this to another number. */
     public DoubleDouble set(DoubleDouble other) {
         high = other.high;
         low = other.low;
@@ -78,7 +76,6 @@ public final class DoubleDouble {
         return this;
     }
 
-    /** Adds a double. */
     public DoubleDouble add(double value) {
         double sum = high + value;
         double error = ErrorFree.sumError(high, value, sum);
@@ -90,7 +87,6 @@ public final class DoubleDouble {
         return add(other.high, other.low);
     }
 
-    /** Subtracts another number. */
     public DoubleDouble subtract(DoubleDouble other) {
         return add(-other.high, -other.low);
     }
@@ -105,7 +101,6 @@ public final class DoubleDouble {
         return normalize(head, lowError + ErrorFree.fastSumError(sum, carry, head));
     }
 
-    /** Multiplies by a double. */
     public DoubleDouble multiply(double value) {
         double product = high * value;
         double error = ErrorFree.productError(high, value, product);
@@ -121,7 +116,6 @@ public final class DoubleDouble {
         return normalize(product, error + (high * other.low + low * other.high));
     }
 
-    /** Squares this. */
     public DoubleDouble square() {
         return multiply(this);
     }

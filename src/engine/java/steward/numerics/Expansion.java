@@ -14,7 +14,6 @@ public final class Expansion {
     private double[] parts = new double[32];
     private int size;
 
-    /** Sets this to 0. */
     public Expansion clear() {
         size = 0;
         return this;
@@ -42,7 +41,6 @@ public final class Expansion {
         return this;
     }
 
-    /** Adds a product of two doubles. */
     public Expansion addProduct(double a, double b) {
         double product = a * b;
         if (product != 0) {
@@ -56,7 +54,6 @@ public final class Expansion {
         return addProduct(a, b, 1);
     }
 
-    /** Subtracts a product of two double-doubles. */
     public Expansion subtractProduct(DoubleDouble a, DoubleDouble b) {
         return addProduct(a, b, -1);
     }
@@ -66,12 +63,10 @@ public final class Expansion {
             .addProduct(sign * a.high(), b.low()).addProduct(sign * a.high(), b.high());
     }
 
-    /** Adds the product of two expansions. */
     public Expansion addProduct(Expansion a, Expansion b) {
         return addProduct(a, b, 1);
     }
 
-    /** Subtracts the product of two expansions. */
     public Expansion subtractProduct(Expansion a, Expansion b) {
         return addProduct(a, b, -1);
     }
@@ -91,10 +86,7 @@ public final class Expansion {
         return size == 0 ? 0 : parts[size - 1] > 0 ? 1 : -1;
     }
 
-    /**
-     * Rounds to a double-double, largest parts first: relative error below 2^-100, for each additional part 2^-105 at
-     * most.
-     */
+    /** Rounds to a double-double, largest parts first: relative error below 2^-100, plus 2^-105 for each more. */
     public DoubleDouble roundTo(DoubleDouble result) {
         result.set(0);
         for (int k = size - 1; k >= 0; k--) {

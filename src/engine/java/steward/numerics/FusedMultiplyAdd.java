@@ -6,8 +6,6 @@ import java.lang.management.ManagementFactory;
 /** Test for a fused multiply-add instruction of the processor. */
 final class FusedMultiplyAdd {
 
-    private FusedMultiplyAdd() { }
-
     /**
      * True if {@code Math.fma} is compiled to one instruction: HotSpot's flag {@code UseFMA}, which the JVM sets from
      * the processor and the command line. False where the flag is unknown. Takes some milliseconds; call it once.

@@ -36,7 +36,6 @@ public final class JavaRandom {
         return (int) (state >> 48 - bits);
     }
 
-    /** The next 32 bits. */
     public int nextInt() {
         return next(32);
     }

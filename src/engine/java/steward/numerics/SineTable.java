@@ -50,8 +50,6 @@ final class SineTable {
         0x1.ff621ep-1, 0x1.bcb6bef1d421fp-28, 0x1.ffd886p-1, 0x1.099a19765595dp-30,
         1, 0};
 
-    private SineTable() { }
-
     /** Direction k has its numbers from 4 k on. */
     static double[] rows() {
         double[] rows = new double[NUMBERS * DIRECTIONS];

@@ -19,7 +19,6 @@ public final class SplitMix64 {
         state = seed;
     }
 
-    /** The next 64 bits. */
     public long nextLong() {
         state += GOLDEN_GAMMA;
         return mix(state);

@@ -76,13 +76,11 @@ public final class Contacts {
         return reaches == null ? Double.NaN : reaches[kindA * kinds + kindB];
     }
 
-    /** Sets what a contact between a kind and any wall means. */
     public Contacts setWall(int kind, Meaning meaning) {
         walls[kind] = meaning;
         return this;
     }
 
-    /** Returns how many kinds of bodies there are. */
     public int kinds() {
         return kinds;
     }
@@ -92,7 +90,6 @@ public final class Contacts {
         return pairs[kindA * kinds + kindB];
     }
 
-    /** Returns the meaning of a contact of a kind with any wall. */
     public Meaning withWall(int kind) {
         return walls[kind];
     }

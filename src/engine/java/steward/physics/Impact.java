@@ -25,7 +25,6 @@ public record Impact(double time, int a, int b, double ax, double ay, double bx,
     /** How many numbers an impact has after {@code time, a, b}. */
     static final int NUMBERS = 18;
 
-    /** True if the second partner is a wall. */
     public boolean isWall() {
         return b < 0;
     }
@@ -35,10 +34,7 @@ public record Impact(double time, int a, int b, double ax, double ay, double bx,
         return ~b;
     }
 
-    /**
-     * The momentum that a received, x: m (v after - v before) of the stored velocities, or -j n if its mass is
-     * infinite.
-     */
+    /** The momentum that a received, x: m (v after - v before) of the stored velocities; -j n for an infinite mass. */
     public double momentumAx() {
         return massA < Double.POSITIVE_INFINITY ? massA * (vaxAfter - vaxBefore) : -impulse * normalX;
     }

@@ -81,7 +81,6 @@ public record ImpactLaw(Restitution restitution, double minimumImpulse, boolean 
             pushOut, maximumImpacts, Double.NaN);
     }
 
-    /** Returns this law with another rule of restitution. */
     public ImpactLaw withRestitution(Restitution value) {
         return new ImpactLaw(value, minimumImpulse, minimumImpulseAtWalls, deadZone, separatingPairsReact, batchWindow,
             scanOrder, pushOut, maximumImpacts, restSpeed);

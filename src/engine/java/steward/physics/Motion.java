@@ -101,7 +101,6 @@ public class Motion {
             this.text = text;
         }
 
-        /** Returns the quantity that the step changes. */
         public Of about() {
             return about;
         }

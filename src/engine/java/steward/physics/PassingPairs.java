@@ -11,12 +11,10 @@ public final class PassingPairs {
     private long[] pairs = new long[8];
     private int size;
 
-    /** True if there are no such pairs. */
     public boolean isEmpty() {
         return size == 0;
     }
 
-    /** Returns the number of pairs. */
     public int size() {
         return size;
     }

@@ -5,9 +5,7 @@ import java.util.List;
 /**
  * The parts of a scene's physics. An advance is built from these; what is not among them costs nothing during a turn.
  *
- * @param law            the law of impact
  * @param arithmetic     how times of impact are computed
- * @param contacts       what contacts mean
  * @param walls          immovable walls, each identified by its index in this list; may be empty
  * @param reaction       answers {@code ASK} contacts, or {@code null} if there are none
  * @param infiniteMasses whether bodies can have infinite mass: two of them never exchange an impulse
@@ -38,7 +36,6 @@ public record PhysicsParts(ImpactLaw law, Arithmetic arithmetic, Contacts contac
         this(law, arithmetic, new Contacts(1), List.of(), null, false);
     }
 
-    /** Returns these parts with another arithmetic. */
     public PhysicsParts withArithmetic(Arithmetic other) {
         return new PhysicsParts(law, other, contacts, walls, reaction, infiniteMasses, official);
     }

@@ -3,8 +3,7 @@ package steward.physics;
 /**
  * A sink that hands on to another what it is told of a turn, and may look at it itself.
  *
- * @param target whom the turn is for
- * @param other  who looks on, and hears everything first
+ * @param other who looks on, and hears everything first
  */
 public record TeeSink(TurnSink target, TurnSink other) implements TurnSink {
 

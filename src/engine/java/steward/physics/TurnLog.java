@@ -52,7 +52,6 @@ public final class TurnLog implements TurnSink {
         this.most = most;
     }
 
-    /** Clears the log. */
     public void clear() {
         impacts = 0;
         knots = 0;
@@ -136,7 +135,6 @@ public final class TurnLog implements TurnSink {
         limitBodies = bodyIds;
     }
 
-    /** Returns how many impacts the turn had. */
     public int impacts() {
         return impacts;
     }
@@ -234,22 +232,18 @@ public final class TurnLog implements TurnSink {
         return factNumbers[FACT_NUMBERS * k];
     }
 
-    /** The x of the k-th fact. */
     public double factX(int k) {
         return factNumbers[FACT_NUMBERS * k + 1];
     }
 
-    /** The y of the k-th fact. */
     public double factY(int k) {
         return factNumbers[FACT_NUMBERS * k + 2];
     }
 
-    /** The number p of the k-th fact. */
     public double factP(int k) {
         return factNumbers[FACT_NUMBERS * k + 3];
     }
 
-    /** The number q of the k-th fact. */
     public double factQ(int k) {
         return factNumbers[FACT_NUMBERS * k + 4];
     }

@@ -6,6 +6,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import steward.physics.Advance;
 import steward.physics.Arithmetic;
 import steward.physics.Contacts;
@@ -81,17 +83,10 @@ public record Accuracy(Way way, int steps, Arithmetic arithmetic) {
         return new Accuracy(Way.STEP, steps, Arithmetic.DOUBLE);
     }
 
-    /**
-     * The rungs, cheapest first: {@code step/1}, {@code step/2}, {@code step/4}, ... {@code step/1024}, then the
-     * arithmetics of {@code event}.
-     */
+    /** Rungs, cheapest first: {@code step/1}, {@code step/2}, ... {@code step/1024}, then those of {@code event}. */
     public static List<Accuracy> ladder() {
-        List<Accuracy> rungs = new ArrayList<>();
-        for (int steps = 1; steps <= StepAdvance.MOST_STEPS; steps *= 2) {
-            rungs.add(step(steps));
-        }
-        Arrays.stream(Arithmetic.values()).map(Accuracy::event).forEach(rungs::add);
-        return List.copyOf(rungs);
+        return Stream.concat(IntStream.iterate(1, steps -> steps <= StepAdvance.MOST_STEPS, steps -> 2 * steps)
+            .mapToObj(Accuracy::step), Arrays.stream(Arithmetic.values()).map(Accuracy::event)).toList();
     }
 
     /**

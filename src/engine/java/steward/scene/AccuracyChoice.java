@@ -18,7 +18,6 @@ public record AccuracyChoice(Accuracy rung, boolean stated, String why, List<Str
         this(rung, stated, why, List.of());
     }
 
-    /** The rung stated by the scene file. */
     static AccuracyChoice stated(Accuracy rung) {
         return new AccuracyChoice(rung, true, "as the scene says");
     }

@@ -24,17 +24,15 @@ import steward.scene.json.SceneException;
  * <p>The figures of shipped scenes are resources of the program; those of another scene are beside the scene file: for
  * {@code my.json} in {@code my.accuracy.json}.
  *
- * @param source  where the figures were read, for people
- * @param key     of the scene that was measured
- * @param sample  a hash of the results of the first states
- * @param states  number of states
+ * @param source    where the figures were read, for people
+ * @param key       of the scene that was measured
+ * @param sample    a hash of the results of the first states
  * @param unitNanos time of a turn on {@code event/double}, in nanoseconds; NaN in files that do not say it
- * @param rungs   the figures, cheapest rung first
+ * @param rungs     the figures, cheapest rung first
  */
 public record AccuracyFigures(String source, String key, String sample, int states, double unitNanos,
                               List<OfRung> rungs) {
 
-    /** The format that is read and written. */
     public static final int FORMAT = 2;
     /**
      * The shares of states for which an error is kept, as fields are named; a demand for a share between two of them is
@@ -43,10 +41,7 @@ public record AccuracyFigures(String source, String key, String sample, int stat
     public static final List<String> SHARES = List.of("0.5", "0.9", "0.99", "0.999", "0.9999");
     /** The highest of them: no demand may go beyond it. */
     static final double MOST_SHARE = 0.9999;
-    /**
-     * A rung that costs less than another by no more than this share does not count as cheaper: measurements of the
-     * same rung differ by as much.
-     */
+    /** A rung is cheaper than another if it costs less by more than this share: measurements differ by as much. */
     public static final double SAME_COST = 0.05;
     /**
      * In place of an error: in too many states the rung, or the oracle it was compared with, did not finish, or there
@@ -83,14 +78,12 @@ public record AccuracyFigures(String source, String key, String sample, int stat
         }
     }
 
-    /** The file with the figures of a scene file. */
     public static Path beside(Path scene) {
         String name = scene.getFileName().toString();
         String base = name.endsWith(SUFFIX) ? name.substring(0, name.length() - SUFFIX.length()) : name;
         return scene.resolveSibling(base + FIGURES);
     }
 
-    /** The resource with the figures of a shipped scene. */
     public static String resource(String shipped) {
         return "/scenes/" + shipped + FIGURES;
     }

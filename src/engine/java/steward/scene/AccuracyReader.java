@@ -23,11 +23,8 @@ final class AccuracyReader {
     /** Of the states, by whose error rungs are compared where only a cost is stated. */
     private static final double USUAL_SHARE = 0.99;
 
-    private AccuracyReader() { }
-
     /**
      * @param scene   the whole file
-     * @param law     its law of impact
      * @param figures where figures of this scene's accuracy may be
      * @param instead a rung that replaces the one of the file, or {@code null}
      * @throws SceneException if there is no such rung, or none is known to meet the demand

@@ -28,8 +28,6 @@ final class CsvLines {
 
     private static final String FIELD = "csv";
 
-    private CsvLines() { }
-
     /** Returns the scene with the lines of its files. */
     static Block takenIn(SceneText text, Block root) {
         Block taken = root;

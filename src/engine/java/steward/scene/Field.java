@@ -20,7 +20,6 @@ public record Field(double x, double y, double width, double height, List<Wall> 
         this(0, 0, width, height, walls, bumpers);
     }
 
-    /** Copies the lists. */
     public Field {
         walls = List.copyOf(walls);
         bumpers = List.copyOf(bumpers);

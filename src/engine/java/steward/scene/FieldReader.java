@@ -17,8 +17,6 @@ final class FieldReader {
     private static final Map<String, Function<Block, Wall>> WALLS = Map.of("segment", FieldReader::segment,
         "half-plane", FieldReader::halfPlane, "arena", FieldReader::arena, "box", box -> null);
 
-    private FieldReader() { }
-
     static Field read(Block block) {
         double x = block.number("x", -Block.MAXIMUM, Block.MAXIMUM, 0);
         double y = block.number("y", -Block.MAXIMUM, Block.MAXIMUM, 0);

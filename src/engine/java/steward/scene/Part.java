@@ -3,7 +3,6 @@ package steward.scene;
 /**
  * A part of the engine that a scene may need.
  *
- * @param name what it is
  * @param in   whether the scene needs it; what is left out costs nothing
  * @param why  what in the scene asks for it, or what is absent
  * @param when the phase of a turn in which it works

@@ -11,7 +11,6 @@ public interface PhysicsObserver {
     PhysicsObserver NONE = (parts, advance) -> advance;
 
     /**
-     * @param parts   the parts of the physics
      * @param advance the advance that the scene requires
      * @return the advance that the game gets
      */

@@ -99,7 +99,6 @@ public final class Plan {
         return scene.law().withRestitution(lowestRestitution < 1 ? Restitution.MINIMUM : Restitution.ELASTIC);
     }
 
-    /** The law of the scene's rung. */
     @Internal
     public RungLaw law() {
         return RungLaw.of(scene.accuracy(), impacts());

@@ -30,7 +30,6 @@ final class RungChooser {
      * The rung for a scene that states a demand.
      *
      * @param scene   the whole file
-     * @param law     its law of impact
      * @param figures where its own figures may be
      * @throws steward.scene.json.SceneException if there are no figures, if they belong to another scene or physics, or
      *                                           if no rung is known to meet the demand

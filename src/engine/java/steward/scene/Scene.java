@@ -9,18 +9,16 @@ import steward.scene.json.Block;
 /**
  * The contents of a scene file, except the blocks of the game. Two scenes are equal when their {@link #json()} is.
  *
- * @param name             its name
- * @param gameId           the id of the game
- * @param players          number of players, 1..16
- * @param field            the field with its walls and bumpers, if there is one
- * @param law              the law of impact; its restitution is elastic here and is decided by {@link Plan#physics}
- * @param drag             the share of its speed that a body loses at the end of a turn, 0..1
- * @param motion           what happens to speeds and positions at the end of a turn, in which order
- * @param time             time limits of the players
- * @param choice           the rung it is computed on, and how it was chosen
- * @param observer         observes the advances that games of this scene take from their plan
- * @param root             the whole file, from which the game reads its own blocks; the game calls {@link Block#done()}
- *                         at the end
+ * @param players  number of players, 1..16
+ * @param field    the field with its walls and bumpers, if there is one
+ * @param law      the law of impact; its restitution is elastic here and is decided by {@link Plan#physics}
+ * @param drag     the share of its speed that a body loses at the end of a turn, 0..1
+ * @param motion   what happens to speeds and positions at the end of a turn, in which order
+ * @param time     time limits of the players
+ * @param choice   the rung it is computed on, and how it was chosen
+ * @param observer observes the advances that games of this scene take from their plan
+ * @param root     the whole file, from which the game reads its own blocks; the game calls {@link Block#done()}
+ *                 at the end
  */
 public record Scene(String name, String gameId, int players, Optional<Field> field, ImpactLaw law, double drag,
                     Motion motion, Time time, AccuracyChoice choice, @Internal PhysicsObserver observer, Block root) {

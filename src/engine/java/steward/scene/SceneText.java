@@ -6,7 +6,6 @@ import java.util.Optional;
 /**
  * A scene file, not yet read.
  *
- * @param text    all of it
  * @param source  how errors name it
  * @param figures where the figures of its accuracy would be, existing or not; empty for a text that is not a file
  */

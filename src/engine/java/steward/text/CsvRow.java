@@ -1,9 +1,6 @@
 package steward.text;
 
-/**
- * A row of a table of comma-separated values (RFC 4180, but with the end of line that Unix has). Built cell by cell,
- * from left to right.
- */
+/** A row of comma-separated values (RFC 4180, with the end of line of Unix), built cell by cell. */
 public final class CsvRow {
 
     private final StringBuilder line = new StringBuilder();

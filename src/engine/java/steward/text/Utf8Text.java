@@ -21,8 +21,6 @@ public final class Utf8Text {
     /** Bytes that are not UTF-8; the message says where and which. */
     public static final class NotUtf8Exception extends CharacterCodingException {
 
-        private static final long serialVersionUID = 1;
-
         private final String message;
 
         NotUtf8Exception(String message) {

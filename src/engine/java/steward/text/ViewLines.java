@@ -22,7 +22,6 @@ public final class ViewLines {
 
     /**
      * @param source name of the file, for errors
-     * @param frame  its number
      * @param text   of the view, or {@code null} if the frame has none
      */
     public ViewLines(String source, int frame, String text) {

@@ -3,9 +3,7 @@ package steward.bot;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 
-/**
- * The outcome of one {@link Player#ask}. One instance is reused from turn to turn, so that asking allocates nothing.
- */
+/** The outcome of one {@link Player#ask}, reused from turn to turn, so that asking allocates nothing. */
 public final class Answer {
 
     private byte[] bytes = new byte[1024];
@@ -17,7 +15,6 @@ public final class Answer {
     private TimeSpent timeSpent;
     private boolean held;
 
-    /** Clears the previous answer. */
     public void clear() {
         length = 0;
         nanos = 0;
@@ -36,10 +33,7 @@ public final class Answer {
         return bytes;
     }
 
-    /**
-     * Returns how many bytes of {@link #bytes()} count; with a fault, what had been received by then (shortened or
-     * empty).
-     */
+    /** Returns how many bytes of {@link #bytes()} count; with a fault those received by then (shortened or empty). */
     public int length() {
         return length;
     }
@@ -77,7 +71,6 @@ public final class Answer {
         return held;
     }
 
-    /** See {@link #held}. */
     public void setHeld(boolean stopped) {
         held = stopped;
     }
@@ -87,7 +80,6 @@ public final class Answer {
         return timeSpent;
     }
 
-    /** Adds bytes to the answer. */
     public void append(byte[] source, int from, int count) {
         if (length + count > bytes.length) {
             bytes = Arrays.copyOf(bytes, Math.max(2 * bytes.length, length + count));
@@ -96,27 +88,22 @@ public final class Answer {
         length += count;
     }
 
-    /** Sets {@link #nanos()}. */
     public void setNanos(long value) {
         nanos = value;
     }
 
-    /** Sets {@link #fault()}. */
     public void setFault(String reason) {
         fault = reason;
     }
 
-    /** Sets {@link #stderr()}. */
     public void setStderr(String text) {
         stderr = text;
     }
 
-    /** Sets {@link #extraLines()}. */
     public void setExtraLines(int count) {
         extraLines = count;
     }
 
-    /** Sets {@link #timeSpent()}. */
     public void setTimeSpent(TimeSpent spent) {
         timeSpent = spent;
     }

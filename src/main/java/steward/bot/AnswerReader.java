@@ -190,7 +190,6 @@ public final class AnswerReader {
         return count;
     }
 
-    /** Closes the stream. */
     public void close() {
         try {
             stream.close();

@@ -9,7 +9,6 @@ public final class LineBuffer extends OutputStream {
     private byte[] bytes = new byte[4096];
     private int size;
 
-    /** An empty buffer. */
     public LineBuffer() {
         // The buffer grows when it is written to.
     }
@@ -24,7 +23,6 @@ public final class LineBuffer extends OutputStream {
         return size;
     }
 
-    /** Empties the buffer. */
     public void reset() {
         size = 0;
     }

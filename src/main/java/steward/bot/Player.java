@@ -86,10 +86,7 @@ public interface Player extends AutoCloseable {
         return;
     }
 
-    /**
-     * Returns the player's stderr after its last answer, bounded; {@code null} when nothing. Known once {@link #finish}
-     * has returned.
-     */
+    /** Returns the player's stderr after its last answer, bounded, or {@code null}; known after {@link #finish}. */
     default String finalStderr() {
         return null;
     }

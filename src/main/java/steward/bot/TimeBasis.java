@@ -24,7 +24,6 @@ public enum TimeBasis {
         return name().toLowerCase(Locale.ROOT);
     }
 
-    /** By its {@link #word}. */
     public static Optional<TimeBasis> of(String word) {
         return Arrays.stream(values()).filter(each -> each.word().equals(word)).findFirst();
     }

@@ -14,8 +14,6 @@ final class ArchiveTraining {
     private static final String RACER = "builtin:racer";
     private static final String PATIENT = "--time-factor=100";
 
-    private ArchiveTraining() { }
-
     /** @param arguments a folder for what the commands write */
     public static void main(String[] arguments) {
         Path folder = Path.of(arguments[0]);

@@ -13,7 +13,6 @@ import steward.files.Resources;
     footer = {"", "Example, for the running shell:", "  source <(steward completion)"})
 final class CompletionCommand extends ProgramCommand {
 
-    /** The name of the command. */
     static final String NAME = "completion";
 
     /** With this line, picocli has no files completed where a command has options with fixed words. */

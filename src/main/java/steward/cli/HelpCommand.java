@@ -22,7 +22,6 @@ import steward.cli.shared.UnknownWord;
         "", "Examples:", "  steward help match", "  steward help league run"})
 final class HelpCommand extends ProgramCommand {
 
-    /** The name of the command. */
     static final String NAME = "help";
 
     /** The word for options that several commands take. */

@@ -20,8 +20,6 @@ final class OptionForms {
     /** Of more options the line of usage does not tell. */
     private static final int MOST_IN_SYNOPSIS = 12;
 
-    private OptionForms() { }
-
     /** Gives the usual options their short names, in the order in which they are. */
     static void shorten(CommandSpec spec) {
         List<OptionSpec> all = List.copyOf(spec.options());

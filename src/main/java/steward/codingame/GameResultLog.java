@@ -141,8 +141,7 @@ public final class GameResultLog implements MatchListener {
     /**
      * Writes the match; call when it has its result.
      *
-     * @param scene name of the scene
-     * @param file  is closed
+     * @param file is closed
      */
     public void write(OutputStream file, String scene, long seed, MatchResult result) {
         try (JsonGenerator out = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(), file)) {

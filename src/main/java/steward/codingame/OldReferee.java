@@ -3,11 +3,11 @@ package steward.codingame;
 import java.io.InputStream;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.LongSupplier;
+import java.util.stream.IntStream;
 import steward.game.FrameCodec;
 import steward.game.Game;
 import steward.game.GameSetup;
@@ -55,10 +55,8 @@ public final class OldReferee {
      */
     public void play(TimeControl time, LongSupplier seed) throws InterruptedException {
         Long wanted = readStart();
-        List<Seat> seats = new ArrayList<>();
-        for (int player = 0; player < setup.scene().players(); player++) {
-            seats.add(new Seat(new OldRefereePlayer(this, lines, player), Protocol.CODINGAME));
-        }
+        List<Seat> seats = IntStream.range(0, setup.scene().players()).mapToObj(player ->
+            new Seat(new OldRefereePlayer(this, lines, player), Protocol.CODINGAME)).toList();
         Standing standing = new Standing();
         Referee referee = Referee.of(setup, wanted == null ? seed.getAsLong() : wanted, seats, time, standing);
         try {
@@ -123,7 +121,6 @@ public final class OldReferee {
         lines.flush();
     }
 
-    /** Notes that a player has failed. */
     void failed(int player) {
         if (!brokenOff) {
             failed.add(player);
@@ -138,8 +135,6 @@ public final class OldReferee {
 
     /** Another player should have been asked, but the input had ended already. */
     static final class InputEnded extends RuntimeException {
-
-        private static final long serialVersionUID = 1L;
 
         private InputEnded() {
             super("the input ended", null, false, false);

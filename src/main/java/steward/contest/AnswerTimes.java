@@ -25,14 +25,12 @@ public final class AnswerTimes {
     private double firstSum;
     private long firstWorst;
 
-    /** The first answer of a game. */
     void addFirst(long nanos) {
         firstCount++;
         firstSum += nanos;
         firstWorst = Math.max(firstWorst, nanos);
     }
 
-    /** A later answer. */
     void add(long nanos, int turn) {
         buckets[bucket(nanos)]++;
         count++;
@@ -43,7 +41,6 @@ public final class AnswerTimes {
         }
     }
 
-    /** Adds the answers of one game. */
     void addAll(AnswerTimes game, int number) {
         for (int k = 0; k < BUCKETS; k++) {
             buckets[k] += game.buckets[k];
@@ -113,7 +110,6 @@ public final class AnswerTimes {
         return worstGame;
     }
 
-    /** Its turn. */
     public int worstTurn() {
         return worstTurn;
     }

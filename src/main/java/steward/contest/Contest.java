@@ -58,13 +58,11 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
         this(setup, entrants, time, timeFactor, null, Isolation::usual, Entrant::player);
     }
 
-    /** Returns this contest with its replays signed. */
     @Internal
     public Contest signedWith(SigningKey other) {
         return new Contest(setup, entrants, time, timeFactor, other, isolation, starter);
     }
 
-    /** Returns this contest between other bots. */
     public Contest between(List<Entrant> others) {
         return new Contest(setup, others, time, timeFactor, key, isolation, starter);
     }
@@ -157,10 +155,7 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
         return withoutProblem(withFailing(setup, bots, usual, timeFactor));
     }
 
-    /**
-     * Makes a contest as {@link #of} does, for a series: in a scene for one player any number of bots can each play
-     * alone.
-     */
+    /** Makes a contest as {@link #of} does, for a series: in a scene for one player any number of bots play alone. */
     public static Contest ofSeries(GameSetup setup, List<String> bots, Protocol usual, double timeFactor) {
         return setup.scene().players() > 1 || bots.isEmpty() ? of(setup, bots, usual, timeFactor)
             : withoutProblem(create(setup, bots, usual, timeFactor));
@@ -310,10 +305,7 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
         return setup.scene().name();
     }
 
-    /**
-     * Returns which bot plays as a player when the bots have moved up by {@code rotation} places. Where each plays
-     * alone, the bots take turns so.
-     */
+    /** Returns which bot plays as a player after {@code rotation} moves up, or in turn where each plays alone. */
     public int entrantOf(int player, int rotation) {
         return (player + rotation) % entrants.size();
     }

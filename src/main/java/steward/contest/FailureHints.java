@@ -58,8 +58,6 @@ final class FailureHints {
     /** Source line of a traceback that takes a field of an object, as programs that read JSON do. */
     private static final Pattern OF_OBJECT = Pattern.compile("\\[(\"\\w+\"|'\\w+')]");
 
-    private FailureHints() { }
-
     /**
      * @param protocol the protocol in which the bot was asked
      * @param other    whether the scene has the other protocol too

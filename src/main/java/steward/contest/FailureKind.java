@@ -14,7 +14,6 @@ public record FailureKind(int entrant, List<Occurrence> occurrences, Failure fir
     /**
      * One failure.
      *
-     * @param game the game
      * @param turn in which the bot failed
      */
     public record Occurrence(Series.Played game, int turn) { }

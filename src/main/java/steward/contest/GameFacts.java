@@ -22,10 +22,8 @@ import steward.replay.verify.Resimulation;
  */
 public record GameFacts(long transcript, List<SortedMap<String, Double>> values) {
 
-    /** Nothing is known. */
     public static final GameFacts UNKNOWN = new GameFacts(0, List.of());
 
-    /** Copies the list. */
     public GameFacts {
         values = List.copyOf(values);
     }
@@ -35,7 +33,6 @@ public record GameFacts(long transcript, List<SortedMap<String, Double>> values)
         return player < values.size() ? values.get(player) : Collections.emptySortedMap();
     }
 
-    /** Facts of a game that is over. */
     public static GameFacts of(Game game, TranscriptDigest digest) {
         List<SortedMap<String, Double>> values = new ArrayList<>();
         for (int player = 0; player < game.players(); player++) {

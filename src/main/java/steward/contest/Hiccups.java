@@ -17,7 +17,6 @@ public enum Hiccups {
         return name().toLowerCase(Locale.ROOT);
     }
 
-    /** By its {@link #word}. */
     public static Optional<Hiccups> of(String word) {
         return Arrays.stream(values()).filter(each -> each.word().equals(word)).findFirst();
     }

@@ -21,12 +21,10 @@ public enum KeptReplays {
         return name().toLowerCase(Locale.ROOT);
     }
 
-    /** By its {@link #word}. */
     public static Optional<KeptReplays> of(String word) {
         return Arrays.stream(values()).filter(each -> each.word().equals(word)).findFirst();
     }
 
-    /** True if the replay of a game that is over is kept. */
     boolean keeps(Contest contest, Series.Played game) {
         return switch (this) {
             case ALL -> true;

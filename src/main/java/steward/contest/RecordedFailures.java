@@ -44,7 +44,6 @@ public final class RecordedFailures {
         return failures.failures();
     }
 
-    /** Adds the next turn. */
     public void add(RecordedTurn recorded) {
         Turn turn = Turn.of(recorded.number(), recorded.faults().length);
         for (int player = 0; player < turn.players(); player++) {

@@ -12,7 +12,6 @@ import steward.match.MatchResult;
  * is played once for every way to move the bots up, one after the other. In a scene for one player each seed is played
  * by each bot alone, one after the other.
  *
- * @param contest what is played
  * @param first   seed of the first game
  * @param seeds   how many seeds
  * @param swap    whether the bots change sides
@@ -29,7 +28,6 @@ public record Series(Contest contest, long first, int seeds, boolean swap, Path 
      * A game of the series.
      *
      * @param number   counted from 1
-     * @param seed     its seed
      * @param rotation by how many places the bots had moved up
      * @param result   or {@code null} if it could not be brought to one
      * @param failure  why it could not, or {@code null}
@@ -103,7 +101,6 @@ public record Series(Contest contest, long first, int seeds, boolean swap, Path 
         folder = keep == KeptReplays.NONE ? null : folder;
     }
 
-    /** Returns the number of games in all. */
     public int games() {
         return seeds * sides();
     }

@@ -66,7 +66,6 @@ public final class SeriesPlay {
     private record Game(int number, long seed, int rotation, Attempts attempts, GameLog log, ReplayFile file,
                         String refused, Series.Played before) { }
 
-    /** Returns the series that is played. */
     public Series series() {
         return series;
     }

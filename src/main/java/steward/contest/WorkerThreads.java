@@ -16,7 +16,6 @@ public final class WorkerThreads {
     /**
      * Works until all threads are done. As soon as one fails the others are interrupted.
      *
-     * @param name of the threads
      * @param work of each of them, by its number
      * @throws RuntimeException what a thread failed with
      */

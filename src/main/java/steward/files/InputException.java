@@ -3,8 +3,6 @@ package steward.files;
 /** The call or an input cannot be used; the message tells the user what was found and what was expected. */
 public final class InputException extends RuntimeException {
 
-    private static final long serialVersionUID = 1L;
-
     public InputException(String message) {
         super(message);
     }

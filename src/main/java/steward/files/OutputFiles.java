@@ -155,7 +155,6 @@ public final class OutputFiles {
         }
     }
 
-    /** The error for a file that exists already. */
     public static InputException exists(Path file) {
         return new InputException(file + ": exists already, and is kept; --overwrite would replace it");
     }

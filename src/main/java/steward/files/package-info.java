@@ -1,5 +1,2 @@
-/**
- * Files that the user named: paths as typed, output that replaces nothing unless told to, digests, resources,
- * and the exception for unusable input.
- */
+/** Files that the user named: paths as typed, output that replaces nothing unasked, digests, resources. */
 package steward.files;

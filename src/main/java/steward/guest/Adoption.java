@@ -59,7 +59,6 @@ public final class Adoption {
      *
      * @param path   its folder or jar
      * @param engine version of the SDK to build with, or {@code null} for its own
-     * @param name   of the scene
      * @param told   is told what is done and found, a line at a time
      * @return the scene as JSON
      * @throws steward.files.InputException if it cannot be built

@@ -8,7 +8,6 @@ import java.util.stream.Stream;
 /**
  * A block of lines, {@code [[NAME] n]} and n lines behind it: all that a referee and its host say to each other.
  *
- * @param name  of the block
  * @param lines behind its head, without line ends
  */
 record Block(Name name, List<String> lines) {
@@ -50,7 +49,6 @@ record Block(Name name, List<String> lines) {
     static final Pattern HEAD = Pattern.compile("\\[\\[(" + Stream.of(Name.values()).map(Name::name)
         .collect(Collectors.joining("|")) + ")\\] ?(\\d{1,9})\\]");
 
-    /** Copies the list. */
     Block {
         lines = List.copyOf(lines);
     }

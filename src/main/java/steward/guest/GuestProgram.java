@@ -22,7 +22,6 @@ import steward.scene.json.Block;
  *
  * @param command      the program and its arguments; empty with a class path
  * @param classPath    folders and jars of a referee made with an SDK, the project itself first; empty with a command
- * @param main         its main class
  * @param reuse        name of the JVMs whose games use the classes of those before; {@code null} for fresh ones
  * @param system       system properties of a referee on a class path: its mode and level
  * @param testIn       lines of the block INIT in place of the seed, in a game for one
@@ -56,7 +55,6 @@ record GuestProgram(List<String> command, List<String> classPath, String main, S
     static final Set<Name> FOR_PEOPLE = EnumSet.of(Name.VIEW, Name.INFOS, Name.SUMMARY, Name.TOOLTIP,
         Name.UINPUT, Name.METADATA);
 
-    /** Reads the block of a scene. */
     static GuestProgram read(Block root) {
         Block block = root.block(SceneReader.REFEREE);
         boolean resident = block.contains("classPath");
@@ -131,7 +129,6 @@ record GuestProgram(List<String> command, List<String> classPath, String main, S
         return !classPath.isEmpty();
     }
 
-    /** True if its games are for one player. */
     boolean isSolo() {
         return SOLO.equals(system.get(MODE));
     }

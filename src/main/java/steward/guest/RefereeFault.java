@@ -6,8 +6,6 @@ import java.io.UncheckedIOException;
 /** Failure of a referee: it ends the game without a result, and is never the fault of a bot. */
 public final class RefereeFault extends UncheckedIOException {
 
-    private static final long serialVersionUID = 1L;
-
     /** @param problem a clause whose subject is the referee */
     RefereeFault(String problem) {
         super("the referee " + problem, new IOException(problem));

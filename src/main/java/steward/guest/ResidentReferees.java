@@ -13,7 +13,6 @@ final class ResidentReferees {
 
     private final Deque<RefereeProcess> idle = new ArrayDeque<>();
 
-    /** The residents of this JVM. */
     static ResidentReferees shared() {
         return SHARED;
     }

@@ -49,7 +49,6 @@ record SdkProject(List<String> classPath, int fewestPlayers, int mostPlayers, St
      *
      * @param path   its folder, or a jar that has all in it
      * @param engine version to build with in place of the project's, or {@code null}
-     * @param told   is told what is run
      */
     static SdkProject find(Path path, String engine, Consumer<String> told) {
         Path whole = path.toAbsolutePath().normalize();

@@ -25,18 +25,15 @@ public record LeagueBot(String name, String command, List<String> files, boolean
      * Command of a bot on one platform.
      *
      * @param platform see {@link steward.bot.command.Platform}
-     * @param command  as that of a bot
      * @param files    as those of a bot
      */
     public record ForPlatform(String platform, String command, List<String> files) {
 
-        /** Copies the list. */
         public ForPlatform {
             files = files == null ? null : List.copyOf(files);
         }
     }
 
-    /** Copies the lists. */
     public LeagueBot {
         files = files == null ? null : List.copyOf(files);
         platforms = List.copyOf(platforms);
@@ -69,7 +66,6 @@ public record LeagueBot(String name, String command, List<String> files, boolean
             new LeagueBot(name, each.command(), each.files(), random, retired, resumed, List.of())).orElse(this);
     }
 
-    /** Returns this bot with a command for one platform more. */
     public LeagueBot with(ForPlatform more) {
         return new LeagueBot(name, command, files, random, retired, resumed,
             Stream.concat(platforms.stream(), Stream.of(more)).toList());

@@ -67,12 +67,10 @@ public record LeagueFolder(Path path) {
         return folder;
     }
 
-    /** Returns where the settings are. */
     public Path settings() {
         return path.resolve(SETTINGS);
     }
 
-    /** Returns where the games are. */
     public Path database() {
         return path.resolve("league.db");
     }
@@ -82,7 +80,6 @@ public record LeagueFolder(Path path) {
         return path.resolve("league.lock");
     }
 
-    /** Returns where kept replays are. */
     public Path replays() {
         return path.resolve("replays");
     }

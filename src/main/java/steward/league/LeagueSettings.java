@@ -20,7 +20,6 @@ import steward.contest.KeptReplays;
  * @param basis    what the limits are limits of
  * @param hiccups  what becomes of games lost on time on a starved machine
  * @param sandbox  how bots are kept apart: the options of a match that say so
- * @param keep     which replays are kept
  * @param keepOf   with {@link KeptReplays#LOST}: the bots whose lost games are meant; none for those of any bot
  * @param bots     all of them, in the order of the file
  */
@@ -31,13 +30,11 @@ public record LeagueSettings(String scene, long seed, String gauntlet, boolean a
 
     /** The lag of a new league: more than the games that a large machine plays at the same time. */
     public static final int USUAL_LAG = 64;
-    /** The longest lag. */
     public static final int MOST_LAG = 10_000;
 
     /** The option of a match that names the policy of holding. */
     static final String HOLD = "--hold";
 
-    /** Copies the lists. */
     public LeagueSettings {
         sandbox = List.copyOf(sandbox);
         keepOf = List.copyOf(keepOf);
@@ -50,23 +47,19 @@ public record LeagueSettings(String scene, long seed, String gauntlet, boolean a
             List.of("--sandbox", "auto"), KeptReplays.FAILED, List.of(), List.of());
     }
 
-    /** The bots that play. */
     public List<LeagueBot> active() {
         return bots.stream().filter(bot -> !bot.retired()).toList();
     }
 
-    /** The bot of this name. */
     public Optional<LeagueBot> bot(String name) {
         return bots.stream().filter(bot -> bot.name().equals(name)).findFirst();
     }
 
-    /** Returns these settings with another scene. */
     public LeagueSettings withScene(String other) {
         return new LeagueSettings(other, seed, gauntlet, adaptive, lag, factor, basis, hiccups, sandbox, keep,
             keepOf, bots);
     }
 
-    /** Returns these settings with other bots. */
     public LeagueSettings withBots(List<LeagueBot> others) {
         return new LeagueSettings(scene, seed, gauntlet, adaptive, lag, factor, basis, hiccups, sandbox, keep,
             keepOf, others);
@@ -105,7 +98,6 @@ public record LeagueSettings(String scene, long seed, String gauntlet, boolean a
         return option < 0 ? HoldPolicy.BURNERS : HoldPolicy.of(sandbox.get(option + 1)).orElse(HoldPolicy.BURNERS);
     }
 
-    /** A copy with another policy of holding. */
     public LeagueSettings holding(HoldPolicy policy) {
         List<String> words = new ArrayList<>(sandbox);
         int option = words.indexOf(HOLD);

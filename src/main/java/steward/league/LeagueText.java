@@ -22,8 +22,6 @@ final class LeagueText {
     private static final Map<String, String> FLAGS = Map.of("--network", "network", "--clean-env", "cleanEnvironment");
     private static final Map<String, String> LISTS = Map.of("--env", "environment", "--visible", "visible");
 
-    private LeagueText() { }
-
     static String write(LeagueSettings settings) {
         List<String> fields = new ArrayList<>();
         fields.add(field("league", Integer.toString(LeagueReader.FORM)));

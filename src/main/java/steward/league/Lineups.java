@@ -7,8 +7,6 @@ import java.util.List;
 /** Lineups of a decision of the schedule: the same bots on one seed, every one of them on every seat. */
 final class Lineups {
 
-    private Lineups() { }
-
     /** All ways to move these versions up by a place. */
     static List<int[]> rotations(int... versions) {
         List<int[]> lineups = new ArrayList<>();

@@ -56,9 +56,7 @@ public final class Schedule {
     /**
      * A game to be played.
      *
-     * @param decision its number
-     * @param seed     its seed
-     * @param lineup   the versions by seat
+     * @param lineup the versions by seat
      */
     public record Task(int decision, long seed, int... lineup) { }
 

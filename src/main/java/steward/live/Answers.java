@@ -21,8 +21,6 @@ final class Answers {
         "css", "text/css; charset=utf-8", "json", "application/json", "fnt", "text/xml", "png", "image/png",
         "jpg", "image/jpeg", "svg", "image/svg+xml");
 
-    private Answers() { }
-
     static byte[] bytes(String text) {
         return text.getBytes(StandardCharsets.UTF_8);
     }

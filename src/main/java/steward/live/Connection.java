@@ -102,13 +102,11 @@ final class Connection {
         answered = true;
     }
 
-    /** Answers with a page that was made. */
     void answerPage(long now, byte[] head, byte[] bytes) {
         page = bytes;
         answer(now, head, bytes);
     }
 
-    /** Follows a feed from its beginning. */
     void follow(long now, Feed followed, long number) {
         answer(now, Answers.head(Answers.OK, Answers.EVENTS, -1), Answers.bytes("id:" + number + "\n\n"));
         feed = followed;

@@ -266,7 +266,6 @@ final class HttpService implements AutoCloseable {
         return listening.socket().getInetAddress().isLoopbackAddress();
     }
 
-    /** Closes all connections. */
     @Override
     public void close() {
         closed = true;

@@ -149,7 +149,6 @@ public final class LiveServer implements AutoCloseable {
         }
     }
 
-    /** Closes all connections. */
     @Override
     public void close() {
         service.close();

@@ -14,7 +14,6 @@ final class Request {
     private final ByteArrayOutputStream bytes = new ByteArrayOutputStream();
     private String[] lines;
 
-    /** Adds what has arrived. */
     void add(ByteBuffer arrived) {
         byte[] all = new byte[Math.min(arrived.remaining(), MOST_BYTES + 1 - bytes.size())];
         arrived.get(all);

@@ -117,7 +117,6 @@ public final class StatusServer implements AutoCloseable {
         return service.isLoopback();
     }
 
-    /** Closes all connections. */
     @Override
     public void close() {
         end();

@@ -81,11 +81,7 @@ final class DataLineCollector {
     }
 
     private static int size(Map<String, String> data) {
-        int size = 0;
-        for (Map.Entry<String, String> entry : data.entrySet()) {
-            size += entry.getKey().length() + entry.getValue().length();
-        }
-        return size;
+        return data.entrySet().stream().mapToInt(entry -> entry.getKey().length() + entry.getValue().length()).sum();
     }
 
     /** The sum of two numbers, whole if both are; anything but a number counts as 0. */

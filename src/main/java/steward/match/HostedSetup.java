@@ -18,7 +18,6 @@ public interface HostedSetup extends GameSetup {
     /** Returns the class path of the referee, or the words of its command. */
     List<String> words();
 
-    /** True if the referee is on a class path. */
     boolean isOnClassPath();
 
     /** Returns the scene as JSON with other words of its referee. */

@@ -6,14 +6,12 @@ import java.util.Map;
 /**
  * Result of a match.
  *
- * @param turns   turns played
  * @param ending  one sentence without its full stop
  * @param players per player, in order
  * @param data    what bots reported about the match: {@code [TDATA] key = value} on stderr, the last value
  */
 public record MatchResult(int turns, String ending, List<PlayerResult> players, Map<String, String> data) {
 
-    /** Copies the list. */
     public MatchResult {
         players = List.copyOf(players);
     }
@@ -26,7 +24,6 @@ public record MatchResult(int turns, String ending, List<PlayerResult> players, 
     /**
      * One player's part of the result.
      *
-     * @param name         as displayed
      * @param rank         0 for the best; ties share a rank
      * @param score        in the measure of the game, see {@link steward.game.Game#scores}
      * @param fault        how the player failed as a program (no answer in time, exit, invalid JSON, ...), or

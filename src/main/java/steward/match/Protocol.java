@@ -11,7 +11,6 @@ public enum Protocol {
     /** CodinGame's lines of words and numbers, if the scene's game has them. */
     CODINGAME;
 
-    /** The protocol with this name, if there is one. */
     public static Optional<Protocol> of(String word) {
         return Arrays.stream(values()).filter(protocol -> protocol.word().equals(word)).findFirst();
     }

@@ -5,8 +5,7 @@ import steward.bot.Player;
 /**
  * A player of a match and the protocol it uses.
  *
- * @param player   exchanges lines, or is a {@link #direct} one
- * @param protocol the protocol of the lines
+ * @param player exchanges lines, or is a {@link #direct} one
  */
 public record Seat(Player player, Protocol protocol) {
 

@@ -23,10 +23,7 @@ public final class JsonLine {
     /** Characters of a value that an error quotes. */
     private static final int SHOWN = 40;
 
-    /**
-     * A field: where its name stands, and the text of a scalar (null for JSON null), or where an object or array
-     * stands in the line.
-     */
+    /** A field: where its name stands, the text of a scalar (null for JSON null), and where another value stands. */
     private record Value(int nameFrom, JsonToken token, String text, int from, int to) { }
 
     private final String where;
@@ -198,7 +195,6 @@ public final class JsonLine {
         return where;
     }
 
-    /** The whole line. */
     public byte[] json() {
         return bytes;
     }

@@ -16,7 +16,6 @@ import java.util.List;
 public record RecordedMatch(String source, ReplayHeader header, byte[] start, List<RecordedTurn> turns,
                             String ending, String warning) {
 
-    /** Copies the list. */
     public RecordedMatch {
         turns = List.copyOf(turns);
     }

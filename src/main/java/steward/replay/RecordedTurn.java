@@ -1,6 +1,7 @@
 package steward.replay;
 
 import java.util.Arrays;
+import java.util.Objects;
 import steward.json.JsonNumbers;
 import steward.text.TextFormat;
 import tools.jackson.core.JsonParser;
@@ -36,19 +37,9 @@ public record RecordedTurn(int number, byte[] commands, String[] faults, String 
      * then has neither a command nor a fault.
      */
     public boolean asked(int player) {
-        return faults[player] != null || !hasFault() || hasCommand(player);
+        return faults[player] != null || Arrays.stream(faults).allMatch(Objects::isNull) || hasCommand(player);
     }
 
-    private boolean hasFault() {
-        for (String fault : faults) {
-            if (fault != null) {
-                return true;
-            }
-        }
-        return false;
-    }
-
-    /** True if a command of the player was recorded. */
     public boolean hasCommand(int player) {
         try (JsonParser in = parser(commands)) {
             in.nextToken();

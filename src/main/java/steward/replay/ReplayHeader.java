@@ -26,7 +26,6 @@ public record ReplayHeader(String game, String scene, long seed, List<String> na
                            List<Protocol> protocols, double timeFactor, int law, String signer, String sandbox,
                            String jar) {
 
-    /** The version of the format. */
     public static final int FORMAT = 3;
     /** Word of the header for sines and cosines that are the doubles nearest to the true values. */
     static final String ANGLES = "correctly-rounded";

@@ -66,7 +66,6 @@ public final class ReplayLines {
         return out;
     }
 
-    /** The header. */
     public void header(Game game, FrameCodec codec) {
         open(ReplayHeader.TYPE);
         out.writeNumberProperty("format", ReplayHeader.FORMAT);
@@ -148,7 +147,6 @@ public final class ReplayLines {
         texts(turn);
     }
 
-    /** The outcome of the turn. */
     public void outcome(Turn turn, Game game, FrameCodec codec) {
         out.writeName(Name.OUTCOME);
         if (observations == null) {
@@ -167,7 +165,6 @@ public final class ReplayLines {
         writeHash(Name.TURN_HASH);
     }
 
-    /** The result. */
     public void result(Game game, MatchResult result) {
         open("result");
         out.writeNumberProperty("turns", result.turns());

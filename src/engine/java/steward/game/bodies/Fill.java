@@ -7,16 +7,14 @@ import steward.numerics.SplitMix64;
 /**
  * Discs that are laid out by a rule.
  *
- * @param shape       how they lie
- * @param count       how many, at least 1
- * @param place       {@code x, y, width, height} of a rectangle, {@code x, y, radius} of a circle, or the ends
- *                    {@code ax, ay, bx, by} of a line, as the shape says
- * @param radiusLow   the least radius; each is drawn evenly
- * @param radiusHigh  the greatest radius
- * @param speedLow    the least speed, in u per turn; the direction is drawn
- * @param speedHigh   the greatest speed
- * @param like        all else
- * @param seed        of what is drawn; {@code null} for the match's
+ * @param shape     how they lie
+ * @param count     how many, at least 1
+ * @param place     {@code x, y, width, height} of a rectangle, {@code x, y, radius} of a circle, or the ends
+ *                  {@code ax, ay, bx, by} of a line, as the shape says
+ * @param radiusLow the least radius; each is drawn evenly
+ * @param speedLow  the least speed, in u per turn; the direction is drawn
+ * @param like      all else
+ * @param seed      of what is drawn; {@code null} for the match's
  */
 public record Fill(Shape shape, int count, double[] place, double radiusLow, double radiusHigh, double speedLow,
                    double speedHigh, Body like, Long seed) {

@@ -15,7 +15,6 @@ import steward.scene.Field;
  */
 public record Layout(Field field, List<Body> listed, List<Fill> fills) {
 
-    /** Copies the lists. */
     public Layout {
         listed = List.copyOf(listed);
         fills = List.copyOf(fills);
@@ -23,8 +22,6 @@ public record Layout(Field field, List<Body> listed, List<Fill> fills) {
 
     /** A fill for which there is not enough room. */
     public static final class NoRoomException extends RuntimeException {
-
-        private static final long serialVersionUID = 1;
 
         private final int fill;
         private final int placed;
@@ -35,7 +32,6 @@ public record Layout(Field field, List<Body> listed, List<Fill> fills) {
             this.placed = placed;
         }
 
-        /** Index of the fill. */
         public int fill() {
             return fill;
         }

@@ -18,7 +18,6 @@ import java.util.List;
 public record PlayRules(int maximumTurns, double restBelow, double forceX, double forceY, double gravityX,
                         double gravityY, double maximumThrust, int contactPoints, List<Zone> zones) {
 
-    /** Copies the list. */
     public PlayRules {
         zones = List.copyOf(zones);
     }

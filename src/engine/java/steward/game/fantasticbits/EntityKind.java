@@ -33,7 +33,6 @@ public enum EntityKind {
         this.friction = friction;
     }
 
-    /** The kind with this ordinal. */
     public static EntityKind of(int number) {
         return ALL[number];
     }
@@ -48,7 +47,6 @@ public enum EntityKind {
         return radius;
     }
 
-    /** Its mass. */
     public double mass() {
         return mass;
     }

@@ -18,7 +18,6 @@ import steward.scene.Plan;
  */
 public final class FantasticBits extends AbstractGame {
 
-    /** The most magic that a player gathers. */
     public static final int MOST_MAGIC = 100;
 
     private static final int OUT = -1;
@@ -205,7 +204,6 @@ public final class FantasticBits extends AbstractGame {
         return isIn(player) ? scores[player] : OUT;
     }
 
-    /** The settings from the scene. */
     public FantasticBitsSettings settings() {
         return settings;
     }

@@ -23,7 +23,6 @@ import steward.scene.json.Block;
  */
 public record FantasticBitsSettings(Variant variant, int maximumTurns, boolean bludgers, boolean spells) {
 
-    /** The number of players. */
     public static final int PLAYERS = 2;
 
     /** The referee's expressions as a law; the rungs other than {@code event/official} compute by it. */

@@ -23,9 +23,7 @@ public final class Pitch {
     /** The lower end of both goals, in u. */
     public static final double MOUTH_BOTTOM = 5750;
 
-    /** The number of wizards. */
     public static final int WIZARDS = 4;
-    /** The number of wizards of a player. */
     public static final int WIZARDS_PER_PLAYER = 2;
     /** The number of bludgers, where there are any. */
     public static final int BLUDGERS = 2;
@@ -335,12 +333,10 @@ public final class Pitch {
         push(target, unitX * power, unitY * power);
     }
 
-    /** The player of a wizard. */
     public static int playerOf(int wizard) {
         return wizard / WIZARDS_PER_PLAYER;
     }
 
-    /** The kind of an entity. */
     public EntityKind kind(int entity) {
         return EntityKind.of(bodies.kind[entity]);
     }
@@ -365,7 +361,6 @@ public final class Pitch {
         return bodies;
     }
 
-    /** The spells of the wizards. */
     public SpellBook spells() {
         return spells;
     }

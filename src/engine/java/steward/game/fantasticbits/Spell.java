@@ -18,12 +18,10 @@ public enum Spell {
 
     private final String text = name().toLowerCase(Locale.ROOT);
 
-    /** The spell with this ordinal. */
     public static Spell of(int number) {
         return ALL[number];
     }
 
-    /** Returns how many there are. */
     public static int count() {
         return ALL.length;
     }

@@ -2,10 +2,7 @@ package steward.game.fantasticbits;
 
 import java.util.Locale;
 
-/**
- * The two forms in which the site has published the game: how long spells work and what they cost, by spell in the
- * order of {@link Spell}.
- */
+/** Forms in which the site published the game: turns and cost of spells, in the order of {@link Spell}. */
 public enum Variant {
 
     /** The contest of 2016. */
@@ -27,7 +24,6 @@ public enum Variant {
         return turns[spell.ordinal()];
     }
 
-    /** The magic that a spell costs. */
     public int cost(Spell spell) {
         return costs[spell.ordinal()];
     }

@@ -3,7 +3,6 @@ package steward.game.fantasticbits;
 /**
  * A wizard's command for a turn.
  *
- * @param action what
  * @param x      the place it is about, in u; 0 for a spell
  * @param y      the same
  * @param power  of a thrust or throw; 0 for a spell
@@ -12,10 +11,8 @@ package steward.game.fantasticbits;
  */
 public record WizardCommand(Action action, double x, double y, double power, Spell spell, int target) {
 
-    /** The greatest power of a thrust. */
     public static final int MOST_THRUST = 150;
 
-    /** The greatest power of a throw. */
     public static final int MOST_THROW = 500;
 
     /** Kinds of commands. */
@@ -38,7 +35,6 @@ public record WizardCommand(Action action, double x, double y, double power, Spe
         return new WizardCommand(Action.THROW, x, y, power, null, -1);
     }
 
-    /** A spell. */
     public static WizardCommand cast(Spell spell, int target) {
         return new WizardCommand(Action.CAST, 0, 0, 0, spell, target);
     }

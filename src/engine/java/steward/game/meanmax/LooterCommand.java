@@ -3,17 +3,14 @@ package steward.game.meanmax;
 /**
  * A looter's command for a turn.
  *
- * @param action what
- * @param x      the place it is about, in u; 0 for {@code WAIT}
- * @param y      the same
- * @param power  of a thrust, at least 0; more than {@value #MOST_POWER} counts as {@value #MOST_POWER}
+ * @param x     the place it is about, in u; 0 for {@code WAIT}
+ * @param y     the same
+ * @param power of a thrust, at least 0; more than {@value #MOST_POWER} counts as {@value #MOST_POWER}
  */
 public record LooterCommand(Action action, double x, double y, double power) {
 
-    /** The greatest power of a thrust. */
     public static final int MOST_POWER = 300;
 
-    /** Nothing. */
     public static final LooterCommand WAIT = new LooterCommand(Action.WAIT, 0, 0, 0);
 
     /** Kinds of commands. */
@@ -31,7 +28,6 @@ public record LooterCommand(Action action, double x, double y, double power) {
         return new LooterCommand(Action.MOVE, x, y, power);
     }
 
-    /** The looter's skill at a place. */
     public static LooterCommand skill(double x, double y) {
         return new LooterCommand(Action.SKILL, x, y, 0);
     }

@@ -17,7 +17,6 @@ import steward.scene.Plan;
  */
 public final class MeanMax extends AbstractGame {
 
-    /** The most rage that a player can have. */
     public static final int MOST_RAGE = 300;
 
     private static final double RAGE_BY_SPEED = 0.01;
@@ -284,7 +283,6 @@ public final class MeanMax extends AbstractGame {
         return ownValue("water", player -> scores[player]);
     }
 
-    /** The settings from the scene. */
     public MeanMaxSettings settings() {
         return settings;
     }

@@ -23,7 +23,6 @@ public record MeanMaxSettings(int winningScore, int maximumTurns, int version) {
     /** The version with all looters and all skills; scenes that name none have it. */
     public static final int WHOLE = 3;
 
-    /** The number of players. */
     public static final int PLAYERS = 3;
 
     /** The referee's expressions as a law; the rungs other than {@code event/official} compute by it. */

@@ -253,7 +253,6 @@ public final class MeanMaxWorld {
         bodies.vy[unit] += (y - bodies.y[unit]) * share;
     }
 
-    /** Adds a new effect. */
     void cast(Skill skill, double x, double y, int looter) {
         insert(bodies.takeId(), skill, x, y, skill.turns(), bodies.id(looter));
     }
@@ -353,7 +352,6 @@ public final class MeanMaxWorld {
         return player * settings.looters() + kind;
     }
 
-    /** True if the body at an index is a tanker. */
     public boolean isTanker(int unit) {
         return bodies.kind[unit] == UnitKind.TANKER.ordinal();
     }

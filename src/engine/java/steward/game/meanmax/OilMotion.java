@@ -15,7 +15,6 @@ public final class OilMotion extends Motion {
         super(List.of(Step.ROUND_POSITION_AWAY, Step.DRAG, Step.ROUND_VELOCITY));
     }
 
-    /** The end of a turn in a world with its effects. */
     void endTurn(Bodies bodies, MeanMaxWorld world) {
         apply(Of.POSITION, bodies);
         for (int unit = 0; unit < bodies.size(); unit++) {

@@ -28,7 +28,6 @@ public enum Skill {
         return type;
     }
 
-    /** The rage that it costs. */
     public int cost() {
         return cost;
     }

@@ -37,12 +37,10 @@ public final class SkillEffect {
         duration--;
     }
 
-    /** Its id. */
     public int id() {
         return id;
     }
 
-    /** Returns which skill it is. */
     public Skill skill() {
         return skill;
     }

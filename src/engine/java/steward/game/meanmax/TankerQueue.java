@@ -40,7 +40,6 @@ public final class TankerQueue {
         return new TankerQueue(this);
     }
 
-    /** Returns how many tankers are left for a player. */
     public int left(int player) {
         return TANKERS - next[player];
     }

@@ -40,7 +40,6 @@ public final class Wreck {
         return (hash ^ hash >>> 16) & BUCKETS - 1;
     }
 
-    /** Its id. */
     public int id() {
         return id;
     }

@@ -49,7 +49,6 @@ public final class CheckpointSweep {
             || distance(checkpointX, checkpointY, endX, endY) <= reachOfEnd;
     }
 
-    /** Distance of two points. */
     public static double distance(double x, double y, double otherX, double otherY) {
         double dx = x - otherX;
         double dy = y - otherY;

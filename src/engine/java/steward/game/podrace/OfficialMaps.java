@@ -22,8 +22,6 @@ final class OfficialMaps {
         {10323, 3366, 11203, 5425, 7259, 6656, 5425, 2838},
     };
 
-    private OfficialMaps() { }
-
     static List<double[][]> all() {
         List<double[][]> maps = new ArrayList<>();
         for (double[] row : COORDINATES) {

@@ -360,7 +360,6 @@ public final class PodRace extends AbstractGame {
         return hash.value();
     }
 
-    /** The settings from the scene. */
     @Internal
     public PodRaceSettings settings() {
         return settings;
@@ -376,7 +375,6 @@ public final class PodRace extends AbstractGame {
         return turnsLeft[player];
     }
 
-    /** The state of one pod. */
     public PodState pod(int pod) {
         return new PodState(bodies.x[pod], bodies.y[pod], bodies.vx[pod], bodies.vy[pod], heading(pod),
             shieldTimer[pod], boostLeft[pod], passed[pod]);
@@ -455,7 +453,6 @@ public final class PodRace extends AbstractGame {
         return boostLeft[pod];
     }
 
-    /** Checkpoints that a pod has passed. */
     public int passed(int pod) {
         return passed[pod];
     }

@@ -12,7 +12,6 @@ import steward.scene.json.Block;
 /**
  * The settings of a pod race, from the blocks {@code pods} and {@code race} of a scene.
  *
- * @param rules                  edition of the rules
  * @param siteCommands           whether lines of commands are read as the site reads them; otherwise leniently
  * @param players                how many players, 1..16
  * @param podsPerPlayer          1..8
@@ -36,7 +35,6 @@ public record PodRaceSettings(RulesEdition rules, boolean siteCommands, int play
 
     /** The official greatest ordinary thrust, in u per turn^2; a scene may set another. */
     private static final int OFFICIAL_THRUST = 200;
-    /** The thrust of a boost. */
     public static final int BOOST_THRUST = 650;
     /** A raised shield multiplies the mass by this for its turn. */
     public static final int SHIELD_MASS_FACTOR = 10;
@@ -48,7 +46,6 @@ public record PodRaceSettings(RulesEdition rules, boolean siteCommands, int play
     private static final int MAXIMUM_CHECKPOINTS = 64;
     private static final double MAXIMUM_COORDINATE = 1e6;
 
-    /** The number of pods in the race. */
     public int pods() {
         return players * podsPerPlayer;
     }

@@ -17,7 +17,6 @@ public final class PodSeat {
         end = first + race.settings().podsPerPlayer();
     }
 
-    /** The player's first pod. */
     public int first() {
         return first;
     }

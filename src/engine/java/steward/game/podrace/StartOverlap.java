@@ -8,7 +8,6 @@ import java.util.List;
  * @param map      its number among the maps of the scene
  * @param first    the checkpoint across which pods start
  * @param drawn    that checkpoint and the next, jitter included: {@code [2][x, y]}
- * @param pod      the pod
  * @param obstacle what it stands in; {@code null} if the two checkpoints are in one place
  * @param depth    how deep, in u
  */

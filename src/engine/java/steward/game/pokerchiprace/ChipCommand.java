@@ -8,10 +8,8 @@ package steward.game.pokerchiprace;
  */
 public record ChipCommand(double x, double y) {
 
-    /** Nothing. */
     public static final ChipCommand WAIT = new ChipCommand(Double.NaN, Double.NaN);
 
-    /** True if it is nothing. */
     public boolean waits() {
         return Double.isNaN(x);
     }

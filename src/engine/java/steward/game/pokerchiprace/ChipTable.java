@@ -25,7 +25,6 @@ public final class ChipTable {
     public static final int OWNER = 0;
     /** Column of the bodies: the id of the chip that it was ejected from in this turn, -1 for none. */
     public static final int PARENT = 1;
-    /** The owner of a neutral chip. */
     public static final int NEUTRAL = -1;
     private static final int COLUMNS = 2;
 
@@ -138,7 +137,6 @@ public final class ChipTable {
         owned[player] = 0;
     }
 
-    /** True if no chip of a player is left. */
     boolean isWithoutChips(int player) {
         for (int k = 0; k < owned[player]; k++) {
             if (bodies.indexOf(own[player][k]) >= 0) {
@@ -181,7 +179,6 @@ public final class ChipTable {
     /**
      * A chip ejects a part of itself and moves the other way.
      *
-     * @param id    of the chip
      * @param angle to which it is pushed, in radians
      * @param sink  learns where the chips were
      * @return the index of the new chip

@@ -223,10 +223,7 @@ public final class PokerChipRace extends AbstractGame {
         return ranks((one, other) -> ranking.score(one) > ranking.score(other));
     }
 
-    /**
-     * Returns the scores as the published referee counts them: the area of the chips, in u^2, and the rank among the
-     * players.
-     */
+    /** Returns the scores as the published referee counts them: area of the chips in u^2, and rank of the player. */
     @Override
     public double[] scores() {
         double[] of = new double[players()];
@@ -242,7 +239,6 @@ public final class PokerChipRace extends AbstractGame {
         return ownValue("chips", player -> table().owned(player));
     }
 
-    /** The score of a player now. */
     public int score(int player) {
         return ranking.score(player);
     }
@@ -261,7 +257,6 @@ public final class PokerChipRace extends AbstractGame {
         return owner == ChipTable.NEUTRAL || isIn(owner) ? owner : ChipTable.NEUTRAL;
     }
 
-    /** The settings from the scene. */
     public PokerChipRaceSettings settings() {
         return settings;
     }

@@ -24,7 +24,6 @@ public record PokerChipRaceSettings(int players, int neutral, int perPlayer, dou
 
     /** A number that the seed decides. */
     public static final int DRAWN = -1;
-    /** The fewest players. */
     public static final int FEWEST_PLAYERS = 2;
     /** The most players: the symmetric start knows no more. */
     public static final int MOST_PLAYERS = 4;

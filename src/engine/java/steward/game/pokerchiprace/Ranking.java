@@ -23,7 +23,6 @@ final class Ranking {
         System.arraycopy(other.scores, 0, scores, 0, scores.length);
     }
 
-    /** The score of a player. */
     int score(int player) {
         return scores[player];
     }

@@ -284,7 +284,6 @@ public final class SearchRace extends AbstractGame {
         passTime = lastPassTime;
     }
 
-    /** The settings from the scene. */
     public SearchRaceSettings settings() {
         return settings;
     }
@@ -299,7 +298,6 @@ public final class SearchRace extends AbstractGame {
         return settings.laps() * checkpoints.length;
     }
 
-    /** Checkpoints that the car has passed. */
     public int passed() {
         return passed;
     }

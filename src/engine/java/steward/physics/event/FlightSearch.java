@@ -119,7 +119,6 @@ sealed class FlightSearch permits PreciseFlightSearch {
         keep(i);
     }
 
-    /** Offers all impacts of a row. */
     final void offerRow(Bodies bodies, int i, double now) {
         for (int j = i + 1; bodiesMeet && j < bodies.size(); j++) {
             offerIfPossible(bodies, i, j, now);
@@ -165,10 +164,7 @@ sealed class FlightSearch permits PreciseFlightSearch {
         return first;
     }
 
-    /**
-     * The impacts at the time of the earliest one, where that has to be decided by other means than the order of times:
-     * {@code null} for one alone.
-     */
+    /** The impacts that may be at the time of the earliest one; {@code null} if it is alone. */
     SimultaneousImpacts simultaneous(Bodies bodies, double now) {
         return null;
     }

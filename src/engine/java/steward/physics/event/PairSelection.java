@@ -10,7 +10,6 @@ import steward.physics.Contacts;
  */
 public record PairSelection(Contacts contacts) {
 
-    /** True if two bodies can react. */
     public boolean canReact(Bodies bodies, int i, int j) {
         return switch (contacts.between(bodies.kind[i], bodies.kind[j])) {
             case NONE -> false;
@@ -19,7 +18,6 @@ public record PairSelection(Contacts contacts) {
         };
     }
 
-    /** True if a body can react with any wall. */
     public boolean canReactWithWalls(Bodies bodies, int i) {
         return switch (contacts.withWall(bodies.kind[i])) {
             case NONE -> false;

@@ -60,12 +60,10 @@ public final class ScanPairs {
         return second[pair];
     }
 
-    /** All pairs of a body. */
     public long pairsOf(int body) {
         return pairsOf[body];
     }
 
-    /** All pairs. */
     public long all() {
         return (1L << first.length) - 1;
     }

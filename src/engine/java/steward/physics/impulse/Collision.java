@@ -15,9 +15,7 @@ import steward.physics.time.LowParts;
  */
 public final class Collision {
 
-    /**
-     * A wall penetration below this, relative to the coordinates, is a rounding error: some units in the last place.
-     */
+    /** A wall penetration below this, relative to the coordinates, is a rounding error: some units in the last. */
     static final double ROUNDING = 0x1p-46;
 
     private final ImpulseSolver solver;

@@ -134,7 +134,6 @@ final class InelasticSystem {
         return false;
     }
 
-    /** The approach speed of a contact. */
     double approach(Bodies bodies, int k) {
         return approach(k, bodies.vx, bodies.vy);
     }

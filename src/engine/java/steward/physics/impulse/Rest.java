@@ -90,7 +90,6 @@ public final class Rest {
         return parts.law().bodiesRest() && !parts.law().separatingPairsReact() ? new Rest(parts, walls) : null;
     }
 
-    /** Begins a turn with these bodies. */
     public void begin(Bodies bodies) {
         size = bodies.size();
         if (impacts.length < size) {
@@ -279,9 +278,7 @@ public final class Rest {
         return squeezed;
     }
 
-    /**
-     * The gaps of the heap of an impact, as a share of the sum of the radii: wider if it has come to rest in this turn.
-     */
+    /** The gaps of the heap of an impact, as a share of the sum of the radii: wider if it came to rest this turn. */
     public double near(int a, int b) {
         return rested[a] || b >= 0 && rested[b] ? 1 : 1.0 / NEAR;
     }

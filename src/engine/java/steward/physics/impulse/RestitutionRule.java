@@ -15,12 +15,10 @@ record RestitutionRule(boolean elastic) {
         return new RestitutionRule(law.restitution() == ImpactLaw.Restitution.ELASTIC);
     }
 
-    /** For two bodies. */
     double betweenBodies(Bodies bodies, int a, int b) {
         return elastic ? 1 : Math.min(bodies.restitution[a], bodies.restitution[b]);
     }
 
-    /** For a body and a wall. */
     double atWall(Bodies bodies, int a, Wall wall) {
         return elastic ? 1 : Math.min(bodies.restitution[a], wall.restitution());
     }

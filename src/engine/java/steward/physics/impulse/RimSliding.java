@@ -46,8 +46,6 @@ final class RimSliding {
     /** Contacts farther off the rim than this share of the room are not exact: fixed steps have such. */
     private static final double OFF_RIM = 0x1p-30;
 
-    private RimSliding() { }
-
     /** True if bodies can slide: in an arena, where no minimum impulse drives them off its rim. */
     static boolean isPossible(ImpactLaw law, Wall[] walls) {
         boolean arena = false;

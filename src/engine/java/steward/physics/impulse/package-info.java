@@ -1,6 +1,2 @@
-/**
- * Impulse and reaction: the impulse under a law, the velocities after it, separation, and positional correction, in
- * every arithmetic; and {@link steward.physics.impulse.ContactResponse}, which responds to a contact with an impulse,
- * lets the pair pass, or asks the scene's reaction.
- */
+/** Impulse and reaction in every arithmetic: velocities, separation, positional correction, rest of heaps. */
 package steward.physics.impulse;

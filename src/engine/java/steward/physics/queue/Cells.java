@@ -24,10 +24,7 @@ final class Cells {
      * same: change it and see {@code steward bench --only crowds}.
      */
     private static final double PER_CELL = 0.7;
-    /**
-     * Columns and rows from this distance from the origin on are too far: there, roundings would come close to the
-     * slack.
-     */
+    /** Columns and rows from this distance from the origin on are too far: roundings would come close to the slack. */
     static final int FAR = 1 << 20;
     /** By how much a cell is larger than a diameter, relatively: far more than the rounding errors of positions. */
     static final double SLACK = 1 + 0x1p-20;
@@ -232,12 +229,10 @@ final class Cells {
         return side;
     }
 
-    /** The x coordinate of the middle of a column. */
     double middleX(int column) {
         return originX + (column + 0.5) * side;
     }
 
-    /** The y coordinate of the middle of a row. */
     double middleY(int row) {
         return originY + (row + 0.5) * side;
     }
@@ -247,7 +242,6 @@ final class Cells {
         return side / 2 + beyond;
     }
 
-    /** The index of the cell in a column and a row. */
     int cellAt(int column, int row) {
         return wrap(row, rows) * columns + wrap(column, columns);
     }
@@ -355,7 +349,6 @@ final class Cells {
         return count + 1 + (body >> 31);
     }
 
-    /** The size of its arrays, in bytes. */
     long bytes() {
         return 4L * (heads.length + links.length) + 8L * (SAMPLE + MOST_LARGE);
     }

@@ -266,7 +266,6 @@ final class Crowd {
         bodies.vy[to] = vy;
     }
 
-    /** Writes the velocities of all bodies. */
     void storeVelocities(Bodies bodies) {
         for (int body = 0; body < size; body++) {
             bodies.vx[index[body]] = state[8 * body + VX];
@@ -300,7 +299,6 @@ final class Crowd {
         return cells.side() / 2 / (sum / size);
     }
 
-    /** The size of its arrays, in bytes. */
     long bytes() {
         return 8L * (state.length + low.length + mass.length)
             + 4L * (link.length + index.length + id.length + outside.length) + cells.bytes();

@@ -14,10 +14,7 @@ import java.util.Arrays;
  * reading the records of other bodies, which lie anywhere in memory. When all entries are used, lists are made anew.
  */
 
-/**
- * The next event of each body, in the order of time. A body has at most one. Ties are broken by {@link Order}. No event
- * is earlier than the last one removed.
- */
+/** The next event of each body by time, one at most, ties by {@link Order}; none before the last removed. */
 final class EventBuckets {
 
     /** Decides between two bodies whose events are at the same time, as doubles. */
@@ -336,7 +333,6 @@ final class EventBuckets {
         }
     }
 
-    /** The size of its arrays, in bytes. */
     long bytes() {
         return 4L * (entries.length + heads.length + heap.length);
     }

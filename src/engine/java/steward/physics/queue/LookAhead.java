@@ -130,7 +130,6 @@ final class LookAhead {
         return Double.doubleToRawLongBits(crowd.state[8 * body + X]);
     }
 
-    /** The size of its arrays, in bytes. */
     long bytes() {
         return 4L * (bodies.length + near.length);
     }

@@ -15,10 +15,7 @@ import steward.physics.impulse.Collision;
 import steward.physics.impulse.ContactResponse;
 import steward.physics.time.LowParts;
 
-/**
- * The response to a contact in {@link QueueAdvance}, as {@link ContactResponse}, although only the bodies of the
- * contact have been moved to the present time.
- */
+/** A {@link ContactResponse} of {@link QueueAdvance}: only bodies of the contact are at the present time. */
 abstract class QueueContactResponse {
 
     final Crowd crowd;
@@ -46,9 +43,7 @@ abstract class QueueContactResponse {
             : new Ask(crowd, ContactResponse.of(parts, collision, walls), rounded);
     }
 
-    /**
-     * Updates position and velocity of a body after a reaction; after a positional correction its cell is found anew.
-     */
+    /** Updates position and velocity of a body after a reaction, and its cell after a positional correction. */
     final void updateState(int body, double x, double y, double vx, double vy) {
         double[] state = crowd.state;
         int at = 8 * body;
@@ -63,10 +58,7 @@ abstract class QueueContactResponse {
         }
     }
 
-    /**
-     * Every contact is an impact. The two bodies are copied to a {@link Bodies} of two, so that only their own cache
-     * lines are read.
-     */
+    /** Every contact is an impact. The two bodies are copied to a {@link Bodies} of two, near in memory. */
     static final class Bounce extends QueueContactResponse {
 
         private final Collision collision;
@@ -153,9 +145,7 @@ abstract class QueueContactResponse {
         }
     }
 
-    /**
-     * For scenes with {@code ASK} contacts: before the reaction is called, all bodies are moved to the present time.
-     */
+    /** For scenes with {@code ASK} contacts: all bodies are moved to the present time before a reaction. */
     static final class Ask extends QueueContactResponse {
 
         private final ContactResponse response;

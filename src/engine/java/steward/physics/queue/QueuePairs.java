@@ -5,10 +5,7 @@ import steward.physics.Contacts;
 import steward.physics.PhysicsParts;
 import steward.physics.event.PairSelection;
 
-/**
- * Selects the pairs that can react where not all can: kinds that ignore each other, passing pairs and two infinite
- * masses cannot.
- */
+/** Selects the pairs that can react: kinds that ignore each other, passing pairs and two infinite masses cannot. */
 final class QueuePairs {
 
     private final Crowd crowd;
@@ -26,7 +23,6 @@ final class QueuePairs {
         return all ? null : new QueuePairs(crowd, parts.contacts());
     }
 
-    /** Begins a turn with these bodies. */
     void begin(Bodies ofTurn) {
         bodies = ofTurn;
     }
@@ -35,7 +31,6 @@ final class QueuePairs {
         return selection.canReact(bodies, crowd.index[a], crowd.index[b]);
     }
 
-    /** True if a body can react with any wall. */
     boolean canReactWithWalls(int body) {
         return selection.canReactWithWalls(bodies, crowd.index[body]);
     }

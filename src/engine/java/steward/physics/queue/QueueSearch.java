@@ -93,7 +93,6 @@ sealed class QueueSearch permits ExactQueueSearch {
         // here a prediction is a double and no more
     }
 
-    /** The size of its arrays, in bytes. */
     long bytes() {
         return 4L * near.length;
     }
@@ -113,7 +112,6 @@ sealed class QueueSearch permits ExactQueueSearch {
         enqueue(body, now);
     }
 
-    /** Tests a body with all its neighbours and all walls. */
     final void testAll(int body, double now) {
         testPairs(body, crowd.isOutside(body) ? allBodies() : neighbours(8 * body), now);
         testWalls(body, now);
@@ -193,10 +191,7 @@ sealed class QueueSearch permits ExactQueueSearch {
         enqueue(body, now);
     }
 
-    /**
-     * True if a body is within a small gap of another one or a wall besides its partner: a superset, for a quick
-     * look.
-     */
+    /** True if a body is within a small gap of another one or a wall besides its partner: a quick superset. */
     boolean hasNear(int body, int of, double gapShare, double now) {
         double[] state = crowd.state;
         int at = 8 * body;
@@ -307,10 +302,7 @@ sealed class QueueSearch permits ExactQueueSearch {
         }
     }
 
-    /**
-     * Computes the time of impact of a pair, and keeps it if it is earlier than the best so far and not later than the
-     * other's predicted impact.
-     */
+    /** Computes the time of impact of a pair; keeps the earliest that is not after the other's predicted impact. */
     void offer(int body, int other, double now) {
         double[] state = crowd.state;
         int i = 8 * body;
@@ -333,10 +325,7 @@ sealed class QueueSearch permits ExactQueueSearch {
         }
     }
 
-    /**
-     * For equal times: whether the pair with the other body is lower than that with the partner so far; walls come
-     * last.
-     */
+    /** For equal times: whether the pair with the other body is lower than the one so far; walls come last. */
     boolean isLower(int body, int other) {
         return partner < 0 || EventOrder.rank(crowd, body, other) < EventOrder.rank(crowd, body, partner);
     }

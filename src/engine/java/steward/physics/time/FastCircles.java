@@ -29,10 +29,7 @@ final class FastCircles {
 
     /** Relative to the terms of a sum: a result above this has lost less than 36 bits to cancellation. */
     private static final double CANCELLED = 0x1p-36;
-    /**
-     * Relative to the terms of D: from here on the sign of D is certain, and D is accurate enough for a time of about
-     * 64 bits.
-     */
+    /** Relative to the terms of D: from here on its sign is certain, and it gives a time of about 64 bits. */
     static final double COARSE = 0x1p-96;
     /** From here on D is accurate enough for the impulse that follows from the time. */
     static final double FINE = CANCELLED;
@@ -45,8 +42,6 @@ final class FastCircles {
     static final int IMPACT = 1;
     /** Result of {@link #firstTouch}: there is no impact. */
     static final int NONE = 2;
-
-    private FastCircles() { }
 
     /**
      * The time at which two circles first touch, or 0 if they touch and react.

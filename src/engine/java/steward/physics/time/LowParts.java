@@ -35,7 +35,6 @@ public final class LowParts {
         y[body] = 0;
     }
 
-    /** Clears the low parts of the first {@code count} bodies. */
     public void clearFirst(int count) {
         Arrays.fill(x, 0, count, 0);
         Arrays.fill(y, 0, count, 0);

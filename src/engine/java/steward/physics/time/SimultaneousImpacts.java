@@ -30,7 +30,6 @@ public final class SimultaneousImpacts {
         this.walls = walls;
     }
 
-    /** Forgets all. */
     public void clear() {
         impacts.clear();
     }
@@ -71,7 +70,6 @@ public final class SimultaneousImpacts {
         }
     }
 
-    /** Number of impacts. */
     public int size() {
         return impacts.size();
     }

@@ -54,9 +54,7 @@ final class WideCircles {
         return round(c.divide(discriminant.sqrt(DIGITS).subtract(b), DIGITS), time);
     }
 
-    /**
-     * As {@link ExactCircles#lastTouch} for a point that moves, except one at the edge or outside that moves outward.
-     */
+    /** As {@link ExactCircles#lastTouch} for a point that moves and is not at the edge or outside moving outward. */
     boolean lastTouch(DoubleDouble time) {
         if (discriminant.signum() <= 0) {
             return round(b.negate().divide(a, DIGITS), time);

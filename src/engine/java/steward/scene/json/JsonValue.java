@@ -8,13 +8,11 @@ import tools.jackson.core.JsonGenerator;
 /** A value of a scene file as it was written, with its position. Numbers keep their text. */
 public sealed interface JsonValue {
 
-    /** Returns where it begins. */
     SourcePosition place();
 
     /** Returns how an error names it: {@code found ...}. */
     String shown();
 
-    /** Writes the value as it was read. */
     void write(JsonGenerator json);
 
     /** An object; fields in the order of the file. */

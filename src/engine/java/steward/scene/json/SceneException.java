@@ -6,15 +6,12 @@ package steward.scene.json;
  */
 public final class SceneException extends RuntimeException {
 
-    private static final long serialVersionUID = 1;
-
     public SceneException(String message) {
         super(message);
     }
 
     /**
-     * @param place where in the source
-     * @param path  of the field from the root, or empty for the whole file
+     * @param path of the field from the root, or empty for the whole file
      */
     static SceneException at(String source, SourcePosition place, String path, String problem) {
         return new SceneException(source + ":" + place.line() + ":" + place.column() + ": "

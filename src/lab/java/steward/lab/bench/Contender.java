@@ -3,9 +3,7 @@ package steward.lab.bench;
 /**
  * One way to do a piece of work, to be compared with others.
  *
- * @param name  as displayed
- * @param clock the clock that measures it
- * @param work  a piece of work, some milliseconds long
+ * @param work a piece of work, some milliseconds long
  */
 public record Contender(String name, Clock clock, Work work) {
 

@@ -6,8 +6,6 @@ import java.util.function.Consumer;
 /**
  * Contenders given by the caller, in groups; the others of a group are compared with its first.
  *
- * @param name   a word
- * @param about  what is measured
  * @param groups by unit
  */
 public record GroupSection(String name, String about, List<Group> groups) implements Section {
@@ -15,7 +13,6 @@ public record GroupSection(String name, String about, List<Group> groups) implem
     /**
      * Several ways to do the same work.
      *
-     * @param unit       what is counted
      * @param contenders the textbook's way first
      */
     public record Group(String unit, List<Contender> contenders) { }

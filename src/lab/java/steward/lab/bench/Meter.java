@@ -10,6 +10,7 @@ import java.util.Locale;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 import java.util.function.ToLongFunction;
+import java.util.stream.IntStream;
 
 /**
  * Measures contenders in turns, so that other load on the machine affects all of them: by CPU time, the median of
@@ -110,11 +111,7 @@ public final class Meter {
 
     /** Says that a ratio is not comparable, if its rounds differ too much; otherwise nothing. */
     private static String caution(double[] speeds, double[] first, int rounds) {
-        double[] ratios = new double[rounds];
-        for (int round = 0; round < rounds; round++) {
-            ratios[round] = speeds[round] / first[round];
-        }
-        Arrays.sort(ratios);
+        double[] ratios = ratios(speeds, first, rounds);
         int cut = rounds >= MANY_ROUNDS ? 1 : 0;
         double low = ratios[cut];
         double high = ratios[rounds - 1 - cut];
@@ -148,10 +145,7 @@ public final class Meter {
         return NANOS * units / (now - start);
     }
 
-    /**
-     * Bytes allocated per unit by the calling thread, or by all threads that live on; NaN by the wall clock, where
-     * threads come and go.
-     */
+    /** Bytes allocated per unit, by the calling thread or all that live on; NaN by the wall clock. */
     private double bytes(Contender contender) throws Exception {
         if (contender.clock() == Contender.Clock.WALL) {
             return Double.NaN;
@@ -168,6 +162,11 @@ public final class Meter {
     private long allocated(boolean all) {
         return all ? Arrays.stream(threads.getThreadAllocatedBytes(threads.getAllThreadIds())).filter(n -> n > 0).sum()
             : threads.getCurrentThreadAllocatedBytes();
+    }
+
+    /** Ratios of two contenders in the rounds so far, ascending. */
+    public static double[] ratios(double[] one, double[] other, int rounds) {
+        return IntStream.range(0, rounds).mapToDouble(round -> one[round] / other[round]).sorted().toArray();
     }
 
     public static double median(double[] values) {

@@ -10,8 +10,6 @@ import java.util.stream.Collectors;
 /** The measured table as a page. */
 final class PerformancePage {
 
-    private PerformancePage() { }
-
     static String of(List<Section> sections, List<Row> rows, String machine, String date, String load) {
         StringBuilder page = new StringBuilder();
         page.append("# Performance\n\n")

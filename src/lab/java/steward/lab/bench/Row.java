@@ -3,9 +3,6 @@ package steward.lab.bench;
 /**
  * One measured row.
  *
- * @param section   what was measured
- * @param name      which contender
- * @param unit      what is counted
  * @param perSecond units per second, of CPU time or of the wall clock as the section says
  * @param ratio     the speed relative to the first row of its group, NaN where there is nothing to compare
  * @param bytes     allocated per unit, NaN where it was not measured

@@ -1,5 +1,2 @@
-/**
- * Measuring whole matches and crowds: sections of contenders, rows of results, meters, and the files and page that
- * store them.
- */
+/** Measuring whole matches and crowds: sections of contenders, rows of results, meters, files and page. */
 package steward.lab.bench;

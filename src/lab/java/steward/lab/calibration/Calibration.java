@@ -11,6 +11,7 @@ import java.util.StringJoiner;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.LongFunction;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import steward.game.GameSetup;
 import steward.lab.oracle.TurnTruth;
@@ -82,7 +83,6 @@ public final class Calibration {
 
     /**
      * @param setup  a scene, opened on {@link #PLAYED_ON}
-     * @param plays  seeded play of it, from a seed
      * @param states how many states, at least 1
      */
     public Calibration(GameSetup setup, LongFunction<SeededPlay> plays, int states) {
@@ -157,7 +157,6 @@ public final class Calibration {
         }
     }
 
-    /** Returns the number of blocks. */
     public int blocks() {
         return blocks.length;
     }
@@ -188,10 +187,7 @@ public final class Calibration {
 
     /** Returns how many pairs, and bodies with walls, a scan tests. */
     private int tests(Bodies bodies) {
-        int movable = 0;
-        for (int k = 0; k < bodies.size(); k++) {
-            movable += bodies.inverseMass[k] > 0 ? 1 : 0;
-        }
+        int movable = (int) IntStream.range(0, bodies.size()).filter(k -> bodies.inverseMass[k] > 0).count();
         int fixed = bodies.size() - movable;
         return movable * (movable - 1) / 2 + movable * fixed + movable * parts.walls().size();
     }
@@ -224,10 +220,7 @@ public final class Calibration {
         }
     }
 
-    /**
-     * Figures of all blocks that are complete without a gap from the first on; of 0 states if there are none, or
-     * nothing was timed.
-     */
+    /** Figures of the complete blocks from the first on; of 0 states without one, or if nothing was timed. */
     public Figures figures() {
         List<Block> done;
         TimingSamples timed;

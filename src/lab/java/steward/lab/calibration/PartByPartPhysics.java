@@ -69,7 +69,6 @@ public final class PartByPartPhysics {
      *
      * @param part    the part that the previous step (or the whole scene) does not have
      * @param in      whether the scene has it
-     * @param parts   of the physics
      * @param advance made of these parts, on the scene's rung
      * @param motion  the end of a turn
      */
@@ -87,7 +86,6 @@ public final class PartByPartPhysics {
         return Reaction.Verdict.BOUNCE;
     }
 
-    /** The steps of a scene. */
     public static List<Step> of(GameSetup setup) {
         List<Part> parts = setup.plan().parts().stream()
             .filter(part -> KNOWN.contains(part.name()) && (part.in() || !part.name().equals(Part.BROAD_PHASE)))

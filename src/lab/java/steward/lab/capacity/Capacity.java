@@ -10,7 +10,6 @@ import steward.lab.capacity.MeasuredLeague.Sample;
  * @param rounds how often both leagues were measured in turn; medians are told
  * @param alone  a league that plays its games itself
  * @param served the same with a worker in the same process
- * @param prices of the checks
  * @param table  simulated
  */
 public record Capacity(double rate, int rounds, Sample alone, Sample served, CheckPrices prices,
@@ -36,9 +35,7 @@ public record Capacity(double rate, int rounds, Sample alone, Sample served, Che
         return served.threads() - alone.threads();
     }
 
-    /**
-     * Returns the extra cost of checks and connection to the league's process over a game of its own, without the game.
-     */
+    /** Returns the extra cost of checks and connection over a game of the league's own, without the game. */
     public double leagueOverhead() {
         LeagueCosts costs = table.costs();
         return costs.broker() + costs.messages() + costs.check() + costs.share() * costs.again();

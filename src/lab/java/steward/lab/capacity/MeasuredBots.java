@@ -10,16 +10,13 @@ import steward.game.GameTypes;
 /**
  * Bots inside this JVM that play to measure.
  *
- * @param types   the games
- * @param setup   the scene
- * @param playing starts a bot that plays; it may look at the game itself
- * @param asked   starts one with the same commands that is asked by lines
+ * @param playing  starts a bot that plays; it may look at the game itself
+ * @param asked    starts one with the same commands that is asked by lines
  * @param commands how the k-th bot is called in league.json, counted from 1: bundled bots, which have no files
  */
 public record MeasuredBots(GameTypes types, GameSetup setup, BotStarter playing, BotStarter asked,
                            IntFunction<String> commands) {
 
-    /** Returns how a bot is called. */
     String command(int number) {
         return commands.apply(number);
     }

@@ -216,8 +216,6 @@ public final class MeasuredLeague {
     /** A measurement in which nothing was played. */
     public static final class NoGameException extends RuntimeException {
 
-        private static final long serialVersionUID = 1;
-
         NoGameException(String message) {
             super(message);
         }

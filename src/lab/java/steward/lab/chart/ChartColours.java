@@ -27,12 +27,10 @@ public record ChartColours(boolean isDark, Color background, Color ink, Color fa
         new Color(0x768390), new Color(0x9BD3F5), new Color(0xFF9B54), new Color(0x56B4E9), new Color(0x2FC79B),
         new Color(0xE0A3CB)));
 
-    /** Copies the list. */
     public ChartColours {
         bars = List.copyOf(bars);
     }
 
-    /** Both of them. */
     public static List<ChartColours> both() {
         return List.of(LIGHT, DARK);
     }

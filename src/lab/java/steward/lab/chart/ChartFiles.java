@@ -82,7 +82,6 @@ public final class ChartFiles {
         drawing.paint(pen, colours);
     }
 
-    /** The font of all text. */
     public static Font font(int style, int size) {
         return new Font(Font.SANS_SERIF, style, size);
     }

@@ -41,7 +41,6 @@ final class CalibrateOptions {
         + "(default: 100000). With fewer than 10000 costs are measured roughly, too.")
     private Integer states;
 
-    /** True if any scene is to be calibrated. */
     boolean isAsked() {
         return !scenes.isEmpty() || states != null;
     }

@@ -47,9 +47,8 @@ final class CalibrationRun {
     private boolean written;
 
     /**
-     * @param file        for the figures
-     * @param calibration of the scene
-     * @param timing      times the rungs
+     * @param file   for the figures
+     * @param timing times the rungs
      */
     CalibrationRun(Streams streams, GameSetup setup, Path file, Calibration calibration, Timing timing) {
         this.timing = timing;

@@ -17,8 +17,6 @@ final class GoldenSuite {
 
     private static final String ACCURACY = "\"accuracy\"\\s*:\\s*\\{[^}]*}";
 
-    private GoldenSuite() { }
-
     /** Returns the number of parts, of all games. */
     static int count() {
         return GoldenHash.WORLDS * Rung.all().size() + SceneFiles.shipped().size() * (Arithmetic.values().length + 1);

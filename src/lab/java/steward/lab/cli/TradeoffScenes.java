@@ -7,6 +7,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.function.Function;
+import java.util.stream.IntStream;
 import steward.cli.shared.Games;
 import steward.cli.streams.StandardFiles;
 import steward.files.InputException;
@@ -49,8 +50,6 @@ final class TradeoffScenes {
     private static final long SEED = 4;
     /** Of a game without players every seventh turn gives a state, so that few states are from all of it. */
     private static final int STRIDE = 7;
-
-    private TradeoffScenes() { }
 
     /** All of its own scenes, in the order of the table. */
     static List<TradeoffScene> all() {
@@ -140,10 +139,6 @@ final class TradeoffScenes {
     }
 
     private static int movable(Bodies bodies) {
-        int movable = 0;
-        for (int k = 0; k < bodies.size(); k++) {
-            movable += bodies.inverseMass[k] > 0 ? 1 : 0;
-        }
-        return movable;
+        return (int) IntStream.range(0, bodies.size()).filter(k -> bodies.inverseMass[k] > 0).count();
     }
 }

@@ -12,8 +12,6 @@ final class TradeoffSeconds {
     /** Another scene takes about as long as a race. */
     private static final int[] OTHER = {12, 8, 12};
 
-    private TradeoffSeconds() { }
-
     static double of(String scene, boolean quick, int jvms) {
         int[] seconds = SECONDS.getOrDefault(scene, OTHER);
         return quick ? seconds[0] : seconds[1] + jvms * seconds[2];

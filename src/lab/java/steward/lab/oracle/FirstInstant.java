@@ -3,6 +3,7 @@ package steward.lab.oracle;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import steward.physics.Arena;
@@ -100,11 +101,7 @@ public final class FirstInstant {
     }
 
     private BigDecimal[] exact(double... values) {
-        BigDecimal[] all = new BigDecimal[size];
-        for (int k = 0; k < size; k++) {
-            all[k] = new BigDecimal(values[k]);
-        }
-        return all;
+        return Arrays.stream(values, 0, size).mapToObj(BigDecimal::new).toArray(BigDecimal[]::new);
     }
 
     private static void add(List<Contact> all, int a, int b, BigDecimal time) {

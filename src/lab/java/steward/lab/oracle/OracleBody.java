@@ -3,6 +3,8 @@ package steward.lab.oracle;
 import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import steward.physics.Bodies;
 
 /** A body of the oracle: a circle with a position and a velocity of {@link Decimals#COUNT} digits. */
@@ -31,14 +33,10 @@ public final class OracleBody {
 
     /** All bodies, with the stored values converted exactly. */
     public static List<OracleBody> of(Bodies bodies) {
-        List<OracleBody> all = new ArrayList<>();
-        for (int k = 0; k < bodies.size(); k++) {
-            all.add(new OracleBody(bodies, k));
-        }
-        return all;
+        return IntStream.range(0, bodies.size()).mapToObj(k -> new OracleBody(bodies, k))
+            .collect(Collectors.toCollection(ArrayList::new));
     }
 
-    /** 1 / mass. */
     BigDecimal inverseMass() {
         return mass == null ? BigDecimal.ZERO : Decimals.divide(BigDecimal.ONE, mass);
     }
@@ -62,7 +60,6 @@ public final class OracleBody {
         }
     }
 
-    /** Reverses the velocity. */
     void reverse() {
         vx = vx.negate();
         vy = vy.negate();

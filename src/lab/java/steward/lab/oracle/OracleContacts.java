@@ -34,12 +34,10 @@ final class OracleContacts {
         }
     }
 
-    /** True if two bodies can have an impact. */
     boolean meet(int a, int b) {
         return contacts.between(rounded.kind[a], rounded.kind[b]) != Meaning.NONE && !passes(id(a), id(b));
     }
 
-    /** True if a body can have an impact with a wall. */
     boolean meetsWall(int a, int wall) {
         return contacts.withWall(rounded.kind[a]) != Meaning.NONE && !passes(id(a), ~wall);
     }

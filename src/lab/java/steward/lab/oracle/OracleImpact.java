@@ -17,7 +17,6 @@ import java.math.BigDecimal;
 public record OracleImpact(BigDecimal time, int a, int b, BigDecimal impulse, BigDecimal ax, BigDecimal ay,
                     BigDecimal bx, BigDecimal by, BigDecimal vax, BigDecimal vay, BigDecimal vbx, BigDecimal vby) {
 
-    /** Returns this impact with other indices. */
     OracleImpact between(int one, int other) {
         return new OracleImpact(time, one, other, impulse, ax, ay, bx, by, vax, vay, vbx, vby);
     }

@@ -23,8 +23,6 @@ import steward.physics.Wall;
  */
 final class OracleTimeOfImpact {
 
-    private OracleTimeOfImpact() { }
-
     /** True if a point is within s of the origin; a distance equal to s except for rounding counts. */
     static boolean within(BigDecimal px, BigDecimal py, BigDecimal s) {
         return Decimals.atMost(Decimals.dot(px, py, px, py), Decimals.square(s));
@@ -62,7 +60,6 @@ final class OracleTimeOfImpact {
         return Decimals.divide(c, Decimals.root(discriminant).subtract(Decimals.dot(px, py, vx, vy)));
     }
 
-    /** Of a body and a wall. */
     static BigDecimal wall(OracleBody body, Wall wall) {
         if (wall instanceof HalfPlane plane) {
             return halfPlane(body, plane);
@@ -80,9 +77,7 @@ final class OracleTimeOfImpact {
         return gap.signum() <= 0 ? BigDecimal.ZERO : Decimals.divide(gap, closing);
     }
 
-    /**
-     * From inside onto the circle of radius (arena - body); if the body has no room, at the point nearest the centre.
-     */
+    /** From inside onto the circle of radius (arena - body); at the point nearest the centre without room. */
     private static BigDecimal arena(OracleBody body, Arena arena) {
         BigDecimal px = body.x.subtract(Decimals.of(arena.x()));
         BigDecimal py = body.y.subtract(Decimals.of(arena.y()));

@@ -15,8 +15,6 @@ final class OracleWallGeometry {
     /** Normals of planes: a root for each body in each scan would cost more than all the rest. */
     private static final Map<HalfPlane, BigDecimal[]> PLANES = Collections.synchronizedMap(new WeakHashMap<>());
 
-    private OracleWallGeometry() { }
-
     /** Unit vector from the centre of the body to the wall; along x for a body in the middle of an arena. */
     static BigDecimal[] normal(OracleBody body, Wall wall) {
         if (wall instanceof HalfPlane plane) {
@@ -55,9 +53,7 @@ final class OracleWallGeometry {
         return Decimals.length(nearest[0].subtract(body.x), nearest[1].subtract(body.y)).subtract(body.radius);
     }
 
-    /**
-     * The point of a segment nearest to a body's centre: the foot on the line, or the end beyond which the foot lies.
-     */
+    /** The point of a segment nearest to a body's centre: the foot on the line, or the end before it. */
     static BigDecimal[] nearest(OracleBody body, Segment wall) {
         BigDecimal ax = Decimals.of(wall.ax());
         BigDecimal ay = Decimals.of(wall.ay());

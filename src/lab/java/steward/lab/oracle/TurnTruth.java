@@ -2,12 +2,11 @@ package steward.lab.oracle;
 
 import java.math.BigDecimal;
 import java.math.RoundingMode;
-import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
 import steward.physics.Advance;
 import steward.physics.Arithmetic;
 import steward.physics.Bodies;
-import steward.physics.Impact;
 import steward.physics.Motion;
 import steward.physics.PhysicsParts;
 import steward.physics.TurnLog;
@@ -79,10 +78,7 @@ public final class TurnTruth {
         if (oracle.rested()) {
             return ofExact(start, parts);
         }
-        int[] ids = new int[bodies.size()];
-        for (int k = 0; k < ids.length; k++) {
-            ids[k] = contacts == null ? start.id(k) : contacts.id(k);
-        }
+        int[] ids = IntStream.range(0, bodies.size()).map(contacts == null ? start::id : contacts::id).toArray();
         long[] pairs = impacts.stream()
             .mapToLong(impact -> pair(start.id(impact.a()), impact.b() < 0 ? impact.b() : start.id(impact.b())))
             .sorted().toArray();
@@ -93,11 +89,8 @@ public final class TurnTruth {
         Bodies end = start.copy();
         TurnLog log = new TurnLog();
         exact(parts, start).turn(end, log);
-        int[] ids = new int[end.size()];
-        for (int k = 0; k < ids.length; k++) {
-            ids[k] = end.id(k);
-        }
-        return new TurnTruth(OracleBody.of(end), ids, found(log), log.limited());
+        return new TurnTruth(OracleBody.of(end), IntStream.range(0, end.size()).map(end::id).toArray(), found(log),
+            log.limited());
     }
 
     /** The advance that stands for the truth where heaps rest. */
@@ -105,7 +98,6 @@ public final class TurnTruth {
         return Accuracy.event(Arithmetic.EXACT).advance(parts.withArithmetic(Arithmetic.EXACT), bodies.size());
     }
 
-    /** Returns the number of impacts. */
     public int impacts() {
         return pairs.length;
     }
@@ -115,21 +107,13 @@ public final class TurnTruth {
         return limited;
     }
 
-    /**
-     * Compares a computed turn with the true one.
-     *
-     * @param after all bodies after the turn
-     * @param log   of the turn
-     */
+    /** Compares a computed turn with the true one. */
     public TurnError error(Bodies after, TurnLog log) {
         return new TurnError(positionError(after), beyond(pairs, found(log)), beyond(found(log), pairs),
             energyError(after));
     }
 
-    /**
-     * The largest error of a body's centre, in u; infinite if it is not a number, or if a reaction has added or removed
-     * other bodies than in truth.
-     */
+    /** The largest error of a centre, in u; infinite if it is no number, or other bodies were added or removed. */
     public double positionError(Bodies after) {
         if (!areSame(after)) {
             return Double.POSITIVE_INFINITY;
@@ -209,13 +193,8 @@ public final class TurnTruth {
     }
 
     private static long[] found(TurnLog log) {
-        long[] found = new long[log.impacts()];
-        for (int k = 0; k < found.length; k++) {
-            Impact impact = log.impact(k);
-            found[k] = pair(impact.a(), impact.b());
-        }
-        Arrays.sort(found);
-        return found;
+        return IntStream.range(0, log.impacts()).mapToLong(k -> pair(log.impactA(k), log.impactB(k)))
+            .sorted().toArray();
     }
 
     /** Two ids in either order, or an id and {@code ~wall}, as one number. */

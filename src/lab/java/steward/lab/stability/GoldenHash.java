@@ -2,6 +2,7 @@ package steward.lab.stability;
 
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import steward.game.FrameCodec;
 import steward.game.Game;
@@ -43,7 +44,6 @@ public final class GoldenHash {
      */
     public record Part(String name, long hash) { }
 
-    /** The hash of all parts in their order. */
     public static long total(List<Part> parts) {
         StateHash hash = new StateHash();
         parts.forEach(part -> hash.add(part.hash));
@@ -142,7 +142,6 @@ public final class GoldenHash {
      * A game whose players answer by rule: a part with the hashes of all its turns. Each has a generator of its own,
      * the same in every play of the game.
      *
-     * @param name  of the part
      * @param turns at most this many turns
      * @throws IllegalArgumentException if an answer is refused
      */
@@ -150,9 +149,7 @@ public final class GoldenHash {
         Game game = setup.create(SEED);
         FrameCodec codec = setup.codec(game);
         SplitMix64[] randoms = new SplitMix64[game.players()];
-        for (int player = 0; player < randoms.length; player++) {
-            randoms[player] = new SplitMix64(SEED + player);
-        }
+        Arrays.setAll(randoms, player -> new SplitMix64(SEED + player));
         StateHash hash = new StateHash();
         while (!game.isOver() && game.turn() < turns) {
             for (int player = 0; player < randoms.length; player++) {

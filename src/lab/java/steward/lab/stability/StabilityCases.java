@@ -38,7 +38,6 @@ public final class StabilityCases {
 
     private StabilityCases() { }
 
-    /** All cases. */
     public static List<StabilityCase> all() {
         return all(0);
     }

@@ -12,10 +12,6 @@ import steward.lab.trial.StabilityCase;
 /**
  * The result of a case on a rung, with its time.
  *
- * @param name    of the case
- * @param demand  what is demanded
- * @param rung    name of the rung
- * @param seen    what was found
  * @param seconds how long it took
  */
 public record StabilityRow(String name, String demand, String rung, Finding seen, double seconds) {

@@ -5,9 +5,7 @@ import steward.lab.trial.RunLength;
 /**
  * A run of the stability table.
  *
- * @param length  how much work each case had
- * @param date    when, as year-month-day
- * @param version of the program
- * @param machine on which
+ * @param length how much work each case had
+ * @param date   when, as year-month-day
  */
 public record StabilityRun(RunLength length, String date, String version, String machine) { }

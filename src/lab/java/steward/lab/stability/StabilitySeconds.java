@@ -32,7 +32,6 @@ public final class StabilitySeconds {
 
     private StabilitySeconds() { }
 
-    /** Reads the resource. */
     public static StabilitySeconds read() {
         StabilitySeconds table = new StabilitySeconds();
         List<String> lines = Resources.text(RESOURCE).lines().toList();
@@ -50,7 +49,6 @@ public final class StabilitySeconds {
         return String.join(SEPARATOR, name, rung, length.toLowerCase(Locale.ROOT));
     }
 
-    /** True if the row is in the table. */
     public boolean knows(String name, String rung) {
         return cells.containsKey(key(name, rung, RunLength.NORMAL.name()));
     }
@@ -58,7 +56,6 @@ public final class StabilitySeconds {
     /**
      * Seconds of a row, approximately.
      *
-     * @param name    of the case
      * @param impacts of each crowd on the event rungs, or 0 for the number of the run length
      */
     public double of(String name, String rung, RunLength size, long impacts) {

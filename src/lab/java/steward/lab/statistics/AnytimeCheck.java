@@ -11,7 +11,6 @@ import steward.numerics.SplitMix64;
  * Bars at all looks: a truth that is outside once counts as missed. All groups play in turn; the first look is after
  * the first round, then there is one after each round, later whenever there are 2% more clusters.
  *
- * @param league the bots
  * @param rounds after which it ends
  */
 record AnytimeCheck(MadeUpLeague league, int rounds) {

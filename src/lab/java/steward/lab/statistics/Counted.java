@@ -8,8 +8,6 @@ final class Counted {
 
     private static final int CHUNK = 50;
 
-    private Counted() { }
-
     /** Plays one league. */
     interface League {
         /** @param counts to be added to */

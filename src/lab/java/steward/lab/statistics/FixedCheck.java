@@ -12,7 +12,6 @@ import steward.numerics.SplitMix64;
 /**
  * Bars at a fixed number of clusters.
  *
- * @param league   the bots
  * @param clusters of each group
  */
 record FixedCheck(MadeUpLeague league, int... clusters) {

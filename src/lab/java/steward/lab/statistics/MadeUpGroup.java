@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import steward.league.rating.Stratum;
 import steward.numerics.SplitMix64;
@@ -90,10 +91,7 @@ final class MadeUpGroup {
     private static Map<List<Double>, Double> added(Map<List<Double>, Double> sums, Map<List<Double>, Double> game) {
         Map<List<Double>, Double> all = new TreeMap<>(MadeUpGroup::compare);
         sums.forEach((key, chance) -> game.forEach((outcome, also) -> {
-            List<Double> sum = new ArrayList<>();
-            for (int k = 0; k < key.size(); k++) {
-                sum.add(key.get(k) + outcome.get(k));
-            }
+            List<Double> sum = IntStream.range(0, key.size()).mapToObj(k -> key.get(k) + outcome.get(k)).toList();
             all.merge(sum, chance * also, Double::sum);
         }));
         return all;
@@ -147,7 +145,6 @@ final class MadeUpGroup {
         return (random.nextLong() >>> 11) * 0x1p-53;
     }
 
-    /** The chance of each pattern. */
     double[] chances() {
         double[] chances = cumulative.clone();
         for (int k = chances.length - 1; k > 0; k--) {
@@ -236,9 +233,7 @@ final class MadeUpGroup {
         Game game = (seat, shifts) -> {
             Map<List<Double>, Double> outcomes = new TreeMap<>(MadeUpGroup::compare);
             double[] odds = new double[players];
-            for (int k = 0; k < players; k++) {
-                odds[k] = StrictMath.exp(strengths[k] + shifts[k]);
-            }
+            Arrays.setAll(odds, k -> StrictMath.exp(strengths[k] + shifts[k]));
             place(odds, new int[players], new boolean[players], 0, 1, weight, outcomes);
             return outcomes;
         };

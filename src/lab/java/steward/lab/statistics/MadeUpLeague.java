@@ -1,6 +1,7 @@
 package steward.lab.statistics;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
 import steward.league.rating.RatingFit;
@@ -20,7 +21,6 @@ record MadeUpLeague(String name, int bots, boolean pooled, List<MadeUpGroup> gro
     /** Number of clusters so large that the prior does not matter. */
     private static final long MANY = 1L << 40;
 
-    /** Returns a league of these groups. */
     static MadeUpLeague of(String name, int bots, boolean pooled, List<MadeUpGroup> groups) {
         return of(name, bots, pooled, groups, -1);
     }
@@ -83,27 +83,16 @@ record MadeUpLeague(String name, int bots, boolean pooled, List<MadeUpGroup> gro
 
     /** Returns a league of bots that play alone, all on the same maps. */
     static MadeUpLeague alone(String name, double... elo) {
-        int[] bots = new int[elo.length];
-        for (int k = 0; k < bots.length; k++) {
-            bots[k] = k;
-        }
+        int[] bots = IntStream.range(0, elo.length).toArray();
         return of(name, elo.length, true, List.of(MadeUpGroup.many(natural(elo), true, 0, bots)));
     }
 
     private static double[] natural(double... elo) {
-        double[] strengths = elo.clone();
-        for (int k = 0; k < elo.length; k++) {
-            strengths[k] /= RatingFit.ELO;
-        }
-        return strengths;
+        return Arrays.stream(elo).map(each -> each / RatingFit.ELO).toArray();
     }
 
     /** Returns strengths at equal distances, the strongest first. */
     static double[] spaced(int bots, double step) {
-        double[] elo = new double[bots];
-        for (int k = 0; k < bots; k++) {
-            elo[k] = -step * k;
-        }
-        return elo;
+        return IntStream.range(0, bots).mapToDouble(k -> -step * k).toArray();
     }
 }

@@ -5,8 +5,6 @@ import java.util.List;
 /** The leagues that are played to see what bars promise. */
 final class MadeUpLeagues {
 
-    private MadeUpLeagues() { }
-
     private static MadeUpLeague two(double elo) {
         return MadeUpLeague.pairs("2 bots, " + Math.round(elo) + " Elo apart", new double[] {elo, 0}, 0, 0, 0, 0);
     }

@@ -34,7 +34,6 @@ record ScheduleCheck(MadeUpLeague league, boolean adaptive, StopRule rule, int m
     /**
      * Result of a check.
      *
-     * @param league    the bots
      * @param leagues   how many were played
      * @param decisions until the end, on average
      * @param rarest    clusters of the group that was paired least, on average

@@ -123,11 +123,7 @@ public final class SelfCheck {
 
     private static int[] unequal(int groups) {
         SplitMix64 random = new SplitMix64(SEED);
-        int[] clusters = new int[groups];
-        for (int k = 0; k < groups; k++) {
-            clusters[k] = 30 + random.nextInt(371);
-        }
-        return clusters;
+        return IntStream.range(0, groups).map(k -> 30 + random.nextInt(371)).toArray();
     }
 
     private void pairings() throws InterruptedException {

@@ -10,7 +10,6 @@ import steward.numerics.SplitMix64;
 /**
  * Errors and lengths of sequential tests.
  *
- * @param test  the test
  * @param at    what the true difference is, in the test's Elo
  * @param ties  weight of ties
  * @param push  what a seed is worth to one of the two, in Elo
@@ -31,7 +30,6 @@ record SprtCheck(Gsprt test, double at, double ties, double push, int alike) {
      *
      * @param accepted share of the tests that accepted H1
      * @param mean     observations until they ended
-     * @param theory   what was expected
      * @param held     share of the tests at whose end the truth was in the range
      */
     record Outcome(double accepted, double mean, ExpectedLength theory, double held) { }

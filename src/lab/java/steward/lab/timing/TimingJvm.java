@@ -29,7 +29,6 @@ public final class TimingJvm implements TimedPlace {
      * Starts the other JVM.
      *
      * @param main the class whose main method serves as {@link TimingChild}
-     * @param job  what it times
      * @throws IllegalStateException if it cannot be started, or does not understand its job
      */
     public TimingJvm(Class<?> main, byte[] job) {
@@ -48,7 +47,6 @@ public final class TimingJvm implements TimedPlace {
         }, () -> true);
     }
 
-    /** True if it has not ended. */
     boolean isAlive() {
         return process.isAlive();
     }

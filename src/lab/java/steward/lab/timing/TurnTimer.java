@@ -1,6 +1,6 @@
 package steward.lab.timing;
 
-import java.util.Arrays;
+import java.util.stream.IntStream;
 
 /** Times turns in this JVM. */
 public final class TurnTimer implements TimedPlace {
@@ -39,12 +39,8 @@ public final class TurnTimer implements TimedPlace {
     }
 
     private static double window(double[] latest, int from) {
-        double[] window = new double[WINDOW];
-        for (int k = 0; k < WINDOW; k++) {
-            window[k] = latest[(from + k) % latest.length];
-        }
-        Arrays.sort(window);
-        return window[WINDOW / 2];
+        return IntStream.range(from, from + WINDOW).mapToDouble(k -> latest[k % latest.length]).sorted()
+            .toArray()[WINDOW / 2];
     }
 
     private static boolean isSteady(double before, double after) {

@@ -13,7 +13,6 @@ import steward.physics.PhysicsParts;
 /** The scene of the trade-off that no file can say: two bodies that nearly touch. */
 public final class GrazingPasses {
 
-    /** Name of the scene. */
     public static final String NAME = "grazing";
 
     private static final long SEED = 4;

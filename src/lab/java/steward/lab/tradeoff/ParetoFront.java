@@ -1,11 +1,7 @@
 package steward.lab.tradeoff;
 
-/**
- * The Pareto front of cost and error: a point on it can be improved in one of them only at the expense of the other.
- */
+/** The Pareto front of cost and error: a point on it improves in one only at the expense of the other. */
 final class ParetoFront {
-
-    private ParetoFront() { }
 
     /**
      * Returns which points are on the front: those that no other point beats in one respect while being at least as

@@ -10,15 +10,11 @@ import steward.physics.Bodies;
 import steward.physics.PhysicsParts;
 import steward.physics.TurnSink;
 
-/**
- * Bodies that fly on by themselves, turn after turn, on every rung and in truth: after how many turns a rung diverges.
- */
+/** Bodies that fly on by themselves on every rung and in truth: after how many turns a rung diverges. */
 final class TradeoffFreeRun {
 
     /** A body farther than this from its true position, in u, has diverged. */
     static final double OFF = 1;
-
-    private TradeoffFreeRun() { }
 
     /**
      * After how many turns each rung has diverged; one more than the bound if it never does. From the first turn on in

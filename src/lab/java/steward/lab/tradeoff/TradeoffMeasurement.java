@@ -3,6 +3,7 @@ package steward.lab.tradeoff;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
 import steward.lab.oracle.TurnTruth;
 import steward.lab.timing.RungJob;
 import steward.lab.timing.Timing;
@@ -104,12 +105,9 @@ public final class TradeoffMeasurement {
             off[r] = errors.get(r).quantile(0.99);
         }
         boolean[] front = ParetoFront.of(nanos, off);
-        List<TradeoffRow> rows = new ArrayList<>();
-        for (int r = 0; r < cost.length; r++) {
-            rows.add(errors.get(r).row(scene.name(), ladder.get(r).text(), impacts, samples, cost[r],
-                ratios(nanos[r] / nanos[usual], jvms[r], jvms[usual]), free[r], freeTurns, front[r]));
-        }
-        return rows;
+        return IntStream.range(0, cost.length).mapToObj(r -> errors.get(r).row(scene.name(), ladder.get(r).text(),
+            impacts, samples, cost[r], ratios(nanos[r] / nanos[usual], jvms[r], jvms[usual]), free[r], freeTurns,
+            front[r])).toList();
     }
 
     /** With the range over the JVMs that were measured in the same rounds. */

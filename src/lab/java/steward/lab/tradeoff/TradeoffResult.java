@@ -14,7 +14,6 @@ import steward.scene.AccuracyFigures;
  */
 public record TradeoffResult(String machine, String date, List<TradeoffRow> rows, List<TradeoffHeadings> headings) {
 
-    /** Copies the lists. */
     public TradeoffResult {
         rows = List.copyOf(rows);
         headings = List.copyOf(headings);

@@ -3,8 +3,6 @@ package steward.lab.tradeoff;
 /**
  * A rung on a scene: what it costs, and its errors, both from the same starting states.
  *
- * @param scene       name of the scene
- * @param rung        name of the rung
  * @param states      how many starting states, of a turn each
  * @param impacts     true impacts in all these turns
  * @param jvms        how many JVMs have timed it, one after the other

@@ -1,4 +1,2 @@
-/**
- * Speed against accuracy: errors of every rung against the oracle and their cost, on the same states in the same run.
- */
+/** Speed against accuracy: error of every rung against the oracle and its cost, on the same states in one run. */
 package steward.lab.tradeoff;

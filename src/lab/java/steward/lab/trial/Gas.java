@@ -15,7 +15,6 @@ public final class Gas {
 
     /** Largest coverage: a triangular lattice with a hundredth of room to move. */
     public static final double MOST_COVERAGE = 0.88;
-    /** Largest number of bodies. */
     public static final int MOST_BODIES = 10_000_000;
     /** Most memory for a body, in bytes: 100 in {@link Bodies}, twice, and 220 in an advance. */
     private static final long BYTES = 420;
@@ -64,7 +63,6 @@ public final class Gas {
         return side < 2 ? 0 : 1 + (int) Math.floor((side - 2) / Math.sqrt(3));
     }
 
-    /** Returns the number of bodies. */
     public int count() {
         return count;
     }
@@ -74,7 +72,6 @@ public final class Gas {
         return side;
     }
 
-    /** The box. */
     public Wall[] walls() {
         return Wall.box(side, side, 1);
     }

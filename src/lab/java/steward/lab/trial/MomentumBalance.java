@@ -50,9 +50,7 @@ public final class MomentumBalance extends Probe {
         }
     }
 
-    /**
-     * The bodies' momentum now, less that at the start, less the summed changes: as a share of all momentum exchanged.
-     */
+    /** The bodies' momentum now less that at the start and the summed changes, as a share of all exchanged. */
     public double gap(Bodies bodies) {
         Sum[] now = {new Sum(), new Sum()};
         total(bodies, now);

@@ -1,13 +1,12 @@
 package steward.lab.trial;
 
 import java.math.BigDecimal;
+import java.util.stream.IntStream;
 import steward.lab.oracle.OracleBody;
 import steward.physics.Bodies;
 import steward.physics.TurnSink;
 
-/**
- * Observes turns without storing them: counts impacts, notes whether the impact limit was reported, measures overlaps.
- */
+/** Observes turns without storing them: counts impacts, notes a reported impact limit, measures overlaps. */
 public class Probe implements TurnSink {
 
     /** Impacts so far. */
@@ -34,15 +33,9 @@ public class Probe implements TurnSink {
         limited++;
     }
 
-    /** True if all positions and velocities are finite. */
     public static boolean finite(Bodies bodies) {
-        for (int k = 0; k < bodies.size(); k++) {
-            if (!(Double.isFinite(bodies.x[k]) && Double.isFinite(bodies.y[k])
-                && Double.isFinite(bodies.vx[k]) && Double.isFinite(bodies.vy[k]))) {
-                return false;
-            }
-        }
-        return true;
+        return IntStream.range(0, bodies.size()).allMatch(k -> Double.isFinite(bodies.x[k])
+            && Double.isFinite(bodies.y[k]) && Double.isFinite(bodies.vx[k]) && Double.isFinite(bodies.vy[k]));
     }
 
     /** Kinetic energy of the stored numbers, computed exactly. */
@@ -50,10 +43,15 @@ public class Probe implements TurnSink {
         return OracleBody.of(bodies).stream().map(OracleBody::energy).reduce(BigDecimal.ZERO, BigDecimal::add);
     }
 
-    /** True if two worlds agree in every bit of every position and velocity. */
+    /** True if two bodies agree in every bit of position and velocity. */
     public static boolean same(Bodies one, int i, Bodies other, int j) {
         return bits(one.x[i]) == bits(other.x[j]) && bits(one.y[i]) == bits(other.y[j])
             && bits(one.vx[i]) == bits(other.vx[j]) && bits(one.vy[i]) == bits(other.vy[j]);
+    }
+
+    /** True if two worlds of as many bodies agree in every bit of every position and velocity. */
+    public static boolean same(Bodies one, Bodies other) {
+        return IntStream.range(0, one.size()).allMatch(k -> same(one, k, other, k));
     }
 
     private static long bits(double value) {

@@ -1,8 +1,9 @@
 package steward.lab.trial;
 
-import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.function.Function;
+import java.util.stream.Stream;
 import steward.physics.Advance;
 import steward.physics.Arithmetic;
 import steward.physics.Contacts;
@@ -26,10 +27,7 @@ import steward.physics.queue.QueueAdvance;
 public record Rung(String name, boolean isEvent, boolean isExact, Arithmetic arithmetic,
                    Function<PhysicsParts, Advance> maker, Function<PhysicsParts, Advance> crowdMaker) {
 
-    /**
-     * Error bound of the exact rung: half a unit in the last place for one rounding, and a little for the arithmetic
-     * before it.
-     */
+    /** Error bound of the exact rung: half a unit in the last place, and a little for the arithmetic before. */
     public static final double EXACT_ULPS = 0.51;
 
     /** Steps per turn of the two rungs that advance in steps, for comparison. */
@@ -37,16 +35,10 @@ public record Rung(String name, boolean isEvent, boolean isExact, Arithmetic ari
 
     /** All rungs in the table, cheapest first. */
     public static List<Rung> all() {
-        List<Rung> rungs = new ArrayList<>();
-        for (int steps : STEPS) {
-            rungs.add(new Rung("step/" + steps, false, false, Arithmetic.DOUBLE,
-                parts -> new StepAdvance(parts, steps)));
-        }
-        for (Arithmetic arithmetic : Arithmetic.values()) {
-            rungs.add(new Rung(arithmetic.text(), true, arithmetic.isExact(), arithmetic,
-                EventAdvance::new, QueueAdvance::new));
-        }
-        return List.copyOf(rungs);
+        return Stream.concat(STEPS.stream().map(steps -> new Rung("step/" + steps, false, false, Arithmetic.DOUBLE,
+            parts -> new StepAdvance(parts, steps))), Arrays.stream(Arithmetic.values()).map(arithmetic ->
+            new Rung(arithmetic.text(), true, arithmetic.isExact(), arithmetic, EventAdvance::new,
+                QueueAdvance::new))).toList();
     }
 
     /** With the same advance for few bodies and for many. */

@@ -1,5 +1,2 @@
-/**
- * The building blocks of stability cases: rungs, run lengths, findings, seeded pairs and gases, balances of energy and
- * momentum, and checks against the oracle.
- */
+/** Building blocks of stability cases: rungs, run lengths, findings, seeded pairs and gases, balances, checks. */
 package steward.lab.trial;

@@ -102,10 +102,9 @@ public final class TimeLedger {
     /**
      * The parts of a missed deadline.
      *
-     * @param limit      that was missed
-     * @param taken      what had passed at the verdict
-     * @param processors of the machine
-     * @param overCpu    whether the limit was one of CPU time
+     * @param limit   that was missed
+     * @param taken   what had passed at the verdict
+     * @param overCpu whether the limit was one of CPU time
      */
     public TimeSpent spent(long limit, long taken, int processors, boolean overCpu) {
         long passed = last.at() - first.at();

@@ -2,6 +2,7 @@ package steward.bot.accounting;
 
 import java.io.File;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -64,11 +65,7 @@ public final class TreeSampler implements AutoCloseable {
 
         private static int processors() {
             String[] names = new File("/sys/devices/system/cpu").list();
-            int count = 0;
-            for (String name : names == null ? new String[0] : names) {
-                count += name.matches("cpu\\d+") ? 1 : 0;
-            }
-            return count;
+            return names == null ? 0 : (int) Arrays.stream(names).filter(name -> name.matches("cpu\\d+")).count();
         }
     }
 

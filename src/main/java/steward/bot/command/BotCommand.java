@@ -1,19 +1,20 @@
 package steward.bot.command;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Objects;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 
 /**
  * A bot as it is named on the command line: {@code [NAME=][builtin:|json:|codingame:]COMMAND}, for example
  * {@code racer.py}, {@code blue=python3 racer.py} or {@code builtin:racer}.
  *
  * @param name  the name before the {@code =} (letters, digits, dot, underscore, hyphen), or {@code null}
- * @param prefix what kind of command it is
- * @param words  the program and its arguments, split as by {@link CommandLine}; for {@link Prefix#BUILTIN} the bot's
+ * @param words the program and its arguments, split as by {@link CommandLine}; for {@link Prefix#BUILTIN} the bot's
  *     name and further arguments; at least one word
  */
 public record BotCommand(String name, Prefix prefix, List<String> words) {
@@ -199,14 +200,8 @@ public record BotCommand(String name, Prefix prefix, List<String> words) {
 
     private String hint() {
         boolean odd = prefix != Prefix.BUILTIN && UNKNOWN_PREFIX.matcher(words.get(0)).matches();
-        if (!odd) {
-            return "";
-        }
-        List<String> known = new ArrayList<>();
-        for (Prefix each : Prefix.values()) {
-            known.add(each.written());
-        }
-        return "; the known prefixes are " + String.join(" ", known);
+        return !odd ? "" : "; the known prefixes are "
+            + Arrays.stream(Prefix.values()).map(Prefix::written).collect(Collectors.joining(" "));
     }
 
     /** The command as it could have been written, quoted where necessary. */

@@ -6,15 +6,10 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 
-/**
- * Table of mounted file systems, as Linux tells it, a line each: device, mount point, type, options (see {@code
- * fstab(5)}).
- */
+/** Table of mounted file systems, as Linux tells it, a line each: device, mount point, type, options. */
 final class MountTable {
 
     private static final Path FILE = Path.of("/proc/self/mounts");
-
-    private MountTable() { }
 
     /** The mount point of a file system that holds the file and forbids to execute what it holds, or {@code null}. */
     static String noexec(Path file) {

@@ -20,7 +20,6 @@ public final class Platform {
         return WRITTEN.matcher(text).matches();
     }
 
-    /** Returns the platform of this machine. */
     public static String here() {
         return of(System.getProperty("os.name", ""), System.getProperty("os.arch", ""));
     }

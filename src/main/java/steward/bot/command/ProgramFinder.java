@@ -78,9 +78,7 @@ public final class ProgramFinder {
         return Files.isRegularFile(file) && Files.isExecutable(file);
     }
 
-    /**
-     * The files that the name can mean, in order of search; an empty entry of {@code PATH} is the current directory.
-     */
+    /** The files that the name can mean, in order of search; an empty entry of {@code PATH} is this directory. */
     private static List<Path> candidates(String program) {
         List<Path> files = new ArrayList<>();
         if (program.isEmpty()) {

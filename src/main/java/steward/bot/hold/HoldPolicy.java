@@ -19,7 +19,6 @@ public enum HoldPolicy {
         return name().toLowerCase(Locale.ROOT);
     }
 
-    /** By its {@link #word}. */
     public static Optional<HoldPolicy> of(String word) {
         return Arrays.stream(values()).filter(each -> each.word().equals(word)).findFirst();
     }

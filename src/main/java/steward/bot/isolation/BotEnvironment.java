@@ -23,7 +23,6 @@ public record BotEnvironment(boolean clean, List<String> names) {
 
     private static final String LOCALE = "LC_";
 
-    /** Copies the list. */
     public BotEnvironment {
         names = List.copyOf(names);
     }

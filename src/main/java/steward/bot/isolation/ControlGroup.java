@@ -42,7 +42,6 @@ public final class ControlGroup {
     /**
      * Group in which groups can be created.
      *
-     * @param folder of the group
      * @param limits whether its groups limit memory and processes
      */
     record Base(Path folder, boolean limits) {
@@ -133,9 +132,7 @@ public final class ControlGroup {
         return Shared.BASE == null ? "no control group was delegated to this program" : null;
     }
 
-    /**
-     * Returns the folders where control groups can be written to: a bot that could would kill and stop others there.
-     */
+    /** Returns the folders of control groups: a bot that could write there would kill and stop others. */
     static List<String> mountPoints() {
         return Mounted.POINTS;
     }

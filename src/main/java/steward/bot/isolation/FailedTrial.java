@@ -26,7 +26,6 @@ record FailedTrial(boolean switchedOff, boolean appArmor, boolean container) {
     /** From here on the statuses mean that the bot of the trial could not be executed, and no step failed. */
     private static final int NOT_EXECUTED = 126;
 
-    /** Of this machine. */
     static FailedTrial here() {
         return new FailedTrial(isNumber("/proc/sys/user/max_user_namespaces", "0")
             || isNumber("/proc/sys/kernel/unprivileged_userns_clone", "0"),

@@ -50,7 +50,6 @@ public record Isolation(SandboxLevel level, boolean network, ResourceLimits limi
             + (visible.isEmpty() ? "" : ", visible " + visible.size());
     }
 
-    /** Returns this isolation without a limit of memory. */
     public Isolation withoutMemoryLimit() {
         return new Isolation(level, network, limits.withoutMemory(), environment, visible, hidden, hold);
     }
@@ -75,15 +74,11 @@ public record Isolation(SandboxLevel level, boolean network, ResourceLimits limi
             .filter(path -> !SystemFiles.isCommon(path)).toList());
     }
 
-    /** A copy with another policy of holding. */
     public Isolation holding(HoldPolicy other) {
         return new Isolation(level, network, limits, environment, visible, hidden, other);
     }
 
-    /**
-     * Returns which bots are stopped in fact: at {@link SandboxLevel#OFF} burners are not, since bots there can hide
-     * what they use.
-     */
+    /** Returns which bots are stopped in fact: no burners at {@link SandboxLevel#OFF}, where bots can hide use. */
     public HoldPolicy holds() {
         return level == SandboxLevel.OFF && hold == HoldPolicy.BURNERS ? HoldPolicy.NEVER : hold;
     }

@@ -29,7 +29,6 @@ public record Launch(List<String> command, Isolation isolation, List<List<String
      */
     private static final String JVM_FILES = "/tmp/hsperfdata_";
 
-    /** Copies the lists. */
     public Launch {
         command = List.copyOf(command);
         others = List.copyOf(others);

@@ -46,8 +46,6 @@ final class NativeLauncher {
     private static final Set<PosixFilePermission> OTHERS_WRITE
         = Set.of(PosixFilePermission.GROUP_WRITE, PosixFilePermission.OTHERS_WRITE);
 
-    private NativeLauncher() { }
-
     private static final class Found {
         static final Path PROGRAM = find();
     }

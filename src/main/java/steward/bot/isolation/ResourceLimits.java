@@ -34,7 +34,6 @@ public record ResourceLimits(long memory, long processes, long fileSize, long op
     /** Files that Linux allows a process at most, unless it was told otherwise. */
     public static final long MOST_OPEN_FILES = 1_048_576;
 
-    /** No limits. */
     public static final ResourceLimits NONE = new ResourceLimits(0, 0, 0, 0);
 
     /** Limits of {@link SandboxLevel#STRICT} where nothing else is asked for: memory is open. */
@@ -71,7 +70,6 @@ public record ResourceLimits(long memory, long processes, long fileSize, long op
         return one == 0 ? other : one;
     }
 
-    /** Returns these limits without one of memory. */
     ResourceLimits withoutMemory() {
         return new ResourceLimits(0, processes, fileSize, openFiles);
     }
@@ -81,7 +79,6 @@ public record ResourceLimits(long memory, long processes, long fileSize, long op
         return new ResourceLimits(0, 0, fileSize, openFiles);
     }
 
-    /** True if there is no limit. */
     public boolean isNone() {
         return equals(NONE);
     }

@@ -39,8 +39,6 @@ final class ShellLauncher {
     private static final String OUTSIDE = "%sexec 3<&0 4>&1 </dev/null >/dev/null; exec \"$@\"";
     private static final String INSIDE = "%sexec <&3 >&4 3<&- 4>&-; exec \"$@\"";
 
-    private ShellLauncher() { }
-
     static List<String> off(Path controlGroup) {
         List<String> words = new ArrayList<>(Launch.ownSession());
         if (controlGroup != null) {

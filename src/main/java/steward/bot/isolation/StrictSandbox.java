@@ -20,8 +20,6 @@ final class StrictSandbox {
 
     private static final long PATIENCE_MS = 10_000;
 
-    private StrictSandbox() { }
-
     /** From bwrap 0.8 on. In a user namespace of its own a bot could mount control groups, and end the match there. */
     private static final class NoUserNamespaces {
         static final boolean POSSIBLE = find();

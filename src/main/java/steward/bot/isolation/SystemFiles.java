@@ -30,8 +30,6 @@ final class SystemFiles {
     /** Of each version of Java on Debian, to which its own folder links. */
     private static final String JAVA = "java-";
 
-    private SystemFiles() { }
-
     private static final class Found {
         static final List<Path> PATHS = Stream.of(INSTALLED.stream(), BY_HAND.stream(),
             SETTINGS.stream().map("/etc/"::concat), java()).flatMap(each -> each).map(Path::of).filter(Files::exists)

@@ -9,8 +9,6 @@ final class UserNumbers {
 
     private static final int NOBODY = 65534;
 
-    private UserNumbers() { }
-
     /** True if this program runs as root, whose files and rights a bot would share. */
     static boolean isRoot() {
         return number("unix:uid") == 0;
@@ -26,7 +24,6 @@ final class UserNumbers {
         return own == 0 ? NOBODY : own;
     }
 
-    /** The name of {@link #userInside}. */
     static String nameInside() {
         return isRoot() ? "nobody" : System.getProperty("user.name");
     }

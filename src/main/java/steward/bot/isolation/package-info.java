@@ -1,5 +1,2 @@
-/**
- * Isolation of a bot's processes from all others: the levels, which of them this machine offers, and how a program is
- * started in each. Knows programs and their limits, not their answers.
- */
+/** Isolation of a bot's processes from all others: levels, what this machine offers, and programs started so. */
 package steward.bot.isolation;

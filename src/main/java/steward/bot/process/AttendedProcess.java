@@ -49,7 +49,6 @@ public final class AttendedProcess implements Player {
         return process.pid();
     }
 
-    /** Completes when the process has ended. */
     public CompletableFuture<?> ended() {
         return process.onExit();
     }

@@ -38,12 +38,10 @@ public final class HostedProcess {
         }
     }
 
-    /** The stream that the program reads. */
     public OutputStream input() {
         return group.process().getOutputStream();
     }
 
-    /** The stream that the program writes. */
     public InputStream output() {
         return group.process().getInputStream();
     }

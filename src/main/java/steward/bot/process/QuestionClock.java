@@ -76,7 +76,6 @@ final class QuestionClock {
     private long spentOf;
 
     /**
-     * @param asking  the state of the thread that asks
      * @param sampler what the bot's processes have done up to a moment
      */
     QuestionClock(Supplier<OwnThread.State> asking, LongFunction<TreeSample> sampler) {
@@ -262,7 +261,6 @@ final class QuestionClock {
         return unread;
     }
 
-    /** Returns how long ago the clock was started. */
     long passed(long now) {
         return now - start;
     }
@@ -292,7 +290,6 @@ final class QuestionClock {
         return basis;
     }
 
-    /** Returns when the clock was started. */
     long started() {
         return start;
     }

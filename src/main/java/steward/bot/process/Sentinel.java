@@ -91,7 +91,6 @@ final class Sentinel {
         static final Sentinel INSTANCE = new Sentinel();
     }
 
-    /** The sentinel of this JVM. */
     static Sentinel shared() {
         return Shared.INSTANCE;
     }

@@ -25,8 +25,6 @@ final class StderrHolders {
 
     private static final Path PROC = Path.of("/proc");
 
-    private StderrHolders() { }
-
     /**
      * Kills what has the file open, among the processes that were started after the bot.
      *

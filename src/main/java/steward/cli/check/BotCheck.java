@@ -90,7 +90,6 @@ public record BotCheck(Contest contest, List<Tried> games) {
         return problems().isEmpty();
     }
 
-    /** The bot. */
     public Contest.Entrant bot() {
         return contest.entrants().get(0);
     }

@@ -13,8 +13,6 @@ import tools.jackson.core.JsonGenerator;
 /** A scene explained to programs: one JSON object on one line. */
 final class ExplainJson {
 
-    private ExplainJson() { }
-
     static void print(Streams streams, GameSetup setup) {
         Scene scene = setup.scene();
         Json.print(streams, out -> {

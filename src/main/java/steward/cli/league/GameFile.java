@@ -33,9 +33,6 @@ final class GameFile {
     /** Characters of a line; a game of 100 seats has less. */
     private static final int LONGEST = 1 << 20;
 
-    private GameFile() { }
-
-    /** The heads of the columns. */
     static void csvHead(PrintStream out) {
         out.print(new CsvRow().words(Stream.of(GameLine.GAME, List.of(SEAT), GameLine.SEAT).flatMap(List::stream)
             .toArray(String[]::new)).line());

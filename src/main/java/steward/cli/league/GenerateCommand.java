@@ -1,7 +1,5 @@
 package steward.cli.league;
 
-import java.util.ArrayList;
-import java.util.List;
 import java.util.SplittableRandom;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -55,11 +53,8 @@ final class GenerateCommand extends ProgramCommand {
             if (store.games(number) > 0 || !store.versions().isEmpty()) {
                 throw new InputException(folder.path() + ": found a league with games, expected an empty one");
             }
-            List<GameStore.Version> versions = new ArrayList<>();
-            for (int bot = 1; bot <= bots; bot++) {
-                versions.add(MadeUpGames.bot(store, bot));
-            }
-            new MadeUpGames(store, number, season, versions, new SplittableRandom(seed)).add(games);
+            new MadeUpGames(store, number, season, MadeUpGames.bots(store, bots), new SplittableRandom(seed))
+                .add(games);
         }
         streams.out().println(TextFormat.count(games, "made-up game") + " between " + bots + " bots in "
             + folder.path());

@@ -42,8 +42,6 @@ final class SelfCheckOptions {
     /** Values of {@code --only}. */
     static final class Parts extends ArrayList<String> {
 
-        private static final long serialVersionUID = 1;
-
         Parts() {
             super(PARTS);
         }

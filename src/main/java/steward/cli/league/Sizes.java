@@ -7,8 +7,6 @@ final class Sizes {
 
     private static final double KILO = 1000;
 
-    private Sizes() { }
-
     /** Such as {@code 312 kB}. */
     static String text(long bytes) {
         return bytes < KILO ? bytes + " B" : bytes < KILO * KILO ? TextFormat.number(bytes / KILO, 0) + " kB"

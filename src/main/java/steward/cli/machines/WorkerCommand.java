@@ -93,7 +93,6 @@ public final class WorkerCommand extends ProgramCommand {
     @Mixin
     private final SandboxOptions sandbox = new SandboxOptions();
 
-    /** The command. */
     @Override
     public Integer call() throws InterruptedException {
         threads.check();

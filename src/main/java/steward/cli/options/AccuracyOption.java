@@ -27,10 +27,7 @@ public final class AccuracyOption {
         }
     }
 
-    /**
-     * Opens a scene by its path or shipped name, {@code -} from the standard input, on this rung if one is called
-     * for.
-     */
+    /** Opens a scene by its path or shipped name, {@code -} from the standard input, on this rung if one is set. */
     public GameSetup open(String scene, Streams streams) {
         return Games.open(scene, accuracy, streams);
     }

@@ -9,9 +9,7 @@ import steward.text.NearestName;
 /** Refuses calls whose options are out of range or do not go together. */
 public final class CallCheck {
 
-    /** The most threads that one call uses. */
     public static final int MOST_THREADS = 256;
-    /** The most games that one call plays. */
     public static final int MOST_GAMES = 1_000_000;
 
     private final boolean help;

@@ -13,7 +13,6 @@ public abstract class ProgramCommand implements Callable<Integer> {
     /** The program's streams; there before {@link #call} is. */
     protected Streams streams;
 
-    /** Gives the command its streams. */
     public final ProgramCommand on(Streams given) {
         streams = given;
         return this;

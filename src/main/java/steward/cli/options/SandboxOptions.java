@@ -40,8 +40,6 @@ public final class SandboxOptions {
 
     /** The words of {@code --sandbox}. */
     static final class Levels extends ArrayList<String> {
-        private static final long serialVersionUID = 1;
-
         Levels() {
             super(List.of(AUTO, "strict", "light", "off"));
         }
@@ -49,8 +47,6 @@ public final class SandboxOptions {
 
     /** The words of {@code --hold}. */
     static final class HoldWords extends ArrayList<String> {
-        private static final long serialVersionUID = 1;
-
         HoldWords() {
             super(Arrays.stream(HoldPolicy.values()).map(HoldPolicy::word).toList());
         }

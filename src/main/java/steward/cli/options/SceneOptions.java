@@ -11,7 +11,6 @@ public final class SceneOptions {
 
     /** The scene that is played unless another is called for. */
     public static final String USUAL = "mad-pod-racing";
-    /** Description of {@code --scene}. */
     public static final String DESCRIPTION
         = "The scene: a file, - for the standard input, or one of ${COMPLETION-CANDIDATES} (default: "
         + "${DEFAULT-VALUE}).";
@@ -28,7 +27,6 @@ public final class SceneOptions {
         return StandardFiles.is(scene);
     }
 
-    /** Opens the scene on the rung. */
     public GameSetup open(Streams streams) {
         return accuracy.open(scene, streams);
     }

@@ -22,8 +22,6 @@ final class MatchJson {
 
     private static final double NANOS_PER_MS = 1e6;
 
-    private MatchJson() { }
-
     static void print(Streams streams, Contest contest, long seed, MatchResult result, List<Failure> failures,
                       Path file) {
         printObject(streams, out -> {

@@ -2,6 +2,7 @@ package steward.cli.play;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.OptionSpec;
 import steward.cli.options.BuiltinBotWords;
@@ -51,21 +52,13 @@ record RefereeArguments(CommandSpec spec) {
 
     /** Number of players: the last of those that are named. */
     int players() {
-        int last = 0;
-        for (int player = 1; player <= MOST_PLAYERS; player++) {
-            last = value(bot(player)) == null ? last : player;
-        }
-        return last;
+        return IntStream.rangeClosed(1, MOST_PLAYERS).filter(player -> value(bot(player)) != null).max().orElse(0);
     }
 
     /** True if there is any player. */
     boolean hasPlayers() {
-        for (int player = 1; player <= MOST_PLAYERS; player++) {
-            if (value(bot(player)) != null || value(name(player)) != null) {
-                return true;
-            }
-        }
-        return false;
+        return IntStream.rangeClosed(1, MOST_PLAYERS).anyMatch(player -> value(bot(player)) != null
+            || value(name(player)) != null);
     }
 
     /**

@@ -23,9 +23,6 @@ final class RefereeFiles {
     private static final String PAGE_SIGNATURE = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n"
         + "<meta charset=\"utf-8\">\n<meta http-equiv=\"Content-Security-Policy\"";
 
-    private RefereeFiles() { }
-
-    /** The page beside a replay. */
     static Path pageOf(Path replay) {
         String name = replay.getFileName().toString();
         String base = name.endsWith(REPLAY) ? name.substring(0, name.length() - REPLAY.length()) : name;

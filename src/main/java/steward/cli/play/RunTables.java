@@ -149,7 +149,6 @@ final class RunTables implements MatchListener, AutoCloseable {
         return lines;
     }
 
-    /** Writes all rows as an array. */
     void writeRows(JsonGenerator out) {
         JsonObject.writeAll(out, "rows", rows, row -> {
             out.writeNumberProperty("turn", (int) row[0]);

@@ -24,8 +24,6 @@ final class SeriesJson {
 
     private static final double NANOS_PER_MS = 1e6;
 
-    private SeriesJson() { }
-
     static void print(Streams streams, Series series, SeriesPlay play) {
         Standings standings = play.standings();
         MatchJson.printObject(streams, out -> {

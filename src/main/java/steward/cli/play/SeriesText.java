@@ -19,8 +19,6 @@ final class SeriesText {
     private static final double NANOS_PER_MS = 1e6;
     static final double PERCENTILE = 0.99;
 
-    private SeriesText() { }
-
     /** One line: how many games of what, the points, and which bots failed how often. */
     static String headline(Series series, Standings standings) {
         StringBuilder line = new StringBuilder(games(series, standings) + ":");
@@ -52,7 +50,6 @@ final class SeriesText {
             + series.contest().sceneName();
     }
 
-    /** Everything. */
     static void print(PrintStream out, Colour colour, Series series, Standings standings) {
         long last = series.first() + series.seeds() - 1;
         int without = standings.games().size() - standings.results();

@@ -147,10 +147,8 @@ public final class StoredSeries implements AutoCloseable {
 
     /** The game as it is stored; {@code null} if it is not there. */
     public PairedPlay.Outcome outcome(long seed, int rotation) {
-        List<String> identities = new ArrayList<>();
-        for (int player = 0; player < season.players(); player++) {
-            identities.add(versions.get(contest.entrantOf(player, rotation)).identity());
-        }
+        List<String> identities = IntStream.range(0, season.players())
+            .mapToObj(player -> versions.get(contest.entrantOf(player, rotation)).identity()).toList();
         for (int attempt = 1; attempt <= Attempts.MOST; attempt++) {
             Optional<GameStore.Outcome> found = store.outcome(GameName.of(season, seed, identities, attempt));
             if (found.isPresent()) {

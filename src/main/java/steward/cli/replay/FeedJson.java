@@ -10,8 +10,6 @@ import tools.jackson.core.JsonGenerator;
 /** A bot's behaviour in a recorded match, for programs: one JSON object. */
 final class FeedJson {
 
-    private FeedJson() { }
-
     /**
      * Fields of the object.
      *

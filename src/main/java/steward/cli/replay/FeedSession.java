@@ -51,7 +51,6 @@ record FeedSession(Streams streams, GameTypes types, RecordedMatch match, int pl
         return json || piped ? streams.err() : streams.out();
     }
 
-    /** The colours of {@link #text}. */
     Colour colour() {
         return json || piped ? streams.errColour() : streams.outColour();
     }

@@ -17,8 +17,6 @@ import steward.replay.verify.Resimulation;
  */
 final class FramePrinter {
 
-    private FramePrinter() { }
-
     /**
      * A bot that failed was sent the turn it failed in, and nothing after it; one that was out by the rules was sent no
      * more turns, but the end.

@@ -17,8 +17,6 @@ final class HeaderText {
     /** Characters of a command that are shown. */
     private static final int LONGEST_COMMAND = 1000;
 
-    private HeaderText() { }
-
     static String name(ReplayHeader header, int player) {
         return shown(header.names().get(player), LONGEST_NAME);
     }

@@ -9,8 +9,6 @@ final class HeadingText {
     private static final String FIELD = "heading";
     private static final double FULL_TURN = 360;
 
-    private HeadingText() { }
-
     /** True if a field of a body is a heading. */
     static boolean is(Object field) {
         return FIELD.equals(field);

@@ -12,8 +12,6 @@ import steward.text.TextFormat;
 /** Prints recorded impacts, one a line. */
 final class ImpactList {
 
-    private ImpactList() { }
-
     /** The impacts of a range of turns, both ends included. */
     static void print(Streams streams, ReplayReader replay, int from, int to) {
         PrintStream out = streams.out();

@@ -19,7 +19,6 @@ import steward.replay.page.PageExtras;
  * The page of a recorded match, and the files it becomes.
  *
  * @param replay or {@code null} if it came on the standard input
- * @param html   the page
  * @param turns  how many turns the match has
  */
 record PageFile(Path replay, byte[] html, int turns) {

@@ -10,8 +10,6 @@ import steward.replay.ReplayReader;
 /** The result of a match, read back from its replay. */
 final class RecordedResult {
 
-    private RecordedResult() { }
-
     /**
      * Returns the result in the last line, or {@code null} if there is none; known at the end of the replay.
      *

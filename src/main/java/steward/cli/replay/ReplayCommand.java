@@ -271,7 +271,6 @@ public final class ReplayCommand extends ProgramCommand {
             "--json is for the summary, --turn, --impacts and --verify");
     }
 
-    /** Opens a replay. */
     public static ReplayReader open(Path path) {
         try {
             return ReplayReader.open(path);

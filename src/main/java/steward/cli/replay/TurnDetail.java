@@ -17,8 +17,6 @@ final class TurnDetail {
     private static final int WIDTH = 100;
     private static final int DECIMALS = 9;
 
-    private TurnDetail() { }
-
     /** @throws InputException if the replay has no such turn */
     static void print(Streams streams, ReplayReader replay, int number) {
         int last = 0;

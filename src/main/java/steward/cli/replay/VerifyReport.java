@@ -17,8 +17,6 @@ import steward.text.TextFormat;
 /**
  * Prints the result of a verification, and what it compared.
  *
- * @param out     where to
- * @param colour  of it
  * @param partial whether agreement up to a cut suffices
  * @param file    of the key that must have signed, or {@code null}
  * @param key     that key, or {@code null}

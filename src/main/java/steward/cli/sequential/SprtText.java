@@ -121,7 +121,6 @@ record SprtText(Gsprt test, String one, String other) {
         return text.startsWith("-") || Double.parseDouble(text) == 0 ? text : "+" + text;
     }
 
-    /** The fields of JSON. */
     void json(JsonGenerator out, ScoreCounts scores, Unused unused) {
         out.writeStringProperty("state", test.state(scores).name());
         out.writeStringProperty("model", model());

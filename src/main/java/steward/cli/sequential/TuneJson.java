@@ -9,8 +9,6 @@ import tools.jackson.core.JsonGenerator;
 /** The result of a search for parameters, as the fields of one object; values are as in the command. */
 final class TuneJson {
 
-    private TuneJson() { }
-
     /** @param found whether there were steps enough for a result; without it {@code bot} is null */
     static void write(JsonGenerator out, TunedCommand command, Spsa search, boolean found) {
         out.writeNumberProperty("steps", search.step());

@@ -37,10 +37,9 @@ final class Checkup {
     /**
      * One checked item.
      *
-     * @param about   a heading that several share
-     * @param name    what it is
-     * @param works   whether it can be used
-     * @param detail  the version, or why it cannot be used
+     * @param about  a heading that several share
+     * @param works  whether it can be used
+     * @param detail the version, or why it cannot be used
      */
     record Item(String about, String name, boolean works, String detail) { }
 

@@ -49,7 +49,6 @@ enum Starter {
         return name().replaceFirst("_.*", "").toLowerCase(Locale.ROOT);
     }
 
-    /** Protocol of the bot. */
     Protocol protocol() {
         return bot.startsWith(BotCommand.Prefix.CODINGAME.written()) ? Protocol.CODINGAME : Protocol.JSON;
     }
@@ -64,7 +63,6 @@ enum Starter {
         return this == CPP_SIMULATOR;
     }
 
-    /** The files of the starter. */
     List<String> files() {
         return searches() ? List.of(source, HEADER, README) : List.of(source, README);
     }
@@ -77,7 +75,6 @@ enum Starter {
         return bot;
     }
 
-    /** True if there is one in this language for a game. */
     boolean isFor(String game) {
         return Starter.class.getResource(folder(game) + source) != null;
     }

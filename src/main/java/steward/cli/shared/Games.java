@@ -37,7 +37,6 @@ public final class Games {
         return types().of(game).map(GameType::weakestBot).orElse(null);
     }
 
-    /** The ids of all games. */
     public static List<String> ids() {
         return types().types().stream().map(GameType::id).toList();
     }

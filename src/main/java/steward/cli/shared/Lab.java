@@ -24,7 +24,6 @@ public interface Lab {
      */
     void selfCheck(List<String> parts, long leagues, int threads, Consumer<String> out) throws InterruptedException;
 
-    /** Finds the lab on the class path. */
     static Optional<Lab> find() {
         return ServiceLoader.load(Lab.class).findFirst();
     }

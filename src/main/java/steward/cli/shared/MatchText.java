@@ -41,10 +41,7 @@ public final class MatchText {
         };
     }
 
-    /**
-     * Returns the headline as {@link #headline(String, long, MatchResult)} does, with the failures of bots on the same
-     * line.
-     */
+    /** Returns {@link #headline(String, long, MatchResult)} with the failures of bots on the same line. */
     public static String headline(String scene, long seed, MatchResult result, List<Failure> failures) {
         StringBuilder line = new StringBuilder(headline(scene, seed, result));
         for (Failure failure : failures) {

@@ -45,7 +45,6 @@ public final class Pages {
         return of(read(replay), replay.toString(), title, PageExtras.of(Games.types()));
     }
 
-    /** Returns the bytes of a replay. */
     public static byte[] read(Path replay) {
         try {
             return Files.readAllBytes(replay);
@@ -69,7 +68,6 @@ public final class Pages {
         return html.toByteArray();
     }
 
-    /** Writes a whole page. */
     public static void write(OutputStream file, byte[] html, Path path) {
         try {
             file.write(html);

@@ -16,7 +16,6 @@ public final class PlayerChoice {
      * The player's number.
      *
      * @param typed  by a person
-     * @param names  of the players
      * @param source name of the replay, for errors
      * @throws InputException if there is no such player; says which there are
      */

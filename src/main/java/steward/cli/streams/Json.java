@@ -23,7 +23,6 @@ public final class Json {
 
     private Json() { }
 
-    /** Reads one object. */
     public static Map<String, Object> object(byte[] json) {
         try (JsonParser in = JsonNumbers.FACTORY.createParser(ObjectReadContext.empty(), json, 0, json.length)) {
             in.nextToken();
@@ -31,7 +30,6 @@ public final class Json {
         }
     }
 
-    /** Reads one object. */
     public static Map<String, Object> object(String json) {
         try (JsonParser in = JsonNumbers.FACTORY.createParser(ObjectReadContext.empty(), json)) {
             in.nextToken();
@@ -39,7 +37,6 @@ public final class Json {
         }
     }
 
-    /** Reads one array. */
     public static List<Object> array(byte[] json) {
         try (JsonParser in = JsonNumbers.FACTORY.createParser(ObjectReadContext.empty(), json, 0, json.length)) {
             in.nextToken();

@@ -85,7 +85,6 @@ public final class Streams {
             StandardCharsets.UTF_8));
     }
 
-    /** The streams of the process. */
     public static Streams standard() {
         return new Streams(new FileInputStream(FileDescriptor.in), isTerminal(0),
             new FileOutputStream(FileDescriptor.out), new FileOutputStream(FileDescriptor.err), isTerminal(1),
@@ -147,12 +146,10 @@ public final class Streams {
         return errTerminal;
     }
 
-    /** The colours of {@link #out}. */
     public Colour outColour() {
         return Colour.of(outTerminal);
     }
 
-    /** The colours of {@link #err}. */
     public Colour errColour() {
         return Colour.of(errTerminal);
     }

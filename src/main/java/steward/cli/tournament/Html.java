@@ -9,8 +9,6 @@ final class Html {
     static final String END = "</main></body></html>\n";
     private static final String STYLE = "/steward/tournament/page.css";
 
-    private Html() { }
-
     /** The page up to its heading. */
     static String head(String title) {
         String style = Resources.text(STYLE);

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.IntStream;
 import steward.codingame.recording.GameRecording.Counter;
 import steward.codingame.recording.GameRecording.Impact;
 import steward.codingame.recording.GameRecording.Pod;
@@ -70,10 +71,8 @@ record FrameView(ViewLines lines) {
         if (lines.count() <= first) {
             return GameRecording.State.UNKNOWN;
         }
-        List<Pod> pods = new ArrayList<>();
-        for (int pod = 0; pod < GameRecording.PODS; pod++) {
-            pods.add(pod(pod, first + 2 * pod, checkpoints));
-        }
+        List<Pod> pods = IntStream.range(0, GameRecording.PODS)
+            .mapToObj(pod -> pod(pod, first + 2 * pod, checkpoints)).toList();
         return new GameRecording.State(pods, counters(first + 2 * GameRecording.PODS));
     }
 

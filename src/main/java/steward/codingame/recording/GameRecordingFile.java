@@ -24,12 +24,9 @@ final class GameRecordingFile {
     private static final int LONGEST_NAME = 40;
     private static final int MOST_SHOWN = 40;
 
-    private GameRecordingFile() { }
-
     /**
      * The object whose field {@code frames} is an array that is not empty.
      *
-     * @param text   of the file
      * @param source its name, for errors
      * @throws IllegalArgumentException if it is no recording
      */

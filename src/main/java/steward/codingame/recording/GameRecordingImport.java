@@ -3,6 +3,7 @@ package steward.codingame.recording;
 import java.io.OutputStream;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
 import steward.game.GameSetup;
 import steward.game.GameTypes;
 import steward.game.podrace.RulesEdition;
@@ -62,12 +63,9 @@ public final class GameRecordingImport implements RecordingImport {
 
     @Override
     public Imported write(OutputStream out) throws InterruptedException {
-        List<RecordedPlayer> players = new ArrayList<>();
-        for (int player = 0; player < GameRecording.PLAYERS; player++) {
-            int number = player;
-            players.add(new RecordedPlayer(recording.facts().names().get(player), recording.turns().stream()
-                .map(turn -> turn.commands().get(number)).toList(), GameRecordingImport::idle));
-        }
+        List<RecordedPlayer> players = IntStream.range(0, GameRecording.PLAYERS).mapToObj(player ->
+            new RecordedPlayer(recording.facts().names().get(player), recording.turns().stream()
+                .map(turn -> turn.commands().get(player)).toList(), GameRecordingImport::idle)).toList();
         return new ImportedMatch(setup, recording.facts().seed(), new ObservedGame(recording), recording.facts(),
             players).write(out);
     }

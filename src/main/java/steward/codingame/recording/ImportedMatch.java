@@ -4,6 +4,7 @@ import java.io.OutputStream;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.stream.IntStream;
 import steward.bot.Player;
 import steward.codingame.recording.RecordingImport.Imported;
 import steward.game.FrameCodec;
@@ -42,12 +43,8 @@ final class ImportedMatch {
     }
 
     Imported write(OutputStream out) throws InterruptedException {
-        List<Seat> seats = new ArrayList<>();
-        List<String> names = new ArrayList<>();
-        for (Player player : players) {
-            seats.add(new Seat(player, Protocol.CODINGAME));
-            names.add(player.name());
-        }
+        List<Seat> seats = players.stream().map(player -> new Seat(player, Protocol.CODINGAME)).toList();
+        List<String> names = players.stream().map(Player::name).toList();
         ReplayHeader header = new ReplayHeader(setup.scene().gameId(), setup.scene().json(), seed, names,
             Collections.nCopies(names.size(), "recorded"), Collections.nCopies(names.size(), Protocol.CODINGAME),
             Double.POSITIVE_INFINITY).ofLaw(setup.plan().lawVersion());
@@ -65,12 +62,9 @@ final class ImportedMatch {
 
     /** The result of a game that the server has ended, but our rules have not: verification will say so. */
     private MatchResult over(List<String> names) {
-        List<MatchResult.PlayerResult> results = new ArrayList<>();
-        for (int player = 0; player < names.size(); player++) {
-            results.add(new MatchResult.PlayerResult(names.get(player), observed.rank(player), 0, null, null, 0, 0, 0,
-                0, 0));
-        }
-        return told(observed.turns(), "the recording ends", results);
+        return told(observed.turns(), "the recording ends", IntStream.range(0, names.size()).mapToObj(player ->
+            new MatchResult.PlayerResult(names.get(player), observed.rank(player), 0, null, null, 0, 0, 0, 0, 0))
+            .toList());
     }
 
     /** With what the site tells of game and players. */
@@ -85,8 +79,6 @@ final class ImportedMatch {
 
     /** The recording has no more turns, but by our rules the game goes on. */
     private static final class RecordingEnds extends RuntimeException {
-
-        private static final long serialVersionUID = 1L;
 
         RecordingEnds() {
             super("the recording ends", null, false, false);

@@ -88,8 +88,6 @@ final class LineRecordingImport implements RecordingImport {
     /** The recording has no more answers, but by our rules the game goes on. */
     private static final class RecordingEnds extends RuntimeException {
 
-        private static final long serialVersionUID = 1L;
-
         RecordingEnds() {
             super("the recording ends", null, false, false);
         }

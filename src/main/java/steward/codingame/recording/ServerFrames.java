@@ -3,6 +3,7 @@ package steward.codingame.recording;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
 import steward.text.TextFormat;
 import steward.text.ViewLines;
 import tools.jackson.databind.JsonNode;
@@ -63,7 +64,6 @@ final class ServerFrames {
         return ShownFrame.of(frame(0));
     }
 
-    /** Facts of the game beside its frames. */
     GameFacts facts(int players) {
         return GameFacts.of(result, players);
     }
@@ -76,11 +76,7 @@ final class ServerFrames {
 
     /** As many as have answered in any frame. */
     int players() {
-        int players = 0;
-        for (int k = 0; k < frames.size(); k++) {
-            players = Math.max(players, agent(k) + 1);
-        }
-        return players;
+        return IntStream.range(0, frames.size()).map(this::agent).max().orElse(-1) + 1;
     }
 
     /** All turns; what is behind the last key frame is left out. */

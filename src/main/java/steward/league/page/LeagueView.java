@@ -9,17 +9,15 @@ import steward.league.rating.RatingPath;
 /**
  * View of a league at one moment: all that its page shows.
  *
- * @param season what all its games have in common
- * @param table  the table
- * @param path   how the ratings went
- * @param games  the last games, the latest first
- * @param rate   games a second, or NaN when it is not being played
+ * @param season  what all its games have in common
+ * @param path    how the ratings went
+ * @param games   the last games, the latest first
+ * @param rate    games a second, or NaN when it is not being played
  * @param workers those that play on other machines
  */
 public record LeagueView(Season season, LeagueTable table, RatingPath path, List<StoredGame> games, double rate,
                          List<WorkerRow> workers) {
 
-    /** Copies the lists. */
     public LeagueView {
         games = List.copyOf(games);
         workers = List.copyOf(workers);

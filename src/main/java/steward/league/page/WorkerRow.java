@@ -9,7 +9,6 @@ import steward.text.TextFormat;
 /**
  * A worker that plays games of a league on another machine, for people.
  *
- * @param name     its name
  * @param state    such as {@code away} or {@code caught}; empty where the league is not being played
  * @param games    that count
  * @param aside    that were set aside
@@ -23,7 +22,6 @@ import steward.text.TextFormat;
 public record WorkerRow(String name, String state, long games, long aside, double rate, long faults, long repeated,
                         String version, long silentMs, List<String> doubts) {
 
-    /** Copies the list. */
     public WorkerRow {
         doubts = List.copyOf(doubts);
     }

@@ -45,7 +45,6 @@ public final class LeagueEnd implements IntPredicate {
         return met;
     }
 
-    /** The rule. */
     public StopRule rule() {
         return rule;
     }

@@ -1,8 +1,8 @@
 package steward.league.pairing;
 
-import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.stream.IntStream;
 import steward.league.rating.AnytimeBar;
 import steward.league.rating.Difference;
 import steward.league.rating.Ratings;
@@ -38,7 +38,6 @@ public record StopRule(double bars, boolean ranked, double equal) {
         return ranked || !Double.isNaN(bars);
     }
 
-    /** True if enough is known. */
     public boolean isMet(Ratings ratings) {
         return (Double.isNaN(bars) || ratings.versions().stream()
             .allMatch(version -> ratings.rating(version).anytimeBar() <= bars))
@@ -53,11 +52,7 @@ public record StopRule(double bars, boolean ranked, double equal) {
 
     /** Returns the known order of each version in a list and the next one. */
     public List<Order> orders(Ratings ratings, List<Integer> order) {
-        List<Order> orders = new ArrayList<>();
-        for (int k = 0; k + 1 < order.size(); k++) {
-            orders.add(order(ratings, order.get(k), order.get(k + 1)));
-        }
-        return orders;
+        return IntStream.range(1, order.size()).mapToObj(k -> order(ratings, order.get(k - 1), order.get(k))).toList();
     }
 
     /**

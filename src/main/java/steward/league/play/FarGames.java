@@ -24,7 +24,6 @@ record FarGames(Elsewhere elsewhere) {
         /** Waits for games that belong together, at most so many; returns none at the end. */
         List<Elsewhere.Game> take(int most) throws InterruptedException;
 
-        /** Plays games that were taken. */
         void play(List<Elsewhere.Game> games) throws InterruptedException;
 
         /** Notes that there is no place for games. */

@@ -4,6 +4,7 @@ import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.LongSupplier;
+import java.util.stream.IntStream;
 import steward.bot.command.BotCommand;
 import steward.bot.isolation.Isolation;
 import steward.bot.isolation.SandboxLevel;
@@ -105,10 +106,8 @@ public record GamePlay(Season season, Contest contest, Recordings recordings, St
                               MatchResult result, String problem, boolean last, GameLog log,
                               byte... recording) {
         byte[] name = name(task, members, attempt);
-        List<StoredSeat> seats = new ArrayList<>();
-        for (int seat = 0; seat < members.size(); seat++) {
-            seats.add(seat(members.get(seat), seat, result, log));
-        }
+        List<StoredSeat> seats = IntStream.range(0, members.size())
+            .mapToObj(seat -> seat(members.get(seat), seat, result, log)).toList();
         List<String> names = members.stream().map(member -> member.bot().name()).toList();
         String replay = recording == null ? null : recordings.take(name, recording,
             KeptGames.keeps(settings, result != null, seats, names));

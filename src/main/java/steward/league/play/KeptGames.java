@@ -54,8 +54,7 @@ public record KeptGames(LeagueFolder folder) implements GamePlay.Recordings {
     /**
      * True if the replay of a game that is over is kept.
      *
-     * @param result whether it has one
-     * @param names  of the bots, by seat
+     * @param names of the bots, by seat
      */
     public static boolean keeps(LeagueSettings settings, boolean result, List<StoredSeat> seats, List<String> names) {
         return switch (settings.keep()) {

@@ -85,9 +85,7 @@ public final class LeagueRun {
     /**
      * A run that is to begin.
      *
-     * @param contest  of the scene
      * @param season   its number in the store
-     * @param roster   the bots
      * @param machine  what is noted with each game
      * @param teller   is told what happens, by any thread
      * @param listener is told of each game that is handed over to be stored, by any thread

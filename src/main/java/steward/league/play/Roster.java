@@ -39,7 +39,6 @@ public record Roster(LeagueSettings settings, List<Member> members) {
         }
     }
 
-    /** Copies the list. */
     public Roster {
         members = List.copyOf(members);
     }
@@ -56,7 +55,6 @@ public record Roster(LeagueSettings settings, List<Member> members) {
         return members;
     }
 
-    /** The version of the bot of this name. */
     public Optional<Integer> versionOf(String name) {
         return members.stream().filter(member -> member.bot().name().equals(name))
             .map(member -> member.version().id()).findFirst();

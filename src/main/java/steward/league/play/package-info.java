@@ -1,5 +1,2 @@
-/**
- * A league while it is played: which program each bot is at the moment, the games on their threads, and what is told
- * of them. It knows games only through contests, and does not use the terminal.
- */
+/** A league while it is played: its bots at the moment, the games on their threads, and what is told of them. */
 package steward.league.play;

@@ -13,13 +13,11 @@ public final class BotSums {
     private double nanos;
     private long worstNanos;
 
-    /** Adds a game. */
     void add(StoredSeat seat) {
         add(1, seat.score(), seat.fault() == null ? 0 : 1, seat.answers(), (double) seat.meanNanos() * seat.answers(),
             seat.worstNanos());
     }
 
-    /** Adds sums. */
     void add(long moreGames, double moreScore, long moreFaults, long moreAnswers, double moreNanos, long worst) {
         games += moreGames;
         score += moreScore;

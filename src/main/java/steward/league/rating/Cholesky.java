@@ -56,7 +56,6 @@ final class Cholesky {
         return x;
     }
 
-    /** The inverse of the matrix. */
     double[][] inverse() {
         int size = lower.length;
         double[][] inverse = new double[size][];

@@ -39,9 +39,7 @@ final class ClusterSpread {
     private final boolean tied;
     private final double ties;
     private final double[][] inverse;
-    /**
-     * Covariances by stratum, over its bots' ratings and the weight of ties, in rows; {@code null} without clusters.
-     */
+    /** Covariances by stratum over its bots' ratings and the weight of ties, in rows; or {@code null}. */
     private final double[][] moments;
     private final double[] freedoms;
     /** Strata of two bots: both bots, and the three moments that differ. Looked up one after another. */
@@ -106,9 +104,7 @@ final class ClusterSpread {
         }
     }
 
-    /**
-     * Returns a stratum's part in the variance of a sum along a direction, which has been multiplied by the inverse.
-     */
+    /** Returns a stratum's part in the variance of a sum along a direction multiplied by the inverse. */
     double along(int q, double... along) {
         double last = tied ? along[along.length - 1] : 0;
         if (pairs[2 * q] != pairs[2 * q + 1]) {

@@ -185,7 +185,6 @@ final class Clusters {
         return Arrays.copyOf(numbers, to);
     }
 
-    /** Returns the number of clusters. */
     long count() {
         joinAll();
         return shapes.values().stream().flatMap(patterns -> patterns.values().stream()).mapToLong(Long::longValue)

@@ -3,13 +3,12 @@ package steward.league.rating;
 /**
  * A difference of ratings and how sure it is.
  *
- * @param value    in natural units: the logarithm of wins per loss
- * @param variance of it
- * @param freedom  degrees of freedom of the variance
- * @param single   how much of a single pairing it is: the sum of the squares of the pairings' shares of the variance, 1
- *                 where one has all of it
- * @param bound    where the bar is one-sided, since a bot has won or lost nearly everything: its end, below a positive
- *                 value and above a negative one, in natural units; otherwise NaN
+ * @param value   in natural units: the logarithm of wins per loss
+ * @param freedom degrees of freedom of the variance
+ * @param single  how much of a single pairing it is: the sum of the squares of the pairings' shares of the variance, 1
+ *                where one has all of it
+ * @param bound   where the bar is one-sided, since a bot has won or lost nearly everything: its end, below a positive
+ *                value and above a negative one, in natural units; otherwise NaN
  */
 public record Difference(double value, double variance, double freedom, double single, double bound) {
 
@@ -58,7 +57,6 @@ public record Difference(double value, double variance, double freedom, double s
         return bar < MOST_BAR;
     }
 
-    /** The difference in Elo. */
     public double elo() {
         return RatingFit.ELO * value;
     }

@@ -13,7 +13,6 @@ public final class Normal {
 
     private Normal() { }
 
-    /** The density. */
     public static double density(double x) {
         return StrictMath.exp(-x * x / 2) / ROOT_OF_TWO_PI;
     }

@@ -11,8 +11,6 @@ import java.util.Map;
  */
 final class PairingWeights {
 
-    private PairingWeights() { }
-
     /** Returns the weight of a game, by stratum and pair; {@code pooled} as in {@link RatingFit#of}. */
     static double[][] of(List<Stratum> strata, boolean pooled) {
         Map<List<Integer>, Integer> numbers = new HashMap<>();

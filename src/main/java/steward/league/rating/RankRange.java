@@ -1,10 +1,11 @@
 package steward.league.rating;
 
+import java.util.stream.IntStream;
+
 /**
  * The ranks that the games leave a bot, with 95%: the bars of its differences to all others hold together (Bonferroni).
  *
- * @param best  the best of them, from 1
- * @param worst the worst
+ * @param best the best of them, from 1
  */
 public record RankRange(int best, int worst) {
 
@@ -27,11 +28,8 @@ public record RankRange(int best, int worst) {
                 }
             }
         }
-        RankRange[] ranges = new RankRange[bots];
-        for (int bot = 0; bot < bots; bot++) {
-            ranges[bot] = new RankRange(1 + above[bot], bots - below[bot]);
-        }
-        return ranges;
+        return IntStream.range(0, bots).mapToObj(bot -> new RankRange(1 + above[bot], bots - below[bot]))
+            .toArray(RankRange[]::new);
     }
 
     /** True if a difference is beyond its bar. The bar itself is computed only where its bounds do not tell. */

@@ -2,6 +2,7 @@ package steward.league.rating;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
 
 /**
  * Ratings from all clusters together: the maximum of the posterior of {@link TieModel} with a weak normal prior, each
@@ -234,7 +235,6 @@ public final class RatingFit {
         return strata;
     }
 
-    /** Returns the number of bots. */
     public int bots() {
         return bots;
     }
@@ -264,7 +264,6 @@ public final class RatingFit {
         return residuals;
     }
 
-    /** The difference of two ratings. */
     public Difference difference(int one, int other) {
         return of(along(one, other), ratings[one] - ratings[other]);
     }
@@ -334,11 +333,7 @@ public final class RatingFit {
 
     /** The direction of a difference, multiplied by the inverse. */
     double[] along(int one, int other) {
-        double[] along = new double[inverse.length];
-        for (int k = 0; k < along.length; k++) {
-            along[k] = inverse[one][k] - inverse[other][k];
-        }
-        return along;
+        return IntStream.range(0, inverse.length).mapToDouble(k -> inverse[one][k] - inverse[other][k]).toArray();
     }
 
     /** The difference of a rating to the weighted mean of all; the weights have the sum 1. */

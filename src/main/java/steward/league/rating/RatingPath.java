@@ -6,8 +6,7 @@ import java.util.List;
 /**
  * Path of the ratings while games were played: the table after each of some numbers of games.
  *
- * @param entries the versions
- * @param points  in the order of time
+ * @param points in the order of time
  */
 public record RatingPath(List<LeagueTable.Entry> entries, List<Point> points) {
 

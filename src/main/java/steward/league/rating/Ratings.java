@@ -22,7 +22,6 @@ public record Ratings(List<Integer> versions, RatingFit fit, double... weights) 
         weights = weights.clone();
     }
 
-    /** Rates these versions. */
     public static Ratings of(Results results, List<Integer> versions) {
         List<Integer> sorted = versions.stream().sorted().toList();
         List<Stratum> strata = results.strata(sorted.stream().mapToInt(Integer::intValue).toArray());
@@ -62,7 +61,6 @@ public record Ratings(List<Integer> versions, RatingFit fit, double... weights) 
         return new ScoreTest(fit).bounded(place(one), place(other));
     }
 
-    /** The difference of the ratings of two versions. */
     public Difference difference(int one, int other) {
         return fit.difference(place(one), place(other));
     }

@@ -188,7 +188,6 @@ public final class Results {
         games += count;
     }
 
-    /** Adds sums of a version. */
     public void addSums(int version, long count, double score, long faults, long answers, double nanos, long worst) {
         sums(version).add(count, score, faults, answers, nanos, worst);
     }

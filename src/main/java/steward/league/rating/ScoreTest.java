@@ -64,10 +64,7 @@ public final class ScoreTest {
             double others = fit.value(bot) - found.value() / (1 - mean[bot]);
             return bounded(found, value -> asked(bot, others + value / (1 - mean[bot])));
         }
-        double[] contrast = new double[fit.bots()];
-        for (int i = 0; i < contrast.length; i++) {
-            contrast[i] = (i == bot ? 1 : 0) - mean[i];
-        }
+        double[] contrast = IntStream.range(0, fit.bots()).mapToDouble(i -> (i == bot ? 1 : 0) - mean[i]).toArray();
         return bounded(found, value -> asked(contrast, value));
     }
 

@@ -104,7 +104,6 @@ public final class Stratum {
         }
     }
 
-    /** Returns the number of clusters. */
     public long clusters() {
         return clusters;
     }

@@ -17,7 +17,6 @@ public record ExpectedLength(double chance, double observations) {
     private static final double ALIKE = 0.05;
 
     /**
-     * @param test   the test
      * @param scores how they came, and will come
      * @param from   where the logarithm of the ratio stands; 0 at the beginning
      */

@@ -57,7 +57,6 @@ public record Gsprt(double elo0, double elo1, double alpha, double beta, Model m
         OPEN
     }
 
-    /** Checks the bounds. */
     public Gsprt {
         if (!(elo0 < elo1) || !(alpha > 0 && alpha < 0.5) || !(beta > 0 && beta < 0.5)) {
             throw new IllegalArgumentException("elo0 " + elo0 + ", elo1 " + elo1 + ", alpha " + alpha + ", beta "
@@ -75,7 +74,6 @@ public record Gsprt(double elo0, double elo1, double alpha, double beta, Model m
         return StrictMath.log((1 - beta) / alpha);
     }
 
-    /** The logarithm of the likelihood ratio. */
     public double ratio(ScoreCounts scores) {
         if (scores.observations() == 0) {
             return 0;

@@ -3,6 +3,7 @@ package steward.league.sequential;
 import java.util.Arrays;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.stream.IntStream;
 
 /**
  * Scores of one bot against another, one for each seed that both have played from all seats: (1 + d) / 2, with d the
@@ -28,7 +29,6 @@ public final class ScoreCounts {
         counts = new long[scores.length];
     }
 
-    /** Adds a score. */
     public void add(double score) {
         add(score, 1);
     }
@@ -75,14 +75,10 @@ public final class ScoreCounts {
         for (int k = 0; k < counts.length; k++) {
             sum += count(k);
         }
-        double[] shares = new double[counts.length];
-        for (int k = 0; k < counts.length; k++) {
-            shares[k] = count(k) / sum;
-        }
-        return shares;
+        double all = sum;
+        return IntStream.range(0, counts.length).mapToDouble(k -> count(k) / all).toArray();
     }
 
-    /** Number of observations. */
     public long observations() {
         return observations;
     }

@@ -3,7 +3,6 @@ package steward.league.store;
 /**
  * A row of a league's database that cannot be used.
  *
- * @param table    its table
  * @param key      a condition of SQL that selects it
  * @param column   the first of its columns that is wrong
  * @param value    of the column, as SQL writes it

@@ -48,8 +48,7 @@ public final class GameQueries {
     private final Season key;
 
     /**
-     * @param season its number
-     * @param key    what all its games have in common
+     * @param key what all its games have in common
      */
     public GameQueries(GameStore store, int season, Season key) {
         database = store.database();
@@ -57,7 +56,6 @@ public final class GameQueries {
         this.key = key;
     }
 
-    /** The sums of all games. */
     public Results results() {
         Results results = new Results(key);
         database.inSnapshot(() -> {

@@ -152,7 +152,6 @@ public final class GameStore implements AutoCloseable {
         });
     }
 
-    /** The version of an identity. */
     public Optional<Version> version(String identity) {
         Object id = database.with(() -> database.value("SELECT version FROM identity WHERE hash = ?", identity));
         return id == null ? Optional.empty()
@@ -165,7 +164,6 @@ public final class GameStore implements AutoCloseable {
             .max(Comparator.comparingLong(Version::played).thenComparing(Version::number));
     }
 
-    /** A new version of a bot. */
     public Version add(String bot, String command, boolean random, String identity, long now) {
         database.inTransaction(() -> {
             database.update("INSERT INTO version (bot, number, command, random, began) VALUES (?, 1 + (SELECT "
@@ -234,7 +232,6 @@ public final class GameStore implements AutoCloseable {
 
     // ---- games -----------------------------------------------------------------------------------
 
-    /** True if a game of this name is there. */
     public boolean has(byte[] name) {
         return database.with(() -> database.value("SELECT 1 FROM game WHERE name = ?", (Object) name) != null);
     }
@@ -316,7 +313,6 @@ public final class GameStore implements AutoCloseable {
      * A game that counted and was set aside.
      *
      * @param decision or -1
-     * @param seed     its seed
      * @param lineup   the versions by seat, apart by blanks
      */
     public record SetAside(int decision, long seed, String lineup) { }
@@ -356,7 +352,6 @@ public final class GameStore implements AutoCloseable {
     /**
      * A game that counts, whose replay is kept and whose transcript is not known: earlier versions did not keep it.
      *
-     * @param id     its number
      * @param replay its path in the folder of replays
      */
     public record Unknown(long id, String replay) { }

@@ -3,6 +3,7 @@ package steward.league.store;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
+import java.util.stream.IntStream;
 import steward.league.GameName;
 import steward.league.Season;
 import steward.league.StoredGame;
@@ -43,6 +44,11 @@ public final class MadeUpGames {
     /** A bot without a program. */
     public static GameStore.Version bot(GameStore store, int number) {
         return store.add("bot-" + number, "none", false, String.format("%032x", number), 0);
+    }
+
+    /** So many bots without programs, from the strongest. */
+    public static List<GameStore.Version> bots(GameStore store, int count) {
+        return IntStream.rangeClosed(1, count).mapToObj(number -> bot(store, number)).toList();
     }
 
     /** Adds so many games: any two meet on one seed from both sides, as the schedule of a league has it. */

@@ -18,8 +18,6 @@ final class NativeLibrary {
     private static final String PATH = "org.sqlite.lib.path";
     private static final String NAME = "org.sqlite.lib.name";
 
-    private NativeLibrary() { }
-
     /**
      * Makes sure that it is there, before the first connection.
      *

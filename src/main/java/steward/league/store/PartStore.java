@@ -132,22 +132,18 @@ public final class PartStore implements AutoCloseable {
         }
     }
 
-    /** Returns which part it is. */
     public Head head() {
         return head;
     }
 
-    /** Returns the season of all its games. */
     public Season season() {
         return season;
     }
 
-    /** Its games and versions of bots. */
     public GameStore games() {
         return games;
     }
 
-    /** Returns the queries on its games. */
     public GameQueries queries() {
         return new GameQueries(games, number, season);
     }

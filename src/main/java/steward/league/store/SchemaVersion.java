@@ -93,8 +93,6 @@ final class SchemaVersion {
     /** The newest one. */
     static final int NEWEST = STEPS.size();
 
-    private SchemaVersion() { }
-
     /**
      * Refuses what is no league's database, or a newer one's.
      *

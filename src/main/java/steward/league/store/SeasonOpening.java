@@ -15,9 +15,8 @@ public final class SeasonOpening {
     /**
      * Opens the season that the settings mean.
      *
-     * @param settings of the league
-     * @param season   that they mean
-     * @param anew     whether a table may be begun beside one that has games
+     * @param season that they mean
+     * @param anew   whether a table may be begun beside one that has games
      * @return its number in the store
      * @throws InputException if the games so far are another season's
      */

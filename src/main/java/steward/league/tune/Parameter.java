@@ -9,7 +9,6 @@ import steward.text.TextFormat;
  * it is a whole one, or {@code {name:one|other|third}} for a choice; {@code @start} before the closing brace says where
  * tuning begins, otherwise it is the middle or the first. It is moved on a scale from 0 to 1.
  *
- * @param name    its name
  * @param low     the lowest value; of a choice 0
  * @param high    the highest; of a choice the number of the last
  * @param whole   whether it is a whole number
@@ -21,7 +20,6 @@ public record Parameter(String name, double low, double high, boolean whole, Lis
     private static final double HALF = 0.5;
     private static final int DECIMALS = 6;
 
-    /** Copies the list. */
     public Parameter {
         choices = List.copyOf(choices);
     }

@@ -2,6 +2,7 @@ package steward.league.tune;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
 import steward.numerics.SplitMix64;
 
 /**
@@ -29,8 +30,7 @@ public final class Spsa {
     private final long seed;
 
     /**
-     * @param steps in all
-     * @param seed  of the lots
+     * @param seed of the lots
      */
     public Spsa(TunedCommand command, int steps, long seed) {
         this.command = command;
@@ -63,11 +63,7 @@ public final class Spsa {
     private double[] lots() {
         SplitMix64 random = new SplitMix64(seed + step());
         random.nextLong();
-        double[] lots = new double[places.length];
-        for (int k = 0; k < lots.length; k++) {
-            lots[k] = random.nextLong() < 0 ? -1 : 1;
-        }
-        return lots;
+        return IntStream.range(0, places.length).mapToDouble(k -> random.nextLong() < 0 ? -1 : 1).toArray();
     }
 
     private double move(int parameter) {

@@ -2,6 +2,8 @@ package steward.league.tune;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 
 /**
  * A command with parameters in it.
@@ -11,7 +13,6 @@ import java.util.List;
  */
 public record TunedCommand(List<String> parts, List<Parameter> parameters) {
 
-    /** Copies the lists. */
     public TunedCommand {
         parts = List.copyOf(parts);
         parameters = List.copyOf(parameters);
@@ -59,14 +60,10 @@ public record TunedCommand(List<String> parts, List<Parameter> parameters) {
 
     /** Names and values at these places, for people. */
     public String text(double... places) {
-        List<String> words = new ArrayList<>();
-        for (int k = 0; k < parameters.size(); k++) {
-            words.add(parameters.get(k).name() + " " + parameters.get(k).value(places[k]));
-        }
-        return String.join(", ", words);
+        return IntStream.range(0, parameters.size()).mapToObj(k -> parameters.get(k).name() + " "
+            + parameters.get(k).value(places[k])).collect(Collectors.joining(", "));
     }
 
-    /** Returns where tuning begins. */
     public double[] start() {
         return parameters.stream().mapToDouble(Parameter::start).toArray();
     }

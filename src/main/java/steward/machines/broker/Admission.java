@@ -9,7 +9,6 @@ public interface Admission {
     /**
      * Takes in a worker that is not known yet.
      *
-     * @param worker     its name
      * @param secret     its own
      * @param invitation the secret of an invitation
      * @return why not, or {@code null} if it may play now

@@ -45,8 +45,6 @@ public final class BrokerClient implements AutoCloseable {
     /** Failure of a connection: it could not be made, or it broke. */
     public static final class BrokenException extends Exception {
 
-        private static final long serialVersionUID = 1;
-
         private final boolean refused;
 
         /** @param refused see {@link #isRefused} */

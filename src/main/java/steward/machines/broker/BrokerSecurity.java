@@ -32,7 +32,6 @@ final class BrokerSecurity implements ActiveMQSecurityManager5 {
 
     /**
      * @param league    the name of the league itself, which no worker can have
-     * @param secret    its secret
      * @param admission of workers
      */
     BrokerSecurity(String league, String secret, Admission admission) {

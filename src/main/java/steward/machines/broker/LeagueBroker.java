@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.stream.Collectors;
 import org.apache.activemq.artemis.api.core.ActiveMQException;
 import org.apache.activemq.artemis.api.core.Message;
 import org.apache.activemq.artemis.api.core.QueueConfiguration;
@@ -72,7 +73,6 @@ public final class LeagueBroker implements AutoCloseable {
      * A worker's message.
      *
      * @param worker its name, as the broker knows it
-     * @param bytes  of the message
      */
     public record Report(String worker, byte[] bytes) { }
 
@@ -80,7 +80,6 @@ public final class LeagueBroker implements AutoCloseable {
      * Starts.
      *
      * @param address   to listen at
-     * @param key       of the broker
      * @param workers   whom there may be a queue for
      * @param admission of them, and of others that come with an invitation
      * @param gate      who may be handed jobs
@@ -214,7 +213,6 @@ public final class LeagueBroker implements AutoCloseable {
         }
     }
 
-    /** Tells a worker something. */
     public void tell(String worker, byte[] message) {
         send(Queues.TO + worker, message, null, Set.of());
     }
@@ -222,7 +220,6 @@ public final class LeagueBroker implements AutoCloseable {
     /**
      * Offers a job to all workers.
      *
-     * @param job     its id
      * @param bundles the bots that it needs, by their hashes
      */
     public void offer(String job, Set<String> bundles, byte[] message) {
@@ -298,13 +295,8 @@ public final class LeagueBroker implements AutoCloseable {
 
     /** The workers that are connected, by name. */
     public Set<String> connected() {
-        Set<String> workers = new TreeSet<>();
-        for (ServerSession session : server.getSessions()) {
-            if (!LEAGUE.equals(session.getUsername())) {
-                workers.add(String.valueOf(session.getUsername()));
-            }
-        }
-        return workers;
+        return server.getSessions().stream().map(session -> String.valueOf(session.getUsername()))
+            .filter(worker -> !worker.equals(LEAGUE)).collect(Collectors.toCollection(TreeSet::new));
     }
 
     /** Closes the connections of a worker and removes what waits of it and for it; its jobs go to others. */

@@ -14,8 +14,6 @@ final class Queues {
     /** Before a bundle's hash: that a job needs it. */
     static final String NEEDS = "b_";
 
-    private Queues() { }
-
     /** Returns the selector of jobs that do not need any of these bundles; {@code null} for all jobs. */
     static String without(Iterable<String> bundles) {
         StringBuilder filter = new StringBuilder();

@@ -1,5 +1,2 @@
-/**
- * Apache ActiveMQ Artemis, embedded: the broker in a league's process, and a worker's connection to it. Nothing else
- * knows Artemis, and it is loaded by nothing but the commands that play on several machines.
- */
+/** Apache ActiveMQ Artemis, embedded: a league's broker, and a worker's connection. Nothing else knows it. */
 package steward.machines.broker;

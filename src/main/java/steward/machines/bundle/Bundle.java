@@ -66,12 +66,8 @@ public record Bundle(String hash, byte[] bytes) {
             list.put("platforms", bot.platforms().stream().map(each -> new HeaderText().put("platform", each.platform())
                 .putTexts("command", written(bot.on(each.platform())))).toList());
         }
-        List<HeaderText> entries = new ArrayList<>();
-        for (Path file : files) {
-            entries.add(new HeaderText().put("typed", file.toString()).put("place", place(file))
-                .put("executable", Files.isExecutable(file)));
-        }
-        list.put("files", entries);
+        list.put("files", files.stream().map(file -> new HeaderText().put("typed", file.toString())
+            .put("place", place(file)).put("executable", Files.isExecutable(file))).toList());
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         try (ZipOutputStream zip = new ZipOutputStream(bytes)) {
             entry(zip, LIST, list.text().getBytes(StandardCharsets.UTF_8));

@@ -55,9 +55,8 @@ public record UnpackedBundle(Path folder, BotCommand command) {
     /**
      * Unpacks a bundle, unless it is there. It appears as a whole or not at all. Nothing is written outside its folder.
      *
-     * @param parent where bundles are
-     * @param hash   that its bytes have to have
-     * @param here   the platform that its command is to be for
+     * @param hash that its bytes have to have
+     * @param here the platform that its command is to be for
      * @throws InputException if it is not what it should be, or the disk is full
      */
     public static UnpackedBundle of(Path parent, String hash, byte[] bytes, String here) {

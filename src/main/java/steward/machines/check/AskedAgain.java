@@ -36,7 +36,6 @@ public final class AskedAgain {
     /**
      * Asks a bot, a second time if it answers otherwise.
      *
-     * @param bot    its name
      * @param worker whose game it is
      * @param ask    asks it once; {@code null} if all answers are the recorded ones
      */

@@ -13,7 +13,6 @@ import steward.contest.GameFacts;
  */
 public record CheckedGame(int turns, GameFacts facts, List<Seat> seats, long nanos) {
 
-    /** Copies the list. */
     public CheckedGame {
         seats = List.copyOf(seats);
     }

@@ -3,8 +3,6 @@ package steward.machines.check;
 /** A game that did not happen as it is said. The message says what was found and what was expected. */
 public final class DisprovedException extends Exception {
 
-    private static final long serialVersionUID = 1;
-
     private final boolean computed;
 
     private DisprovedException(String message, boolean computed) {

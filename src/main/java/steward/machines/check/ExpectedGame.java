@@ -6,13 +6,11 @@ import steward.match.Protocol;
 /**
  * A game that has to have been played.
  *
- * @param seed      its seed
  * @param names     that the players go by
  * @param protocols that they speak
  */
 public record ExpectedGame(long seed, List<String> names, List<Protocol> protocols) {
 
-    /** Copies the lists. */
     public ExpectedGame {
         names = List.copyOf(names);
         protocols = List.copyOf(protocols);

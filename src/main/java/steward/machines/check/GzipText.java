@@ -25,12 +25,10 @@ public final class GzipText {
 
     private GzipText() { }
 
-    /** Compresses. */
     public static byte[] compressed(byte[] bytes) {
         return compressed(bytes, bytes.length);
     }
 
-    /** Compresses so many of the bytes. */
     static byte[] compressed(byte[] bytes, int count) {
         return compressed(bytes, count, Deflater.DEFAULT_COMPRESSION);
     }

@@ -57,7 +57,6 @@ public final class WorkerBook {
     /**
      * A worker, as its games tell.
      *
-     * @param name     its name
      * @param games    that count
      * @param aside    that were set aside
      * @param faults   of bots in those that count
@@ -66,7 +65,6 @@ public final class WorkerBook {
      */
     public record Line(String name, long games, long aside, long faults, long repeated, List<String> doubts) {
 
-        /** Copies the list. */
         public Line {
             doubts = List.copyOf(doubts);
         }

@@ -62,10 +62,9 @@ public final class PartMerge {
     /**
      * A merge.
      *
-     * @param number  of the season in the store
-     * @param roster  the bots as they are now
-     * @param contest of the scene
-     * @param share   of the games whose bots are asked again, 0..1; with 0 it is none of the first, either
+     * @param number of the season in the store
+     * @param roster the bots as they are now
+     * @param share  of the games whose bots are asked again, 0..1; with 0 it is none of the first, either
      */
     public PartMerge(LeagueFolder folder, GameStore store, Season season, int number, Roster roster, Contest contest,
                      GameTypes types, double share) {
@@ -251,12 +250,8 @@ public final class PartMerge {
     private static ExpectedGame expected(PartStore part, StoredGame game, Map<Integer, Version> versions) {
         Map<Integer, String> names = part.games().versions().stream()
             .collect(Collectors.toMap(Version::id, Version::display));
-        List<Protocol> protocols = new ArrayList<>();
-        for (int version : game.lineup()) {
-            Version own = versions.get(version);
-            LeagueBot bot = new LeagueBot(own.bot(), own.command(), null, false, false);
-            protocols.add(Contest.entrant(bot.typed(), Protocol.JSON).protocol());
-        }
+        List<Protocol> protocols = Arrays.stream(game.lineup()).mapToObj(versions::get).map(own -> Contest.entrant(
+            new LeagueBot(own.bot(), own.command(), null, false, false).typed(), Protocol.JSON).protocol()).toList();
         return new ExpectedGame(game.seed(), Arrays.stream(game.lineup()).mapToObj(names::get).toList(), protocols);
     }
 

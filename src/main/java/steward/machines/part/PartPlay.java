@@ -68,7 +68,6 @@ public final class PartPlay {
      *
      * @param part     with the versions of its bots, see {@link #prepare}
      * @param roster   the bots, read by {@code reader}
-     * @param contest  of the scene
      * @param machine  what is noted with each game
      * @param nanos    after which no game is begun; {@code Long.MAX_VALUE} for no end
      * @param listener is told of each attempt that is stored, by any thread

@@ -15,7 +15,6 @@ public abstract class ForwardedGames implements Elsewhere {
         this.games = games;
     }
 
-    /** Returns the games of the workers. */
     protected final RemoteGames games() {
         return games;
     }

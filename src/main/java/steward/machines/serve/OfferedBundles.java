@@ -57,12 +57,10 @@ final class OfferedBundles {
             .toList();
     }
 
-    /** True if there is a bundle of this hash. */
     boolean has(String hash) {
         return byHash.containsKey(hash);
     }
 
-    /** Returns the message with a piece of a bundle. */
     byte[] piece(WorkerWord.Fetch fetch) {
         int from = fetch.from();
         Bundle bundle = byHash.get(fetch.bundle());

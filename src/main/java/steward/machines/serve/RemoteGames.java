@@ -93,7 +93,6 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
      * @param address    to listen at
      * @param share      of the games whose bots are asked again, 0..1
      * @param leaseNanos after which a job is offered again that a worker has
-     * @param version    of this program
      * @param scaled     true if the time limits of a worker are scaled by the speed that it has measured
      */
     public record Service(InetSocketAddress address, double share, long leaseNanos, String version, boolean scaled) { }
@@ -101,8 +100,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
     /**
      * Begins to serve.
      *
-     * @param contest of the scene
-     * @param teller  is told what happens, by any thread
+     * @param teller is told what happens, by any thread
      * @throws InputException if nothing can listen there, or a bot cannot be packed
      */
     public RemoteGames(LeagueFolder folder, Season season, Contest contest, LeagueSettings settings, GameTypes types,

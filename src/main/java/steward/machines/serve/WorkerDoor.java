@@ -62,7 +62,6 @@ final class WorkerDoor implements Admission {
         }
     }
 
-    /** Returns the workers of the list. */
     List<WorkerList.Worker> workers() {
         return list.workers();
     }

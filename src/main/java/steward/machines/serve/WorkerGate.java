@@ -15,7 +15,6 @@ final class WorkerGate implements Gate {
         this.pauses = pauses;
     }
 
-    /** Notes that a worker has joined. */
     void joined(String worker, int slots) {
         most.put(worker, 2 * slots + 2);
         pauses.joined(worker);

@@ -28,7 +28,6 @@ final class WorkerPauses {
      * Goes on with the pauses of earlier runs.
      *
      * @param clock  milliseconds since 1970
-     * @param before the pauses by worker
      * @param keeper is given all pauses when they have changed
      */
     WorkerPauses(LongSupplier clock, Map<String, Pause> before, Consumer<Map<String, Pause>> keeper) {

@@ -5,12 +5,9 @@ import java.util.List;
 /**
  * A worker, for people.
  *
- * @param name     its name
  * @param slots    games at the same time; 0 if it is not there
  * @param rate     games in a second that were believed, in this run
- * @param version  of its program
  * @param silentMs since its last word
- * @param caught   whether it was caught
  * @param doubts   what is doubtful by the answers of its bots, a sentence each
  */
 public record WorkerSeen(String name, int slots, double rate, String version, long silentMs, boolean caught,

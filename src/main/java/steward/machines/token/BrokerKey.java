@@ -158,7 +158,6 @@ public final class BrokerKey {
         }
     }
 
-    /** The fingerprint of the key. */
     public String fingerprint() {
         return fingerprint(certificate().getPublicKey());
     }

@@ -25,7 +25,6 @@ public record Invitation(String name, String hash, int count, Instant until, boo
     /**
      * File of an invitation, as a machine gets it.
      *
-     * @param name   of the invitation
      * @param secret 43 characters of base64url
      * @param broker see {@link BrokerKey#fingerprint()}
      */

@@ -29,7 +29,6 @@ public final class KeptPauses {
      */
     public record Pause(long length, long began) { }
 
-    /** Pauses of the workers of a league. */
     public KeptPauses(LeagueFolder folder) {
         this.folder = WorkerList.folder(folder);
     }

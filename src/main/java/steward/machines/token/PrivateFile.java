@@ -92,7 +92,6 @@ public final class PrivateFile {
         }
     }
 
-    /** Its text. */
     static String read(Path file, String expected) {
         try {
             if (Files.isDirectory(file) || Files.notExists(file)) {

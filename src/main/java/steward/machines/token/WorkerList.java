@@ -49,7 +49,6 @@ public record WorkerList(List<Worker> workers, List<Invitation> invitations) {
      */
     public record Worker(String name, String hash, String revoked, boolean aside, String invited) { }
 
-    /** Copies the lists. */
     public WorkerList {
         workers = List.copyOf(workers);
         invitations = List.copyOf(invitations);
@@ -123,7 +122,6 @@ public record WorkerList(List<Worker> workers, List<Invitation> invitations) {
         return this;
     }
 
-    /** The worker of a name. */
     public Optional<Worker> of(String name) {
         return workers.stream().filter(worker -> worker.name().equals(name)).findFirst();
     }
@@ -174,7 +172,6 @@ public record WorkerList(List<Worker> workers, List<Invitation> invitations) {
         return new WorkerList(Stream.concat(workers.stream(), Stream.of(worker)).toList(), invitations);
     }
 
-    /** The invitation of a name. */
     public Optional<Invitation> invitation(String name) {
         return invitations.stream().filter(invitation -> invitation.name().equals(name)).findFirst();
     }
@@ -187,7 +184,6 @@ public record WorkerList(List<Worker> workers, List<Invitation> invitations) {
     /**
      * Makes an invitation, and a key for the broker if there is none.
      *
-     * @param name of the invitation
      * @param file where it is written
      * @throws InputException if the name is taken, or the file cannot be written
      */

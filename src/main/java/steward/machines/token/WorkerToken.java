@@ -16,7 +16,6 @@ import steward.scene.json.SceneException;
  * Token with which a worker joins a league: its name and secret, and the fingerprint of the key that the broker has to
  * have.
  *
- * @param worker     its name
  * @param secret     43 characters of base64url: 256 bits by lot
  * @param broker     see {@link BrokerKey#fingerprint()}
  * @param invitation secret with which the league takes in a worker that it does not know yet; {@code null} without one,
@@ -36,7 +35,6 @@ public record WorkerToken(String worker, String secret, String broker, String in
         this(worker, secret, broker, null);
     }
 
-    /** Returns a new secret. */
     static String newSecret() {
         byte[] random = new byte[SECRET_BYTES];
         new SecureRandom().nextBytes(random);

@@ -10,7 +10,6 @@ import steward.scene.json.Block;
  * Games that a worker is to play, one after the other. Short ones go in one message: a message costs as much as a short
  * game.
  *
- * @param id    of the job
  * @param games in order, at least one
  */
 public record GameJob(String id, List<Game> games) {
@@ -20,7 +19,6 @@ public record GameJob(String id, List<Game> games) {
     private static final int MOST_SEATS = 16;
     private static final int MOST_BOTS = MOST_GAMES * MOST_SEATS;
 
-    /** Copies the list. */
     public GameJob {
         games = List.copyOf(games);
     }
@@ -28,12 +26,10 @@ public record GameJob(String id, List<Game> games) {
     /**
      * One of them.
      *
-     * @param seed  of the game
      * @param seats the players in order
      */
     public record Game(long seed, List<Seat> seats) {
 
-        /** Copies the list. */
         public Game {
             seats = List.copyOf(seats);
         }
@@ -53,10 +49,8 @@ public record GameJob(String id, List<Game> games) {
         Map<Seat, Integer> numbers = new LinkedHashMap<>();
         List<HeaderText> texts = new ArrayList<>();
         for (Game game : games) {
-            List<HeaderText> seats = new ArrayList<>();
-            for (Seat seat : game.seats()) {
-                seats.add(new HeaderText().put("bot", numbers.computeIfAbsent(seat, any -> numbers.size())));
-            }
+            List<HeaderText> seats = game.seats().stream().map(seat -> new HeaderText().put("bot",
+                numbers.computeIfAbsent(seat, any -> numbers.size()))).toList();
             texts.add(new HeaderText().put("seed", Long.toString(game.seed())).put("seats", seats));
         }
         List<HeaderText> bots = numbers.keySet().stream().map(bot -> new HeaderText().put("name", bot.name())

@@ -29,19 +29,16 @@ public final class HeaderText {
         return this;
     }
 
-    /** True or false. */
     public HeaderText put(String name, boolean flag) {
         fields.put(name, flag);
         return this;
     }
 
-    /** Objects. */
     public HeaderText put(String name, List<HeaderText> objects) {
         fields.put(name, List.copyOf(objects));
         return this;
     }
 
-    /** Texts. */
     public HeaderText putTexts(String name, List<String> texts) {
         fields.put(name, List.copyOf(texts));
         return this;

@@ -12,7 +12,6 @@ public interface LeagueWord {
     /**
      * Acceptance of a worker, and how its games are played.
      *
-     * @param version of its program
      * @param rules   what that computes in the scene, as a fingerprint
      * @param jar     digest of the game's jar, {@code null} for a game of the program
      * @param factor  by which the scene's time limits are multiplied
@@ -38,7 +37,6 @@ public interface LeagueWord {
             return new Welcome(version, rules, jar, factor, basis, hiccups, hold, text, hash, bytes);
         }
 
-        /** Returns the encoded message. */
         public byte[] bytes() {
             HeaderText header = new HeaderText().put("type", "welcome").put("version", version).put("rules", rules)
                 .put("jar", jar).put("factor", Double.toString(factor)).put("basis", basis.word())
@@ -53,7 +51,6 @@ public interface LeagueWord {
     /** Refusal of a worker. */
     record Refused(String reason) implements LeagueWord {
 
-        /** Returns the encoded message. */
         public byte[] bytes() {
             return WireMessage.bytes(new HeaderText().put("type", "refused").put("reason", reason));
         }
@@ -62,9 +59,8 @@ public interface LeagueWord {
     /**
      * A piece of a bundle or of a long scene.
      *
-     * @param bundle its hash
-     * @param from   which byte is the first
-     * @param bytes  none if the league does not know it; not copied
+     * @param from  which byte is the first
+     * @param bytes none if the league does not know it; not copied
      */
     record Piece(String bundle, int from, byte[] bytes) implements LeagueWord {
     }

@@ -3,6 +3,7 @@ package steward.machines.wire;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
 import steward.contest.Attempts;
 import steward.scene.json.Block;
 
@@ -17,7 +18,6 @@ public interface WorkerWord {
     /**
      * First message of a worker: its version, rules and capacity.
      *
-     * @param version of its program
      * @param bits    what that computes: the keys of the laws of all rungs, or one key for all
      * @param machine what it plays on
      * @param slots   games at the same time
@@ -31,8 +31,7 @@ public interface WorkerWord {
     /**
      * Request for the next piece of a bundle.
      *
-     * @param bundle its hash
-     * @param from   which byte is the first
+     * @param from which byte is the first
      */
     record Fetch(String bundle, int from) implements WorkerWord {
     }
@@ -40,26 +39,20 @@ public interface WorkerWord {
     /**
      * Result of a job.
      *
-     * @param job   its id
      * @param games of the job's in their order; those that are missing at the end were not begun
      */
     record Result(String job, List<Played> games) implements WorkerWord {
 
-        /** Copies the list. */
         public Result {
             games = List.copyOf(games);
         }
 
-        /** Returns the encoded message. */
         public byte[] bytes() {
             List<HeaderText> texts = new ArrayList<>();
             List<byte[]> payloads = new ArrayList<>();
             for (Played game : games) {
-                List<HeaderText> attempts = new ArrayList<>();
-                for (int k = 0; k < game.transcripts().size(); k++) {
-                    attempts.add(new HeaderText().put("size", game.transcripts().get(k).length)
-                        .put("starved", game.starved().get(k)));
-                }
+                List<HeaderText> attempts = IntStream.range(0, game.transcripts().size()).mapToObj(k -> new HeaderText()
+                    .put("size", game.transcripts().get(k).length).put("starved", game.starved().get(k))).toList();
                 texts.add(new HeaderText().put("attempts", attempts).put("problem", game.problem())
                     .put("discarded", game.discarded()));
                 payloads.addAll(game.transcripts());
@@ -84,7 +77,6 @@ public interface WorkerWord {
             this(transcripts, starved, problem, null);
         }
 
-        /** Copies the lists. */
         public Played {
             transcripts = List.copyOf(transcripts);
             starved = List.copyOf(starved);

@@ -14,8 +14,6 @@ import steward.match.Turn;
 /** Tries whether a bot runs on this machine: it is asked once, in the first turn of a game against itself. */
 final class BotTrial {
 
-    private BotTrial() { }
-
     /** Returns why it does not run here, or {@code null}. A late answer says nothing: the machine may be busy. */
     static String problem(Contest contest, Entrant entrant) throws InterruptedException {
         if (entrant.problem() != null) {

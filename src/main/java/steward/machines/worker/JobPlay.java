@@ -55,8 +55,6 @@ final class JobPlay {
     /** The league's program computes other results. */
     static final class OtherRulesException extends Exception {
 
-        private static final long serialVersionUID = 1;
-
         private final String field;
         private final String own;
 
@@ -75,8 +73,6 @@ final class JobPlay {
     /** A bot that does not run here. */
     static final class UnfitException extends Exception {
 
-        private static final long serialVersionUID = 1;
-
         private final String bundle;
 
         UnfitException(String bundle, String message) {
@@ -92,10 +88,9 @@ final class JobPlay {
     /**
      * Takes what the league says of its games.
      *
-     * @param folder  where bundles go
+     * @param folder   where bundles go
      * @param platform that this machine is
-     * @param version of this program
-     * @param starter starts bots, or {@code null} for programs
+     * @param starter  starts bots, or {@code null} for programs
      * @throws InputException      if it cannot be used
      * @throws OtherRulesException if the league's program computes other results in this scene
      */

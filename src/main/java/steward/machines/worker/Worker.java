@@ -65,8 +65,6 @@ public final class Worker {
     /** The league does not take this worker: its token is not good, or the programs compute other results. */
     public static final class RefusedException extends RuntimeException {
 
-        private static final long serialVersionUID = 1;
-
         RefusedException(String message) {
             super(message);
         }
@@ -75,16 +73,12 @@ public final class Worker {
     /**
      * Options of a worker.
      *
-     * @param host      of the league
-     * @param port      of its broker
-     * @param token     who it is
      * @param slots     games at the same time
      * @param games     after which it ends; {@code Long.MAX_VALUE} for no end
      * @param nanos     after which no game is begun; {@code Long.MAX_VALUE} for no end
      * @param isolation how bots are kept apart
      * @param folder    where bundles go
      * @param platform  that it is, as commands of bots are for one
-     * @param version   of this program
      * @param machine   what it is played on
      * @param starter   starts bots, {@code null} as the league's programs
      */

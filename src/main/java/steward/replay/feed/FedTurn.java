@@ -16,7 +16,6 @@ import steward.replay.verify.Difference;
 public record FedTurn(int number, boolean replaced, String fault, String recordedFault, List<Difference> differences,
                       boolean gone) {
 
-    /** Copies the list. */
     public FedTurn {
         differences = List.copyOf(differences);
     }

@@ -2,10 +2,10 @@ package steward.replay.feed;
 
 import java.io.OutputStream;
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.IntConsumer;
+import java.util.stream.IntStream;
 import steward.bot.Player;
 import steward.game.Game;
 import steward.game.GameTypes;
@@ -142,10 +142,7 @@ public final class Takeover {
             : recorded.asked(player));
     }
 
-    /**
-     * Names one of the other players that has to answer but has neither a command nor a fault in this turn; or
-     * {@code null}.
-     */
+    /** Names another player who has to answer and has no command or fault in this turn; or {@code null}. */
     private String missing(RecordedTurn recorded) {
         for (int other = 0; other < game.players(); other++) {
             if (other != conversation.player() && game.isAsked(other) && !recorded.hasCommand(other)
@@ -265,12 +262,6 @@ public final class Takeover {
 
     private List<String> ahead() {
         int[] ranks = game.ranks();
-        List<String> ahead = new ArrayList<>();
-        for (int player = 0; player < ranks.length; player++) {
-            if (ranks[player] == 0) {
-                ahead.add(names.get(player));
-            }
-        }
-        return Collections.unmodifiableList(ahead);
+        return IntStream.range(0, ranks.length).filter(player -> ranks[player] == 0).mapToObj(names::get).toList();
     }
 }

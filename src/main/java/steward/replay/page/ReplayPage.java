@@ -110,7 +110,6 @@ public final class ReplayPage {
      */
     public record Shell(String before, String after, String scriptHash, String styleHash) { }
 
-    /** The page without a replay. */
     public static Shell shell() {
         PageTemplate page = PageTemplate.ofReplay("", null);
         page.put("title", "{{title}}");

@@ -19,8 +19,6 @@ final class SentFrames {
     /** Characters of frames that a page holds at most: it is still opened in a moment. */
     private static final int MOST = 24 << 20;
 
-    private SentFrames() { }
-
     /**
      * Returns UTF-8 text of one line per turn, from turn 0 on: a JSON array with the lines that each player was sent,
      * as one string or {@code null}. Returns {@code null} if the match cannot be played again.

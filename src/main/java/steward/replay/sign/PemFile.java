@@ -33,8 +33,6 @@ final class PemFile {
 
     private static final Set<PosixFilePermission> OWNER = PosixFilePermissions.fromString("rw-------");
 
-    private PemFile() { }
-
     /**
      * @param expected for errors
      * @throws InputException if it cannot be read, or is not PEM of that kind

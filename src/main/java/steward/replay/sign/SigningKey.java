@@ -78,8 +78,6 @@ public final class SigningKey {
     /** Returns the bytes of a key in place of random ones. */
     private static final class Given extends SecureRandom {
 
-        private static final long serialVersionUID = 1L;
-
         private final byte[] seed;
 
         Given(byte[] seed) {

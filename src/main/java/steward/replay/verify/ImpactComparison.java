@@ -94,7 +94,6 @@ final class ImpactComparison {
         return impulses[impact];
     }
 
-    /** Returns the counts over all turns. */
     ImpactCounts counts() {
         return new ImpactCounts(equal, within, outside, shown);
     }

@@ -11,6 +11,5 @@ package steward.replay.verify;
  */
 public record ImpactCounts(int equal, int within, int outside, int shown) {
 
-    /** None. */
     public static final ImpactCounts NONE = new ImpactCounts(0, 0, 0, 0);
 }

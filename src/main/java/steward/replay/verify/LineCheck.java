@@ -235,9 +235,7 @@ final class LineCheck {
         return agrees;
     }
 
-    /**
-     * The difference of a line whose values agree: its hash is wrong, or was computed for another spelling of the line.
-     */
+    /** The difference of a line whose values agree: its hash is wrong, or that of another spelling. */
     private Difference lineDiffers(int turn, String hash, JsonLine line) {
         Difference difference = RecordedJson.compareHash(turn, hash, line);
         if (difference != null) {

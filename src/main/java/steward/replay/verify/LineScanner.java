@@ -25,8 +25,6 @@ final class LineScanner {
     private static final byte[] END = bytes("]}}");
     private static final int MOST_DIGITS = 18;
 
-    private LineScanner() { }
-
     private static byte[] bytes(String text) {
         return text.getBytes(StandardCharsets.UTF_8);
     }

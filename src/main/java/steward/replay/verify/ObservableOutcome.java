@@ -15,8 +15,6 @@ import tools.jackson.core.JsonGenerator;
  */
 final class ObservableOutcome {
 
-    private ObservableOutcome() { }
-
     /**
      * Fields of an outcome; the caller opens and closes the object.
      *

@@ -5,8 +5,6 @@ import steward.replay.ReplayException;
 /** Thrown for a replay that was played by an older law of its rung: it can be watched, but not played again. */
 public final class OlderLawException extends ReplayException {
 
-    private static final long serialVersionUID = 1;
-
     private final String laws;
 
     /**

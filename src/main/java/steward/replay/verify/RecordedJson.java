@@ -15,8 +15,6 @@ import tools.jackson.core.ObjectWriteContext;
 /** Parts of recorded lines beside the same parts as they are written today. */
 final class RecordedJson {
 
-    private RecordedJson() { }
-
     /** One object. */
     static byte[] object(Consumer<JsonGenerator> fields) {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream(4096);

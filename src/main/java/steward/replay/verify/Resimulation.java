@@ -185,7 +185,6 @@ public final class Resimulation {
         return views;
     }
 
-    /** Its codec. */
     public FrameCodec codec() {
         return codec;
     }

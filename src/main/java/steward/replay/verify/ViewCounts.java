@@ -10,6 +10,5 @@ import java.util.List;
  */
 public record ViewCounts(long values, List<String> notCompared) {
 
-    /** None. */
     public static final ViewCounts NONE = new ViewCounts(0, List.of());
 }

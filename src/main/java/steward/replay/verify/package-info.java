@@ -1,5 +1,2 @@
-/**
- * Playing a recorded match again and comparing every turn with what was recorded, to the bit; the first difference is
- * named.
- */
+/** Playing a recorded match again and comparing every turn with the recorded one, to the bit. */
 package steward.replay.verify;

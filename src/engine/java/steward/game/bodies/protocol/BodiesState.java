@@ -67,7 +67,6 @@ final class BodiesState extends CommandListState<Thrust> {
         }
     }
 
-    /** The field {@code scores}. */
     static void writeScores(JsonGenerator out, BodiesGame game) {
         JsonNumbers.writeAll(out, "scores", game.scores());
     }

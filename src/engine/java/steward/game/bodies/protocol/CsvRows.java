@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.regex.Pattern;
+import java.util.stream.IntStream;
 import steward.scene.json.Block;
 import steward.scene.json.JsonValue;
 import steward.scene.json.JsonValue.Entry;
@@ -59,13 +60,8 @@ final class CsvRows {
 
     /** The rows; blank lines are left out. */
     List<Block> blocks() {
-        List<Block> rows = new ArrayList<>();
-        for (int number = 2; number <= lines.size(); number++) {
-            if (!lines.get(number - 1).isBlank()) {
-                rows.add(row(lines.get(number - 1), number));
-            }
-        }
-        return rows;
+        return IntStream.range(1, lines.size()).filter(k -> !lines.get(k).isBlank())
+            .mapToObj(k -> row(lines.get(k), k + 1)).toList();
     }
 
     private Block row(String text, int number) {

@@ -36,8 +36,6 @@ final class EntityJson {
         static final SerializedString LOST = new SerializedString("outOfPlay");
     }
 
-    private EntityJson() { }
-
     /**
      * Wizards, snaffles in play and bludgers.
      *

@@ -123,7 +123,6 @@ public final class FantasticBitsType implements GameType {
     /**
      * Fantastic Bits with the settings of one scene.
      *
-     * @param scene    the scene
      * @param settings its block {@code match}
      * @param plan     the parts that the scene requires
      */

@@ -153,7 +153,6 @@ final class MeanMaxShown implements ServerView.Shown {
         return line;
     }
 
-    /** A line of the end of a turn. */
     private void readEnd(ViewLines view, int line, ShownTurn turn, Map<Integer, Integer> before) {
         String[] words = view.words(line);
         if (words.length == 0) {

@@ -31,7 +31,6 @@ import steward.scene.Scene;
 /** Mean Max as a {@link GameType}. */
 public final class MeanMaxType implements GameType {
 
-    /** Most tankers per player. */
     private static final int TANKERS = 3;
 
     @Override
@@ -97,7 +96,6 @@ public final class MeanMaxType implements GameType {
     /**
      * Mean Max with the settings of one scene.
      *
-     * @param scene    the scene
      * @param settings its block {@code harvest}
      * @param plan     the parts that the scene requires
      */

@@ -35,8 +35,6 @@ final class UnitJson {
         static final SerializedString LOOTER = new SerializedString("looter");
     }
 
-    private UnitJson() { }
-
     /** @param whole with what bots do not see: the player that a tanker was spawned for */
     static void writeUnits(JsonGenerator out, SerializableString name, MeanMax game, boolean whole) {
         writeUnits(out, name, game, game.bodies().size(), whole);

@@ -13,7 +13,6 @@ import tools.jackson.core.JsonGenerator;
 /**
  * Shapes of a pod race: field, walls, checkpoints, pods and bumpers.
  *
- * @param race  the race
  * @param scene what it was made from
  */
 record PodRaceDrawing(PodRace race, Scene scene) implements Drawing {

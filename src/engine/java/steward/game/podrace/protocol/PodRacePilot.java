@@ -20,8 +20,6 @@ final class PodRacePilot {
     /** A pod that shall stop somewhere gets a unit of thrust per this many u of distance. */
     private static final int BRAKE = 10;
 
-    private PodRacePilot() { }
-
     static String answer(PodRace race, int player, SplitMix64 random, Pilot.Aim aim) {
         int pods = race.settings().podsPerPlayer();
         StringJoiner all = new StringJoiner(",", "{\"pods\":[", "]}");

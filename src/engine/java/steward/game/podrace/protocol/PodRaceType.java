@@ -73,7 +73,6 @@ public final class PodRaceType implements GameType {
     /**
      * A pod race with the settings of one scene.
      *
-     * @param scene    the scene
      * @param settings its blocks {@code pods} and {@code race}
      * @param plan     the parts that the scene requires
      */

@@ -121,7 +121,7 @@ final class PodRaceViews implements ViewWriter {
         for (int k = 0; k < race.log().kept(); k++) {
             view.add(impact(race.log().impact(k)));
         }
-        List<String> summary = summary(ranks);
+        List<String> summary = new ArrayList<>(summary(ranks));
         if (ends) {
             summary.add(REST);
         }
@@ -192,11 +192,8 @@ final class PodRaceViews implements ViewWriter {
 
     private List<String> summary(int... podRanks) {
         int[] ranks = ranks(podRanks);
-        List<String> lines = new ArrayList<>();
-        for (int player = 0; player < ranks.length; player++) {
-            lines.add("$" + player + (race.isIn(player) ? "" : " eliminated!") + " rank: " + (ranks[player] + 1));
-        }
-        return lines;
+        return IntStream.range(0, ranks.length).mapToObj(player -> "$" + player
+            + (race.isIn(player) ? "" : " eliminated!") + " rank: " + (ranks[player] + 1)).toList();
     }
 
     /** Time and impulse are compared with all that {@code ImpactRange} allows, as values of the turn. */

@@ -12,8 +12,6 @@ final class CertainRounding {
     /** The most corners of all paths in a turn. */
     static final int MOST_CORNERS = 500;
 
-    private CertainRounding() { }
-
     /** True if the roundings of these pods (bits) are all certain: no fraction is close to where the result changes. */
     static boolean areSure(int which, double[] speed, int pods) {
         for (int pod = 0; pod < pods; pod++) {

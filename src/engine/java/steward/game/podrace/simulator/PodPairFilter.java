@@ -5,8 +5,6 @@ import steward.physics.event.OfficialAdvance;
 /** Sets pairs of pods aside that cannot meet in a turn, from their places and velocities in {@link PodTurn}'s array. */
 final class PodPairFilter {
 
-    private PodPairFilter() { }
-
     /** True if no pair of four pods can meet, by the coarse test without a loop; true for most turns. */
     static boolean allFar(double[] of, double reach) {
         double x0 = of[PodTurn.X];

@@ -126,7 +126,6 @@ public final class PodRaceBatch {
         return new PodTurn(checkpoints, PODS, PODS / PLAYERS, LAPS, rules);
     }
 
-    /** The number of games. */
     public int games() {
         return states.length;
     }

@@ -43,10 +43,7 @@ public final class PodRaceSimulator {
     /** The maximum number of pods in a race. */
     public static final int MOST_PODS = OfficialAdvance.MOST_BODIES;
 
-    /**
-     * The greatest coordinate (u) and speed (u per turn) that can be set, in magnitude. Far below it turns may already
-     * take long, see above.
-     */
+    /** The greatest magnitude of a coordinate (u) and speed (u per turn) to set. Turns may take long far below it. */
     public static final double GREATEST = 0x1p200;
 
     /** The distance of the targets that stand for a command by angle, in u. */
@@ -138,16 +135,15 @@ public final class PodRaceSimulator {
      * Sets the state of a pod. Whole numbers are usual; others are played as {@link PodRace} would. The turns left of
      * the player do not change.
      *
-     * @param x             in u, of at most {@link #GREATEST} in magnitude
-     * @param y             in u, likewise
-     * @param vx            in u per turn, likewise
-     * @param vy            in u per turn, likewise
-     * @param heading       in radians, NaN while unset
-     * @param podTimer      4 after the turn the shield was raised, counting down to 0; at 4 the pod weighs 10 until its
-     *                      next command
-     * @param podBoostLeft  whether the boost is left
-     * @param podPassed     checkpoints passed since the start, 0..1,000,000; the next is number
-     *                      {@code (podPassed + 1) % n}
+     * @param x         in u, of at most {@link #GREATEST} in magnitude
+     * @param y         in u, likewise
+     * @param vx        in u per turn, likewise
+     * @param vy        in u per turn, likewise
+     * @param heading   in radians, NaN while unset
+     * @param podTimer  4 after the turn the shield was raised, counting down to 0; at 4 the pod weighs 10 until its
+     *                  next command
+     * @param podPassed checkpoints passed since the start, 0..1,000,000; the next is number
+     *                  {@code (podPassed + 1) % n}
      * @throws IllegalArgumentException  if a number is out of range; then the state is unchanged
      * @throws IndexOutOfBoundsException if there is no such pod
      */
@@ -245,12 +241,10 @@ public final class PodRaceSimulator {
         turn.play(state, counts, commands.targetX, commands.targetY, commands.thrust, 0);
     }
 
-    /** The number of pods in the race. */
     public int pods() {
         return pods;
     }
 
-    /** The player that owns a pod. */
     public int playerOf(int pod) {
         return pod / perPlayer;
     }
@@ -275,10 +269,7 @@ public final class PodRaceSimulator {
         return state[PodTurn.NUMBERS * pod + PodTurn.VY];
     }
 
-    /**
-     * The exact heading in radians, not normalised; NaN while unset. It may have to be computed, which takes about 10
-     * ns.
-     */
+    /** The exact heading in radians, not normalised; NaN while unset. Where it has to be computed that takes 10 ns. */
     public double heading(int pod) {
         return Headings.angle(state, PodTurn.NUMBERS * pod + PodTurn.HEADING);
     }
@@ -340,7 +331,6 @@ public final class PodRaceSimulator {
         return counts[PodTurn.COUNTS * pod + PodTurn.TIMER] & PodTurn.TIMER_BITS;
     }
 
-    /** True if the boost is left. */
     public boolean boostLeft(int pod) {
         return counts[PodTurn.COUNTS * pod + PodTurn.BOOST] != 0;
     }

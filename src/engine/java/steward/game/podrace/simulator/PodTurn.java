@@ -99,8 +99,7 @@ final class PodTurn {
     }
 
     /**
-     * @param advance of the scene
-     * @param log     receives the impacts that are recorded
+     * @param log receives the impacts that are recorded
      */
     PodTurn(double[][] checkpoints, int pods, int perPlayer, int laps, RulesEdition rules, OfficialAdvance advance,
             TurnLog log) {

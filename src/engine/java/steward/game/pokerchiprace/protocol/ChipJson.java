@@ -22,8 +22,6 @@ final class ChipJson {
         static final SerializedString VY = new SerializedString("vy");
     }
 
-    private ChipJson() { }
-
     /** All chips in play, in the order of their ids. */
     static void write(JsonGenerator out, SerializableString name, PokerChipRace game) {
         Bodies bodies = game.bodies();

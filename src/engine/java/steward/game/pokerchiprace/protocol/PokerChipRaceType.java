@@ -84,7 +84,6 @@ public final class PokerChipRaceType implements GameType {
     /**
      * The Poker Chip Race with the settings of one scene.
      *
-     * @param scene    the scene
      * @param settings its block {@code chips}
      * @param plan     the parts that the scene requires
      */

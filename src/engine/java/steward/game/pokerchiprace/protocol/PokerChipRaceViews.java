@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.StringJoiner;
 import java.util.TreeMap;
 import java.util.function.IntUnaryOperator;
+import java.util.stream.IntStream;
 import steward.game.Game;
 import steward.game.ShownMessages;
 import steward.game.ViewWriter;
@@ -237,11 +238,8 @@ final class PokerChipRaceViews implements ViewWriter {
 
     /** Of players who are in, the score. */
     private List<String> summary() {
-        List<String> lines = new ArrayList<>();
-        for (int player = 0; player < in.length; player++) {
-            lines.add("$" + player + (!game.isIn(player) || anyFailed ? " " + REST : " score: " + game.score(player)));
-        }
-        return lines;
+        return IntStream.range(0, in.length).mapToObj(player -> "$" + player
+            + (!game.isIn(player) || anyFailed ? " " + REST : " score: " + game.score(player))).toList();
     }
 
     /** Halves of the shortest decimal away from zero, as the server writes them. */

@@ -28,8 +28,6 @@ final class GraphicsLines {
     private static final Set<String> CURVES = Set.of("_", "\u0393", "/", "\ud83d\ude56", "\ud83d\ude52", "\u222b", "~");
     private static final JsonMapper MAPPER = JsonMapper.shared();
 
-    private GraphicsLines() { }
-
     /** The JSON of a view, or {@code null} if its line 1 is none. */
     static JsonNode json(String line) {
         try {

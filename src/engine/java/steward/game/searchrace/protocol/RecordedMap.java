@@ -15,8 +15,6 @@ final class RecordedMap {
     private static final Pattern PLACE = Pattern.compile("-?[0-9]{1,7} -?[0-9]{1,7}");
     private static final Pattern TURN = Pattern.compile("0( -?[0-9]+){4} [0-9]+");
 
-    private RecordedMap() { }
-
     /** The official scene on the map, {@code null} if these are no lines of this game. */
     static String sceneOf(List<String> lines) {
         int all = lines.isEmpty() || !COUNT.matcher(lines.get(0)).matches() ? 0 : Integer.parseInt(lines.get(0));

@@ -6,11 +6,7 @@ import steward.json.DrawingJson;
 import steward.json.JsonObject;
 import tools.jackson.core.JsonGenerator;
 
-/**
- * Shapes of a search race: the field, the checkpoints, and the car, which is a point and gets the size of a mark.
- *
- * @param race the race
- */
+/** Shapes of a search race: the field, the checkpoints, and the car, which is a point and gets the size of a mark. */
 record SearchRaceDrawing(SearchRace race) implements Drawing {
 
     private static final double WIDTH = 16_000;

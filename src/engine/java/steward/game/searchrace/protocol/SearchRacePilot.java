@@ -13,8 +13,6 @@ final class SearchRacePilot {
     /** One of this many commands turns by degrees. */
     private static final int TURNS = 10;
 
-    private SearchRacePilot() { }
-
     static String answer(SearchRace race, SplitMix64 random) {
         if (random.nextInt(TURNS) == 0) {
             return "{\"turn\":" + random.nextInt(-18, 18) + ",\"thrust\":" + random.nextInt(0, 200) + "}";

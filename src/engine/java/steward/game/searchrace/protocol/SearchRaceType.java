@@ -80,7 +80,6 @@ public final class SearchRaceType implements GameType {
     /**
      * A search race with the settings of one scene.
      *
-     * @param scene    the scene
      * @param settings its blocks {@code race} and {@code map}
      * @param plan     the parts that the scene requires
      */

@@ -31,7 +31,7 @@ final class HoldTurns {
     private static final List<String> SEARCHING = List.of("sh", "-c", "while read -r l; do k=0; while [ $k -lt 5000 ];"
         + " do k=$((k + 1)); done; echo; done");
     private static final int HOGS = 16;
-    /** Never reached; there is one, since without limits nobody is held. */
+    /** Never reached; without limits nobody is held, and the watchdog has nothing to watch. */
     private static final long LIMIT = TimeUnit.MINUTES.toNanos(1);
     private static final double NANOS = 1e9;
     private static final double NANOS_PER_MICRO = 1e3;
@@ -62,7 +62,7 @@ final class HoldTurns {
         measure(SEARCHING, rounds / 2, SLOW_TURNS, " of bots that compute", about, rows);
         try (BotProcess hogs = new BotProcess("hogs", new Launch(BUSY, Isolation.usual().holding(HoldPolicy.NEVER),
                 List.of()), BotProcess.DEFAULT_GRACE_MS)) {
-            ask(hogs);
+            ask(hogs, frame);
             measure(responder, Math.max(2, rounds / 10), SLOW_TURNS, ", beside " + HOGS + " busy processes", about,
                 rows);
         }
@@ -83,10 +83,7 @@ final class HoldTurns {
         }
         double never = Meter.median(spent[0]);
         for (int k = 0; k < policies.size(); k++) {
-            double[] ratios = new double[rounds - warm];
-            for (int round = 0; round < ratios.length; round++) {
-                ratios[round] = spent[k][round] / spent[0][round];
-            }
+            double[] ratios = Meter.ratios(spent[k], spent[0], rounds - warm);
             double turn = Meter.median(spent[k]);
             rows.accept(new Row(section, "a turn, --hold " + policies.get(k).word() + where, "turns", NANOS / turn,
                 never / turn, Double.NaN, k == 0 ? "" : String.format(Locale.ROOT, "%.3f times never (median of pairs);"
@@ -101,12 +98,12 @@ final class HoldTurns {
             for (int k = 0; k < 2; k++) {
                 bots.add(new BotProcess("bot", new Launch(command, Isolation.usual().holding(policy), List.of()),
                     BotProcess.DEFAULT_GRACE_MS));
-                ask(bots.get(k));
+                ask(bots.get(k), frame);
             }
             long start = System.nanoTime();
             for (int turn = 0; turn < turns; turn++) {
-                ask(bots.get(0));
-                ask(bots.get(1));
+                ask(bots.get(0), frame);
+                ask(bots.get(1), frame);
             }
             return (System.nanoTime() - start) / (double) turns;
         } finally {
@@ -114,7 +111,7 @@ final class HoldTurns {
         }
     }
 
-    private void ask(Player bot) {
+    static void ask(Player bot, byte... frame) {
         Answer answer = new Answer();
         if (bot.ask(frame, frame.length, 1, LIMIT, answer) != Player.Ending.ANSWERED) {
             throw new IllegalStateException("a bot failed that only answers: " + answer.fault() + " "

@@ -3,13 +3,13 @@ package steward.lab.bench.section;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.SplittableRandom;
 import java.util.function.Consumer;
+import java.util.stream.IntStream;
 import steward.contest.Contest;
 import steward.contest.KeptReplays;
 import steward.contest.Series;
@@ -76,11 +76,8 @@ record LeagueSection(MatchFixture fixture, int threads) implements Section {
     }
 
     private static List<Integer> sizes(Effort effort) {
-        List<Integer> sizes = new ArrayList<>();
-        for (int games = LEAST_GAMES; games <= (effort == Effort.QUICK ? MOST_QUICK : MOST_GAMES); games *= 10) {
-            sizes.add(games);
-        }
-        return sizes;
+        int most = effort == Effort.QUICK ? MOST_QUICK : MOST_GAMES;
+        return IntStream.iterate(LEAST_GAMES, games -> games <= most, games -> 10 * games).boxed().toList();
     }
 
     @Override
@@ -116,10 +113,7 @@ record LeagueSection(MatchFixture fixture, int threads) implements Section {
         try (GameStore store = GameStore.write(new LeagueFolder(folder))) {
             Season season = Season.of(fixture.setup(), LeagueSettings.usual(fixture.setup().scene().name(), 1));
             int number = store.open(season);
-            List<GameStore.Version> versions = new ArrayList<>();
-            for (int bot = 1; bot <= bots; bot++) {
-                versions.add(MadeUpGames.bot(store, bot));
-            }
+            List<GameStore.Version> versions = MadeUpGames.bots(store, bots);
             new MadeUpGames(store, number, season, versions, new SplittableRandom(1)).add(games);
             List<LeagueTable.Entry> entries = versions.stream().map(version ->
                 new LeagueTable.Entry(version.id(), version.display(), false, true)).toList();
@@ -151,11 +145,7 @@ record LeagueSection(MatchFixture fixture, int threads) implements Section {
         int number;
         try (GameStore store = GameStore.write(folder)) {
             number = store.open(season);
-            List<GameStore.Version> versions = new ArrayList<>();
-            for (int bot = 1; bot <= BOTS; bot++) {
-                versions.add(MadeUpGames.bot(store, bot));
-            }
-            new MadeUpGames(store, number, season, versions, new SplittableRandom(1)).add(games);
+            new MadeUpGames(store, number, season, MadeUpGames.bots(store, BOTS), new SplittableRandom(1)).add(games);
         }
         double seconds = (System.nanoTime() - began) / NANOS;
         rows.accept(new Row(name(), many + " stored", "games", games / seconds, Double.NaN, Double.NaN,

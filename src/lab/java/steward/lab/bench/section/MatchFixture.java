@@ -10,8 +10,6 @@ import steward.match.DirectBot;
 /**
  * Fixture to measure whole matches; supplied by the command line, which alone knows the games.
  *
- * @param types     the games
- * @param setup     the scene
  * @param direct    makes a bot that reads the game itself
  * @param lines     makes a bot with the same commands that reads and writes lines
  * @param responder a program that answers everything with the same valid line, see {@link FixedAnswerBot}

@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import java.util.stream.IntStream;
 import steward.bot.Bot;
 import steward.bot.InProcessPlayer;
 import steward.lab.bench.Contender;
@@ -89,11 +90,8 @@ final class MatchSection implements Section {
 
     private double meanTurns() {
         if (meanTurns == 0) {
-            long turns = 0;
-            for (int seed = 0; seed < SEEDS; seed++) {
-                turns += match(direct(), seed, NO_LISTENER).turns();
-            }
-            meanTurns = (double) turns / SEEDS;
+            meanTurns = (double) IntStream.range(0, SEEDS).map(seed -> match(direct(), seed, NO_LISTENER).turns()).sum()
+                / SEEDS;
         }
         return meanTurns;
     }
@@ -171,11 +169,7 @@ final class MatchSection implements Section {
     }
 
     private static List<String> names(MatchFixture fixture) {
-        List<String> names = new ArrayList<>();
-        for (int player = 0; player < fixture.setup().scene().players(); player++) {
-            names.add("bot-" + player);
-        }
-        return names;
+        return IntStream.range(0, fixture.setup().scene().players()).mapToObj(player -> "bot-" + player).toList();
     }
 
     private List<Seat> direct() {

@@ -1,11 +1,11 @@
 package steward.lab.bench.section;
 
 import java.io.IOException;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Consumer;
+import java.util.stream.IntStream;
 import steward.bot.process.BotProcess;
 import steward.bot.process.PipeRoundTrip;
 import steward.game.GameSetup;
@@ -186,10 +186,8 @@ record ProcessSection(MatchFixture fixture, GameSetup longGame, int longTurns, G
 
     private static void play(GameSetup setup, List<String> command, MatchListener listener)
             throws InterruptedException {
-        List<Seat> seats = new ArrayList<>();
-        for (int player = 0; player < setup.scene().players(); player++) {
-            seats.add(new Seat(new BotProcess("bot-" + player, command), Protocol.JSON));
-        }
+        List<Seat> seats = IntStream.range(0, setup.scene().players()).mapToObj(player ->
+            new Seat(new BotProcess("bot-" + player, command), Protocol.JSON)).toList();
         if (Referee.of(setup, 1, seats, TimeControl.UNLIMITED, listener).play().anyFault()) {
             throw new IllegalStateException("a bot failed that only answers");
         }

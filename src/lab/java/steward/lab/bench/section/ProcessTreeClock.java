@@ -17,8 +17,6 @@ final class ProcessTreeClock {
 
     private static final Path PROCESSES = Path.of("/proc");
 
-    private ProcessTreeClock() { }
-
     /** In nanoseconds; NaN where the system does not provide it. */
     static double nanos() {
         ProcessHandle self = ProcessHandle.current();

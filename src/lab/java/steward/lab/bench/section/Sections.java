@@ -28,7 +28,6 @@ public final class Sections {
         return new FrameSection(fixture, next, answer);
     }
 
-    /** Verification of replays. */
     public static Section verify(MatchFixture fixture) {
         return new VerifySection(fixture);
     }
@@ -61,12 +60,10 @@ public final class Sections {
         return new GrowthSection(fixture, scenes);
     }
 
-    /** Leagues. */
     public static Section leagues(MatchFixture fixture, int threads) {
         return new LeagueSection(fixture, threads);
     }
 
-    /** The start of the program. */
     public static Section start(MatchFixture fixture) {
         return new StartupSection(fixture);
     }

@@ -4,10 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
-import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
-import steward.bot.Answer;
-import steward.bot.Player;
 import steward.bot.TimeBasis;
 import steward.bot.accounting.TreeSampler;
 import steward.bot.isolation.Isolation;
@@ -25,8 +22,6 @@ final class TimeBasisTurns {
 
     /** Turns of a round. */
     private static final int TURNS = 100;
-    /** Never reached; there is one, so that the watchdog has something to watch. */
-    private static final long LIMIT = TimeUnit.MINUTES.toNanos(1);
     private static final double NANOS = 1e9;
     private static final double NANOS_PER_MICRO = 1e3;
 
@@ -58,14 +53,14 @@ final class TimeBasisTurns {
                     BotProcess.DEFAULT_GRACE_MS);
                 bot.limitBy(basis);
                 bots.add(bot);
-                ask(bot);
+                HoldTurns.ask(bot, frame);
             }
             for (int round = 0; round < rounds; round++) {
                 about.accept("limits of time");
                 for (int k = 0; k < bots.size(); k++) {
                     long start = System.nanoTime();
                     for (int turn = 0; turn < TURNS; turn++) {
-                        ask(bots.get(k));
+                        HoldTurns.ask(bots.get(k), frame);
                     }
                     if (round >= warm) {
                         turns[k][round - warm] = (System.nanoTime() - start) / (double) TURNS;
@@ -81,14 +76,6 @@ final class TimeBasisTurns {
             rows.accept(new Row(section, "turn of a bot, --time " + bases.get(k).word(), "turns", NANOS / turn,
                 wall / turn, Double.NaN, String.format(Locale.ROOT, "%+.1f us against wall",
                 (turn - wall) / NANOS_PER_MICRO)));
-        }
-    }
-
-    private void ask(Player bot) {
-        Answer answer = new Answer();
-        if (bot.ask(frame, frame.length, 1, LIMIT, answer) != Player.Ending.ANSWERED) {
-            throw new IllegalStateException("a bot failed that only answers: " + answer.fault() + " "
-                + answer.stderr());
         }
     }
 }

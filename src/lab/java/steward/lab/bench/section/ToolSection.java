@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Consumer;
@@ -79,16 +78,11 @@ record ToolSection(MatchFixture fixture, Path tools) implements Section {
             }
         }
         for (int k = 0; k < referees.length; k++) {
-            double[] ratios = new double[rounds];
-            for (int round = 0; round < rounds; round++) {
-                ratios[round] = nanos[k][round] / nanos[0][round];
-            }
-            double[] sorted = ratios.clone();
-            Arrays.sort(sorted);
+            double[] ratios = Meter.ratios(nanos[k], nanos[0], rounds);
             rows.accept(new Row(name(), tool.word() + ", " + referees[k].word(), "games",
                 NANOS / Meter.median(nanos[k]), 1 / Meter.median(ratios), Double.NaN, k == 0 ? ""
                 : String.format(Locale.ROOT, "%.3f times the CPU of Go's (%.3f to %.3f in %d pairs)",
-                Meter.median(ratios), sorted[0], sorted[rounds - 1], rounds)));
+                Meter.median(ratios), ratios[0], ratios[rounds - 1], rounds)));
         }
     }
 }

@@ -3,14 +3,13 @@ package steward.lab.cli.bench;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
+import java.util.stream.IntStream;
 import steward.game.Game;
 import steward.game.GameSetup;
 import steward.game.podrace.PodRace;
 import steward.game.podrace.PodState;
 
-/**
- * The pods of a race turn by turn, copied into another race of the same scene over and over, so that all have moved.
- */
+/** The pods of a race turn by turn, copied over and over into another race of the scene: all have moved. */
 final class BenchRaceStates implements Consumer<Game> {
 
     private static final int MOST = 256;
@@ -29,11 +28,7 @@ final class BenchRaceStates implements Consumer<Game> {
         while (states.size() < MOST && !race.isOver()) {
             bots.forEach(BenchDirectBot::turn);
             race.play();
-            PodState[] pods = new PodState[race.settings().pods()];
-            for (int pod = 0; pod < pods.length; pod++) {
-                pods[pod] = race.pod(pod);
-            }
-            states.add(pods);
+            states.add(IntStream.range(0, race.settings().pods()).mapToObj(race::pod).toArray(PodState[]::new));
         }
     }
 

@@ -24,8 +24,6 @@ final class BenchSeconds {
         entry("referees", 60, 110, 160),
         entry("crowds", 8, 50, 300));
 
-    private BenchSeconds() { }
-
     private static Map.Entry<String, int[]> entry(String part, int quick, int normal, int full) {
         return Map.entry(part, new int[] {quick, normal, full});
     }

@@ -35,8 +35,6 @@ final class BenchSuite {
     private static final List<String> QUICK_JVM = List.of("-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC",
         "-Xshare:auto", "-XX:-UsePerfData");
 
-    private BenchSuite() { }
-
     /**
      * All sections, in the order of the table.
      *

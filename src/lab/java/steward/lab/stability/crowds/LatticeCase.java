@@ -1,6 +1,7 @@
 package steward.lab.stability.crowds;
 
 import java.util.Locale;
+import java.util.stream.IntStream;
 import steward.lab.trial.Finding;
 import steward.lab.trial.Probe;
 import steward.lab.trial.Progress;
@@ -50,10 +51,7 @@ public final class LatticeCase extends StabilityCase {
     }
 
     private static boolean agrees(Advance advance, int pairs) {
-        int[] place = new int[2 * pairs];
-        for (int k = 0; k < place.length; k++) {
-            place[k] = k;
-        }
+        int[] place = IntStream.range(0, 2 * pairs).toArray();
         Bodies plain = lattice(place);
         SplitMix64 random = new SplitMix64(SEED);
         for (int k = place.length - 1; k > 0; k--) {

@@ -77,13 +77,7 @@ public final class MirrorCase extends StabilityCase {
             advance.turn(one, probe);
             mirrored.turn(other, new Probe());
         }
-        Bodies back = copy(other, mx, my);
-        for (int k = 0; k < one.size(); k++) {
-            if (!Probe.same(one, k, back, k)) {
-                return false;
-            }
-        }
-        return true;
+        return Probe.same(one, copy(other, mx, my));
     }
 
     /** Around the origin, in the same order in the mirror image. */

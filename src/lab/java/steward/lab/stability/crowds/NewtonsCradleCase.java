@@ -1,5 +1,6 @@
 package steward.lab.stability.crowds;
 
+import java.util.stream.IntStream;
 import steward.lab.trial.Finding;
 import steward.lab.trial.Probe;
 import steward.lab.trial.Progress;
@@ -55,11 +56,6 @@ public final class NewtonsCradleCase extends StabilityCase {
 
     private static boolean speeds(Bodies bodies, double speed) {
         int leaves = speed > 0 ? BALLS - 1 : 0;
-        for (int k = 0; k < BALLS; k++) {
-            if (bodies.vx[k] != (k == leaves ? speed : 0) || bodies.vy[k] != 0) {
-                return false;
-            }
-        }
-        return true;
+        return IntStream.range(0, BALLS).allMatch(k -> bodies.vx[k] == (k == leaves ? speed : 0) && bodies.vy[k] == 0);
     }
 }

@@ -1,6 +1,7 @@
 package steward.lab.stability.crowds;
 
 import java.util.Locale;
+import java.util.stream.IntStream;
 import steward.lab.trial.Finding;
 import steward.lab.trial.Probe;
 import steward.lab.trial.Progress;
@@ -91,12 +92,8 @@ public final class RandomCradlesCase extends StabilityCase {
     /** True if the last has the velocity of the first, but for rounding, and the others rest but for as much. */
     private static boolean isPassedOn(Bodies before, Bodies after) {
         int last = before.size() - 1;
-        for (int k = 0; k <= last; k++) {
-            if (!(Math.abs(after.vx[k] - (k == last ? before.vx[0] : 0)) <= ROUNDING * before.vx[0])) {
-                return false;
-            }
-        }
-        return true;
+        return IntStream.rangeClosed(0, last).allMatch(k ->
+            Math.abs(after.vx[k] - (k == last ? before.vx[0] : 0)) <= ROUNDING * before.vx[0]);
     }
 
     /** The first has crossed all gaps, and the last flies, before three quarters of the turn. */
@@ -120,11 +117,7 @@ public final class RandomCradlesCase extends StabilityCase {
 
     private static boolean hasPassedOn(Bodies before, Bodies after) {
         int last = before.size() - 1;
-        for (int k = 0; k <= last; k++) {
-            if (after.vx[k] != (k == last ? before.vx[0] : 0) || after.vy[k] != (k == last ? before.vy[0] : 0)) {
-                return false;
-            }
-        }
-        return true;
+        return IntStream.rangeClosed(0, last).allMatch(k -> after.vx[k] == (k == last ? before.vx[0] : 0)
+            && after.vy[k] == (k == last ? before.vy[0] : 0));
     }
 }

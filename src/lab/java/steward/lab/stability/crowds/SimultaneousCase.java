@@ -1,8 +1,7 @@
 package steward.lab.stability.crowds;
 
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Locale;
+import java.util.stream.IntStream;
 import steward.lab.trial.Finding;
 import steward.lab.trial.Progress;
 import steward.lab.trial.RunLength;
@@ -50,10 +49,7 @@ public final class SimultaneousCase extends StabilityCase {
         Bodies bodies = world.bodies().copy();
         TurnLog log = new TurnLog();
         advance.turn(bodies, log);
-        List<String> seen = new ArrayList<>();
-        for (int k = 0; k < Math.min(log.impacts(), world.impacts().size()); k++) {
-            seen.add(log.impact(k).a() + " " + log.impact(k).b());
-        }
-        return seen.equals(world.impacts());
+        return world.impacts().equals(IntStream.range(0, Math.min(log.impacts(), world.impacts().size()))
+            .mapToObj(k -> log.impact(k).a() + " " + log.impact(k).b()).toList());
     }
 }

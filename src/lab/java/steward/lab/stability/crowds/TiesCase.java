@@ -52,7 +52,7 @@ public final class TiesCase extends StabilityCase {
             impacts += one.impacts();
             number += one.impacts() != other.impacts() ? 1 : 0;
             order += sameOrder(one, other) ? 0 : 1;
-            bits += Probe.finite(bodies) && sameBits(bodies, copy) ? 0 : 1;
+            bits += Probe.finite(bodies) && Probe.same(bodies, copy) ? 0 : 1;
             if (n % 100 == 99) {
                 progress.reached((n + 1.0) / worlds, () -> "");
             }
@@ -61,15 +61,6 @@ public final class TiesCase extends StabilityCase {
             String.format(Locale.ROOT,
             "%d worlds, %d impacts: %d worlds differ in number, %d in order, %d in bits", worlds, impacts, number,
             order, bits));
-    }
-
-    private static boolean sameBits(Bodies one, Bodies other) {
-        for (int k = 0; k < one.size(); k++) {
-            if (!Probe.same(one, k, other, k)) {
-                return false;
-            }
-        }
-        return true;
     }
 
     private static void play(Advance advance, Bodies bodies, TurnLog log) {

@@ -26,7 +26,6 @@ import steward.physics.TurnLog;
  */
 public final class TruePathCase extends StabilityCase {
 
-    /** Name of the case. */
     public static final String NAME = "true path";
 
     private static final int[] COUNTS = {3, 10, 30, 100};

@@ -1,4 +1,2 @@
-/**
- * Cases of the stability table with one body or two: grazing, extreme speeds, masses and radii, corners, late times.
- */
+/** Cases of the stability table with one body or two: grazing, extremes of numbers, corners, late times. */
 package steward.lab.stability.pairs;

@@ -43,9 +43,6 @@ final class TradeoffFields {
         new Field("ratioLow", TradeoffRow::ratioLow),
         new Field("ratioHigh", TradeoffRow::ratioHigh));
 
-    private TradeoffFields() { }
-
-    /** The heads of the columns. */
     static String[] names() {
         return ALL.stream().map(Field::name).toArray(String[]::new);
     }

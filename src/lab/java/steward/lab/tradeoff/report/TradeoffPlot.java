@@ -12,10 +12,7 @@ import steward.lab.chart.Drawing;
 import steward.lab.tradeoff.TradeoffResult;
 import steward.lab.tradeoff.TradeoffRow;
 
-/**
- * Draws error against cost: a panel per scene, one under the other so that a phone shows them large, all with the same
- * logarithmic axes.
- */
+/** Draws error against cost: a panel per scene, one under the other, with the same logarithmic axes. */
 final class TradeoffPlot implements Drawing {
 
     /** The first scene alone, for light and for dark pages. */

@@ -9,8 +9,6 @@ import steward.league.play.LeagueRun;
 /** Figures of a run in the text format of Prometheus, at {@code /metrics} of the watched port. */
 final class LeagueMetrics {
 
-    private LeagueMetrics() { }
-
     /**
      * Returns the figures.
      *

@@ -33,7 +33,6 @@ public interface Serving {
         /** Returns how many games wait for a worker. */
         int waiting();
 
-        /** Returns the workers' rows to show. */
         List<WorkerRow> workers();
 
         @Override

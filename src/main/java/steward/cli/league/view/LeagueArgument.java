@@ -17,7 +17,6 @@ public final class LeagueArgument {
         return OutputFiles.path(folder);
     }
 
-    /** The league in it. */
     public LeagueFolder open() {
         return LeagueFolder.open(path());
     }

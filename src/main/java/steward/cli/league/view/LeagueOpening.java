@@ -35,7 +35,6 @@ public final class LeagueOpening {
 
     private LeagueOpening() { }
 
-    /** The scene. */
     public static GameSetup setup(LeagueFolder folder, LeagueSettings settings) {
         return folder.named(() -> Games.open(folder.scene(settings.scene())));
     }
@@ -69,7 +68,6 @@ public final class LeagueOpening {
         return passed;
     }
 
-    /** A bot of the league by its name. */
     public static LeagueBot bot(LeagueSettings settings, String name) {
         List<String> names = settings.bots().stream().map(LeagueBot::name).toList();
         return settings.bot(name).orElseThrow(() -> new InputException("found no bot '" + name + "' in the league, "
@@ -97,7 +95,6 @@ public final class LeagueOpening {
     /**
      * The games of the last season, opened for reading.
      *
-     * @param folder   of the league
      * @param settings as the file says now
      * @param store    to be closed
      * @param season   what all its games have in common
@@ -107,12 +104,10 @@ public final class LeagueOpening {
     public record Opened(LeagueFolder folder, LeagueSettings settings, GameStore store, Season season,
                          GameQueries games, List<LeagueTable.Entry> entries) implements AutoCloseable {
 
-        /** The workers that have played. */
         public List<WorkerRow> workers() {
             return WorkerBooks.rows(WorkerBooks.read(games, store));
         }
 
-        /** The table. */
         public LeagueTable table() {
             Results results = games.results();
             return LeagueTable.of(results, entries);
