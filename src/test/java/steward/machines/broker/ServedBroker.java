@@ -28,6 +28,11 @@ final class ServedBroker implements AutoCloseable {
     private final int port;
 
     ServedBroker(Path folder, String... workers) throws IOException {
+        this(folder, LeagueBroker.QUOTA, workers);
+    }
+
+    /** @param quota bytes of one worker's reports that may wait */
+    ServedBroker(Path folder, long quota, String... workers) throws IOException {
         this.folder = folder;
         LeagueFolder league = new LeagueFolder(Files.createDirectory(folder.resolve("league")));
         for (String worker : workers) {
@@ -36,7 +41,7 @@ final class ServedBroker implements AutoCloseable {
         port = FreePort.next();
         WorkerList list = WorkerList.read(league);
         broker = new LeagueBroker(new InetSocketAddress("127.0.0.1", port), new BrokerKey(league),
-            Arrays.asList(workers), list::admits, Gate.OPEN);
+            Arrays.asList(workers), list::admits, Gate.OPEN, quota);
     }
 
     /** Clients of a broker of another process. */
