@@ -17,6 +17,7 @@ import org.apache.activemq.artemis.core.remoting.impl.netty.TransportConstants;
 import steward.cli.FreePort;
 import steward.league.LeagueFolder;
 import steward.machines.token.BrokerKey;
+import steward.machines.token.SharedBrokerKey;
 import steward.machines.token.WorkerList;
 import steward.machines.token.WorkerToken;
 
@@ -35,6 +36,7 @@ final class ServedBroker implements AutoCloseable {
     ServedBroker(Path folder, long quota, String... workers) throws IOException {
         this.folder = folder;
         LeagueFolder league = new LeagueFolder(Files.createDirectory(folder.resolve("league")));
+        SharedBrokerKey.put(league);
         for (String worker : workers) {
             WorkerList.add(league, worker, folder.resolve(worker + ".token"));
         }
