@@ -56,12 +56,12 @@ public final class LeagueBroker implements AutoCloseable {
     /** Bytes that may wait in a queue: a quarter of the heap at most. */
     private static final long MOST_WAITING = Math.min(256L << 20, Runtime.getRuntime().maxMemory() / 4);
     /** Bytes of one worker's reports that may wait: a longest one, or a quarter of all. */
-    private static final long QUOTA = Math.max(WireMessage.LONGEST + (1 << 16), MOST_WAITING / 4);
+    static final long QUOTA = Math.max(WireMessage.LONGEST + (1 << 16), MOST_WAITING / 4);
     private static final int CONNECTIONS = 2000;
 
     private final ActiveMQServerImpl server;
     private final LeasePlugin leases;
-    private final WorkerSessions sessions = new WorkerSessions(QUOTA);
+    private final WorkerSessions sessions;
     private final ServerLocator locator;
     private final ClientSessionFactory factory;
     private final ClientSession sending;
@@ -87,8 +87,15 @@ public final class LeagueBroker implements AutoCloseable {
      */
     public LeagueBroker(InetSocketAddress address, BrokerKey key, Iterable<String> workers,
                         Admission admission, Gate gate) {
+        this(address, key, workers, admission, gate, QUOTA);
+    }
+
+    /** @param quota bytes of one worker's reports that may wait */
+    LeagueBroker(InetSocketAddress address, BrokerKey key, Iterable<String> workers, Admission admission, Gate gate,
+                 long quota) {
         refuseTaken(address);
         leases = new LeasePlugin(gate);
+        sessions = new WorkerSessions(quota);
         byte[] random = new byte[32];
         new SecureRandom().nextBytes(random);
         String secret = HexFormat.of().formatHex(random);

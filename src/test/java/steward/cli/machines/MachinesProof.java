@@ -27,6 +27,7 @@ import steward.league.store.GameQueries;
 import steward.league.store.GameStore;
 import steward.machines.broker.BrokerClient;
 import steward.machines.broker.BrokerClient.BrokenException;
+import steward.machines.broker.CutProxy;
 import steward.machines.serve.HostileWorker;
 import steward.machines.token.WorkerToken;
 

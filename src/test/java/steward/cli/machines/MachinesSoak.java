@@ -14,6 +14,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import steward.cli.FreePort;
 import steward.league.LeagueFolder;
+import steward.machines.broker.CutProxy;
 import steward.machines.serve.HostileWorker.Way;
 import steward.machines.token.WorkerList;
 

@@ -26,7 +26,12 @@ final class ClientHome implements AutoCloseable {
     record Said(String out, String err, int status) {
     }
 
+    /** Compiles the client, and installs it. */
     ClientHome(Path folder) throws IOException, InterruptedException {
+        this(folder, compiled(folder.resolve("client")));
+    }
+
+    private ClientHome(Path folder, Path client) throws IOException {
         home = folder.resolve("home");
         Files.createDirectories(home.resolve("bin"));
         Files.createDirectories(home.resolve("lib"));
@@ -37,12 +42,21 @@ final class ClientHome implements AutoCloseable {
             + "-XX:-UsePerfData -Xshare:auto -cp '" + System.getProperty("java.class.path") + "' "
             + Main.class.getName() + " \"$@\"\n");
         assertTrue(launcher.toFile().setExecutable(true));
-        Path client = home.resolve("bin/steward-referee");
+        for (String name : List.of("bin/steward-referee", "bin/steward-play", "lib/steward-resident")) {
+            Files.copy(client, home.resolve(name));
+        }
+    }
+
+    private static Path compiled(Path client) throws IOException, InterruptedException {
         Process compiler = new ProcessBuilder("cc", "-O2", "-Wall", "-Wextra", "-Werror", "-o", client.toString(),
             "src/launcher/client.c").inheritIO().start();
         assertEquals(0, compiler.waitFor());
-        Files.copy(client, home.resolve("bin/steward-play"));
-        Files.copy(client, home.resolve("lib/steward-resident"));
+        return client;
+    }
+
+    /** Another installation, whose sockets are its own. */
+    ClientHome another(Path folder) throws IOException {
+        return new ClientHome(folder, home.resolve("bin/steward-referee"));
     }
 
     /** True where the clients can be compiled and find what they need. */
@@ -94,11 +108,18 @@ final class ClientHome implements AutoCloseable {
         }
     }
 
+    /** Kills the residents that are there, without some of them. */
+    void endAllBut(List<ProcessHandle> kept) {
+        for (ProcessHandle resident : residents()) {
+            if (!kept.contains(resident)) {
+                resident.destroyForcibly();
+                resident.onExit().orTimeout(PATIENCE_S, TimeUnit.SECONDS).join();
+            }
+        }
+    }
+
     @Override
     public void close() {
-        for (ProcessHandle resident : residents()) {
-            resident.destroyForcibly();
-            resident.onExit().orTimeout(PATIENCE_S, TimeUnit.SECONDS).join();
-        }
+        endAllBut(List.of());
     }
 }

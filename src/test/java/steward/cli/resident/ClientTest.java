@@ -20,7 +20,9 @@ import java.util.List;
 import java.util.Random;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
+import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -36,22 +38,43 @@ class ClientTest {
     private static final long PATIENCE_NANOS = TimeUnit.SECONDS.toNanos(60);
 
     @TempDir
+    private static Path shared;
+    /** Installation of the tests that leave its resident as it is: the first of them starts it. */
+    private static ClientHome common;
+
+    @TempDir
     private Path folder;
     private ClientHome home;
     private TextShellBots bots;
 
-    @BeforeEach
-    void install() throws IOException, InterruptedException {
+    @BeforeAll
+    static void install() throws IOException, InterruptedException {
         assumeTrue(ClientHome.isPossible(), "there is no C compiler, or this is not Linux");
-        home = new ClientHome(folder);
+        common = new ClientHome(shared);
+    }
+
+    @BeforeEach
+    void takeTheCommonInstallation() throws IOException {
+        home = common;
         bots = new TextShellBots(folder);
     }
 
     @AfterEach
-    void endResidents() {
-        if (home != null) {
+    void endOtherResidents() {
+        if (home != common) {
             home.close();
         }
+    }
+
+    @AfterAll
+    static void endResidents() {
+        if (common != null) {
+            common.close();
+        }
+    }
+
+    private void takeAnInstallationOfItsOwn() throws IOException {
+        home = common.another(folder);
     }
 
     private String[] match(String program, String one, long seed, String... more) {
@@ -85,7 +108,7 @@ class ClientTest {
 
     @Test
     void matchesAreThoseOfProcesses() throws IOException, InterruptedException {
-        sameAsProcesses(20);
+        sameAsProcesses(3);
     }
 
     @Test
@@ -134,6 +157,7 @@ class ClientTest {
 
     @Test
     void manyClientsAtOnceHaveOneResident() throws IOException, InterruptedException {
+        takeAnInstallationOfItsOwn();
         List<Process> clients = new ArrayList<>();
         for (int k = 0; k < 6; k++) {
             clients.add(home.builder(match(REFEREE, bots.driver(), 1)).start());
@@ -147,17 +171,23 @@ class ClientTest {
     @Test
     void anotherEnvironmentOrFolderHasAnotherResident() throws IOException, InterruptedException {
         home.call(match(REFEREE, bots.driver(), 1));
-        ProcessBuilder other = home.builder(match(REFEREE, bots.driver(), 1));
-        other.environment().put("STEWARD_OTHER", "1");
-        assertEquals(0, ClientHome.end(other.start()).status());
-        assertEquals(2, home.residents().size());
-        assertEquals(0, ClientHome.end(home.builder(match(REFEREE, bots.driver(), 1)).directory(folder.toFile())
-            .start()).status());
-        assertEquals(3, home.residents().size());
+        List<ProcessHandle> one = home.residents();
+        try {
+            ProcessBuilder other = home.builder(match(REFEREE, bots.driver(), 1));
+            other.environment().put("STEWARD_OTHER", "1");
+            assertEquals(0, ClientHome.end(other.start()).status());
+            assertEquals(2, home.residents().size());
+            assertEquals(0, ClientHome.end(home.builder(match(REFEREE, bots.driver(), 1)).directory(folder.toFile())
+                .start()).status());
+            assertEquals(3, home.residents().size());
+        } finally {
+            home.endAllBut(one);
+        }
     }
 
     @Test
     void whereThereAreFourAMatchStartsPlainly() throws IOException, InterruptedException {
+        takeAnInstallationOfItsOwn();
         Files.createDirectories(home.sockets());
         Files.setPosixFilePermissions(home.sockets(),
             PosixFilePermissions.fromString("rwx------"));
@@ -177,6 +207,7 @@ class ClientTest {
 
     @Test
     void aFolderThatOthersCanOpenIsNotUsed() throws IOException, InterruptedException {
+        takeAnInstallationOfItsOwn();
         Files.createDirectories(home.sockets());
         Files.setPosixFilePermissions(home.sockets(),
             PosixFilePermissions.fromString("rwxr-xr-x"));
@@ -186,6 +217,7 @@ class ClientTest {
 
     @Test
     void aResidentThatIsKilledIsReplaced() throws IOException, InterruptedException {
+        takeAnInstallationOfItsOwn();
         Path slow = Files.writeString(folder.resolve("slow.sh"),
             "once='" + folder + "/once'\n[ -e \"$once\" ] || { : >\"$once\"; sleep 9; }\n"
             + "while read -r line; do echo 0 0 0; done\n");
@@ -203,6 +235,7 @@ class ClientTest {
     /** A tool takes a match without scores for a draw. */
     @Test
     void aResidentThatIsKilledInTheMatchIsALossForEveryBot() throws IOException, InterruptedException {
+        takeAnInstallationOfItsOwn();
         Path slow = Files.writeString(folder.resolve("slow.sh"), "while read -r line; do sleep 9; done\n");
         Process client = home.builder(match(REFEREE, "sh " + slow, 1, "-p3", "no-such-bot")).start();
         client.getErrorStream().read();                  // the warning of the third bot
@@ -217,6 +250,7 @@ class ClientTest {
     /** As the launcher does: a shell writes the environment in an order of its own, and a wrong PWD anew. */
     @Test
     void aResidentThatAShellHasStartedIsFound() throws IOException, InterruptedException {
+        takeAnInstallationOfItsOwn();
         List<String> words = new ArrayList<>(List.of("sh", "-c", "exec \"$@\"", "sh"));
         words.addAll(home.builder("lib/steward-resident", "resident", "--idle", "60s").command());
         ProcessBuilder shell = home.builder("lib").command(words);
@@ -274,8 +308,6 @@ class ClientTest {
 
         assertEquals(Path.of("").toRealPath().toString(), found.folder());
         assertTrue(found.megabytes() > 20, found.toString());
-        home.close();
-        assertTrue(RunningResident.all().stream().noneMatch(each -> each.pid() == pid));
     }
 
     @Test
@@ -286,6 +318,7 @@ class ClientTest {
 
     @Test
     void aResidentThatIsIdleEnds() throws IOException, InterruptedException {
+        takeAnInstallationOfItsOwn();
         Process resident = home.builder("lib/steward-resident", "resident", "--idle", "2s").start();
         BufferedReader in = resident.inputReader(StandardCharsets.UTF_8);
         String line = in.readLine();
@@ -295,6 +328,7 @@ class ClientTest {
             + resident.pid() + "\n", second.err());
         assertTrue(resident.waitFor(60, TimeUnit.SECONDS));
         assertEquals(0, resident.exitValue());
+        assertTrue(RunningResident.all().stream().noneMatch(each -> each.pid() == resident.pid()));
         try (var sockets = Files.list(home.sockets())) {
             assertEquals(List.of(), sockets.filter(each -> !each.endsWith("lock")).toList());
         }

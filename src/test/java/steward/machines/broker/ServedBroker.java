@@ -17,6 +17,7 @@ import org.apache.activemq.artemis.core.remoting.impl.netty.TransportConstants;
 import steward.cli.FreePort;
 import steward.league.LeagueFolder;
 import steward.machines.token.BrokerKey;
+import steward.machines.token.SharedBrokerKey;
 import steward.machines.token.WorkerList;
 import steward.machines.token.WorkerToken;
 
@@ -28,15 +29,21 @@ final class ServedBroker implements AutoCloseable {
     private final int port;
 
     ServedBroker(Path folder, String... workers) throws IOException {
+        this(folder, LeagueBroker.QUOTA, workers);
+    }
+
+    /** @param quota bytes of one worker's reports that may wait */
+    ServedBroker(Path folder, long quota, String... workers) throws IOException {
         this.folder = folder;
         LeagueFolder league = new LeagueFolder(Files.createDirectory(folder.resolve("league")));
+        SharedBrokerKey.put(league);
         for (String worker : workers) {
             WorkerList.add(league, worker, folder.resolve(worker + ".token"));
         }
         port = FreePort.next();
         WorkerList list = WorkerList.read(league);
         broker = new LeagueBroker(new InetSocketAddress("127.0.0.1", port), new BrokerKey(league),
-            Arrays.asList(workers), list::admits, Gate.OPEN);
+            Arrays.asList(workers), list::admits, Gate.OPEN, quota);
     }
 
     /** Clients of a broker of another process. */

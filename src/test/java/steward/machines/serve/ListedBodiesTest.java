@@ -19,7 +19,7 @@ import steward.cli.Cli;
 import steward.cli.shared.ExitStatus;
 import steward.machines.token.WorkerToken;
 
-/** A scene that lists 100,000 bodies in a CSV file: played, verified, and a league's game of it by a worker. */
+/** A scene that lists thousands of bodies in a CSV file: played, verified, and a league's game of it by a worker. */
 @Tag("process")
 @Tag("slow")
 @Timeout(300)
@@ -27,7 +27,9 @@ import steward.machines.token.WorkerToken;
 class ListedBodiesTest extends ServedLeague {
 
     private static final int ROW = 400;
-    private static final int COUNT = 100_000;
+    /** Their list does not fit into the header of a message, and not into one piece. */
+    private static final int FEW = 30_000;
+    private static final int MANY = 100_000;
     private static final String SCENE = """
         { "name": "listed", "game": "bodies", "players": %d, %s
           "field": { "width": 8000, "height": 5000, "walls": "box" }, "bodies": { "csv": "listed.csv" },
@@ -45,9 +47,9 @@ class ListedBodiesTest extends ServedLeague {
         }
         """;
 
-    private void list(boolean owned) throws IOException {
+    private void list(int count, boolean owned) throws IOException {
         StringBuilder rows = new StringBuilder(owned ? "x,y,vx,vy,radius,owner\n" : "x,y,vx,vy,radius\n");
-        for (int k = 0; k < COUNT; k++) {
+        for (int k = 0; k < count; k++) {
             rows.append(10 + 20 * (k % ROW)).append(',').append(10 + 20 * (k / ROW)).append(',')
                 .append(k % 7 - 3 + k / 1e6).append(',').append(k % 5 - 2).append(",5")
                 .append(owned ? k < 2 ? "," + k : "," : "").append('\n');
@@ -60,7 +62,17 @@ class ListedBodiesTest extends ServedLeague {
 
     @Test
     void itIsPlayedAndVerified() throws IOException {
-        list(false);
+        assertItIsPlayedAndVerified(FEW);
+    }
+
+    @Test
+    @Tag("campaign")
+    void aLongListIsPlayedAndVerified() throws IOException {
+        assertItIsPlayedAndVerified(MANY);
+    }
+
+    private void assertItIsPlayedAndVerified(int count) throws IOException {
+        list(count, false);
         String replay = folder.resolve("listed.jsonl").toString();
         Cli run = Cli.run("run", folder.resolve("listed.json").toString(), "--out", replay);
         assertEquals(ExitStatus.DONE, run.status(), run.err());
@@ -69,10 +81,20 @@ class ListedBodiesTest extends ServedLeague {
         assertEquals("verified: states of 1 of 2 turns, hashes of all and the result\n", verified.out());
     }
 
-    /** The scene has its CSV file in the league's folder, and goes to the worker in pieces. */
     @Test
     void aWorkerPlaysAGameOfALeague() throws Exception {
-        list(true);
+        assertAWorkerPlaysAGameOfALeague(FEW, 1);
+    }
+
+    @Test
+    @Tag("campaign")
+    void aWorkerPlaysGamesOfALeagueWithALongList() throws Exception {
+        assertAWorkerPlaysAGameOfALeague(MANY, 2);
+    }
+
+    /** The scene has its CSV file in the league's folder, and goes to the worker in pieces. */
+    private void assertAWorkerPlaysAGameOfALeague(int count, int played) throws Exception {
+        list(count, true);
         done("init", "TMP/many", "--scene", "TMP/listed.json", "--seed", "5");
         for (int bot = 1; bot <= 2; bot++) {
             Path source = Files.createDirectories(folder.resolve("bot" + bot)).resolve("Bot.java");
@@ -84,11 +106,11 @@ class ListedBodiesTest extends ServedLeague {
             done("add", "TMP/many", "bot" + bot + "=sh " + script);
         }
         WorkerToken token = token("many", "one");
-        CompletableFuture<String> run = serve("many", 2, "--threads", "0");
+        CompletableFuture<String> run = serve("many", played, "--threads", "0");
         play(worker(token, 1, Long.MAX_VALUE));
         String said = run.get(200, TimeUnit.SECONDS);
         List<Row> games = games("many");
-        assertEquals(2, games.size(), said);
+        assertEquals(played, games.size(), said);
         assertTrue(games.stream().allMatch(game -> game.counts() && game.machine().startsWith("worker one")),
             games + said);
     }

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.net.InetSocketAddress;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -32,6 +33,8 @@ import steward.league.store.GameQueries;
 import steward.league.store.GameStore;
 import steward.machines.broker.BrokerClient;
 import steward.machines.broker.BrokerClient.BrokenException;
+import steward.machines.token.BrokerKey;
+import steward.machines.token.SharedBrokerKey;
 import steward.machines.token.WorkerToken;
 import steward.machines.wire.GameJob;
 import steward.machines.wire.HeaderText;
@@ -71,7 +74,12 @@ abstract class ServedLeague {
         done("add", "TMP/" + name, "wrong=codingame:" + bots.idler(3));
     }
 
-    WorkerToken token(String league, String worker) {
+    /** A new token; the first one of a league comes with the key of its broker. */
+    WorkerToken token(String league, String worker) throws IOException {
+        LeagueFolder here = new LeagueFolder(folder.resolve(league));
+        if (!Files.exists(new BrokerKey(here).store())) {
+            SharedBrokerKey.put(here);
+        }
         done("worker", "add", "TMP/" + league, worker, "--out", "TMP/" + worker + ".token");
         return WorkerToken.read(folder.resolve(worker + ".token"));
     }

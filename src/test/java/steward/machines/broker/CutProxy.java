@@ -1,4 +1,4 @@
-package steward.cli.machines;
+package steward.machines.broker;
 
 import java.io.Closeable;
 import java.io.IOException;
@@ -13,7 +13,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicInteger;
 
 /** Stands between workers and a league on this machine, and can cut every connection in the middle of a message. */
-final class CutProxy implements Closeable {
+public final class CutProxy implements Closeable {
 
     private static final int CHUNK = 4096;
 
@@ -21,18 +21,30 @@ final class CutProxy implements Closeable {
     private final int target;
     private final Set<Socket> open = ConcurrentHashMap.newKeySet();
     private final AtomicInteger cut = new AtomicInteger();
+    private final AtomicInteger heardOfWorkers = new AtomicInteger();
+    private final AtomicInteger heardOfLeague = new AtomicInteger();
     private volatile boolean closed;
     private volatile boolean cutting;
 
     /** @param target the port of the league on this machine */
-    CutProxy(int target) throws IOException {
+    public CutProxy(int target) throws IOException {
         this.target = target;
         server = new ServerSocket(0, 50, InetAddress.getLoopbackAddress());
         start(this::accept);
     }
 
-    int port() {
+    public int port() {
         return server.getLocalPort();
+    }
+
+    /** How often something has come of workers. */
+    int heardOfWorkers() {
+        return heardOfWorkers.get();
+    }
+
+    /** How often something has come of the league. */
+    int heardOfLeague() {
+        return heardOfLeague.get();
     }
 
     private static void start(Runnable work) {
@@ -67,17 +79,18 @@ final class CutProxy implements Closeable {
             close(far);
             return;
         }
-        start(() -> pump(near, far));
-        pump(far, near);
+        start(() -> pump(near, far, heardOfWorkers));
+        pump(far, near, heardOfLeague);
     }
 
     /** Copies until one side ends; of what comes while connections are cut only the half goes through. */
-    private void pump(Socket from, Socket to) {
+    private void pump(Socket from, Socket to, AtomicInteger heard) {
         try {
             InputStream in = from.getInputStream();
             OutputStream out = to.getOutputStream();
             byte[] bytes = new byte[CHUNK];
             for (int read = in.read(bytes); read >= 0; read = in.read(bytes)) {
+                heard.incrementAndGet();
                 out.write(bytes, 0, cutting ? read / 2 : read);
                 if (cutting) {
                     cut.incrementAndGet();
@@ -105,7 +118,7 @@ final class CutProxy implements Closeable {
      *
      * @return how many were cut within a message
      */
-    int cut(long millis) throws InterruptedException {
+    public int cut(long millis) throws InterruptedException {
         cut.set(0);
         cutting = true;
         Thread.sleep(millis);
