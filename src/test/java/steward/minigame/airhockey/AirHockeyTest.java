@@ -174,7 +174,7 @@ class AirHockeyTest {
     @Tag("browser")
     void thePageDrawsEveryTurn() throws IOException {
         Path page = page();
-        try (PageTestBrowser browser = PageTestBrowser.start(folder.resolve("profile"))) {
+        try (PageTestBrowser browser = PageTestBrowser.start()) {
             browser.open(page, "");
             browser.run("steward.pause()");
             for (double time = 0; time <= 100; time += 2.5) {

@@ -25,7 +25,7 @@ class FantasticBitsPageTest {
             List.of(FantasticBitsBots.captain(), FantasticBitsBots.chaser()));
         assertTrue(match.text().contains("\"spell\":\"flipendo\""), "spells are drawn too");
         Path page = new PageTestPages(folder).page(match.bytes(), "Fantastic Bits");
-        try (PageTestBrowser browser = PageTestBrowser.start(folder.resolve("profile"))) {
+        try (PageTestBrowser browser = PageTestBrowser.start()) {
             browser.size(1280, 720);
             browser.prefer(true, false);
             browser.open(page, "");

@@ -28,7 +28,7 @@ class ImportedPageTest {
         ByteArrayOutputStream replay = new ByteArrayOutputStream();
         GameRecordingImport.of(OfficialGame.play(12).sketch(TURNS), "game.json", TestScenes.TYPES).write(replay);
         Path page = new PageTestPages(folder).page(replay.toByteArray(), "Imported");
-        try (PageTestBrowser browser = PageTestBrowser.start(folder.resolve("profile"))) {
+        try (PageTestBrowser browser = PageTestBrowser.start()) {
             browser.open(page, "#turn=1");
             browser.run("steward.pause()");
             for (int turn = 0; turn <= TURNS; turn++) {
@@ -47,7 +47,7 @@ class ImportedPageTest {
         ByteArrayOutputStream replay = new ByteArrayOutputStream();
         RecordingImport.of(ServerMeanMax.play(5, TURNS).json(), "game.json", TestScenes.TYPES).write(replay);
         Path page = new PageTestPages(folder).page(replay.toByteArray(), "Imported");
-        try (PageTestBrowser browser = PageTestBrowser.start(folder.resolve("profile"))) {
+        try (PageTestBrowser browser = PageTestBrowser.start()) {
             browser.open(page, "#turn=1");
             browser.run("steward.pause()");
             for (int turn = 0; turn <= TURNS; turn++) {

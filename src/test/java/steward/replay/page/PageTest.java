@@ -40,7 +40,7 @@ class PageTest {
 
     @BeforeAll
     static void start() {
-        browser = PageTestBrowser.start(folder.resolve("profile"));
+        browser = PageTestBrowser.start();
         pages = new PageTestPages(folder);
         replay = PageTestRaces.play(PageTestRaces.scene("walled-race"), 3);
         lines = PageTestRaces.lines(replay);

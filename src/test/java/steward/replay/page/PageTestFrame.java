@@ -31,7 +31,7 @@ class PageTestFrame {
         Path outer = folder.resolve("outer.html");
         Files.writeString(outer, "<!DOCTYPE html><title>Notebook</title><body style=\"margin:0;height:3000px\">"
             + "<iframe width=\"700\" height=\"420\" " + frame + "></iframe></body>");
-        try (PageTestBrowser browser = PageTestBrowser.start(folder.resolve("profile"))) {
+        try (PageTestBrowser browser = PageTestBrowser.start()) {
             browser.openPlain(outer);
             browser.enterFrame();
             if (!kind.equals("text")) {

@@ -24,7 +24,7 @@ class PokerChipRacePageTest {
         Recorded match = Recorded.of(TestScenes.open("poker-chip-race"), 7,
             List.of(PokerChipRaceBots.glutton(), PokerChipRaceBots.nibbler()));
         Path page = new PageTestPages(folder).page(match.bytes(), "Poker Chip Race");
-        try (PageTestBrowser browser = PageTestBrowser.start(folder.resolve("profile"))) {
+        try (PageTestBrowser browser = PageTestBrowser.start()) {
             browser.size(1280, 720);
             browser.prefer(true, false);
             browser.open(page, "");

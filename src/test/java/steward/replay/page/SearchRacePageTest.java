@@ -24,7 +24,7 @@ class SearchRacePageTest {
     void aWholeRaceIsDrawn() {
         Recorded race = Recorded.of(TestScenes.open("search-race"), 7, List.of(SearchRaceBots.driver()));
         Path page = new PageTestPages(folder).page(race.bytes(), "Search race");
-        try (PageTestBrowser browser = PageTestBrowser.start(folder.resolve("profile"))) {
+        try (PageTestBrowser browser = PageTestBrowser.start()) {
             browser.size(1280, 720);
             browser.prefer(true, false);
             browser.open(page, "");
