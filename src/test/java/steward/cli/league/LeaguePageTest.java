@@ -80,7 +80,6 @@ class LeaguePageTest {
                     browser.size(width, 800);
                     assertTrue(browser.is("document.documentElement.scrollWidth <= innerWidth"),
                         "nothing is wider than " + width);
-                    browser.screenshot(folder.resolve((dark ? "dark" : "light") + width + ".png"));
                 }
             }
             assertEquals(List.of(), browser.complaints());
@@ -208,8 +207,6 @@ class LeaguePageTest {
                     browser.size(width, 800);
                     assertTrue(browser.is("document.documentElement.scrollWidth <= innerWidth"),
                         "nothing is wider than " + width);
-                    browser.run("document.getElementById('workers-card').scrollIntoView()");
-                    browser.screenshot(folder.resolve("workers-" + (dark ? "dark" : "light") + width + ".png"));
                 }
             }
             assertEquals(List.of(), browser.complaints());

@@ -3,11 +3,11 @@ package steward.replay.page;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.File;
-import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Arrays;
+import java.util.Base64;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.atomic.AtomicBoolean;
@@ -16,7 +16,6 @@ import java.util.logging.Level;
 import java.util.logging.Logger;
 import org.openqa.selenium.By;
 import org.openqa.selenium.Dimension;
-import org.openqa.selenium.OutputType;
 import org.openqa.selenium.chrome.ChromeDriver;
 import org.openqa.selenium.chrome.ChromeDriverService;
 import org.openqa.selenium.chrome.ChromeOptions;
@@ -233,12 +232,10 @@ public final class PageTestBrowser implements AutoCloseable {
         await("the page of the window is not ready", () -> is("window.steward && window.steward.ready"));
     }
 
-    public void screenshot(Path file) {
-        try {
-            Files.write(file, driver.getScreenshotAs(OutputType.BYTES));
-        } catch (IOException e) {
-            throw new AssertionError(e);
-        }
+    /** What the window shows, as a PNG. */
+    public byte[] screenshot() {
+        return Base64.getDecoder().decode((String) driver.executeCdpCommand("Page.captureScreenshot",
+            Map.of("format", "png", "optimizeForSpeed", true)).get("data"));
     }
 
     /** Closes the pages, and forgets what they stored and what was preferred. */
