@@ -11,6 +11,8 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import javax.tools.JavaCompiler;
+import javax.tools.ToolProvider;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -216,9 +218,13 @@ class SandboxVerdictsTest {
         ScriptedBots.assumeWorks(level);
         assumeTrue(level != SandboxLevel.LIGHT || HoldMeans.of(Isolation.at(level)) == HoldMeans.INIT,
             "skipped: there is no C compiler");
+        JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
+        assumeTrue(compiler != null, "skipped: this is no JDK");
         Path program = Files.writeString(folder.resolve("Echo.java"), "class Echo { public static void main(String[] a)"
             + " throws Exception { System.in.transferTo(System.out); } }");
-        List<String> command = List.of(ProcessHandle.current().info().command().orElseThrow(), program.toString());
+        assertEquals(0, compiler.run(null, null, null, program.toString()));
+        List<String> command = List.of(ProcessHandle.current().info().command().orElseThrow(), "-Xint", "-cp",
+            folder.toString(), "Echo");
         List<BotProcess> bots = new ArrayList<>();
         try {
             for (int k = 0; k < 2; k++) {
