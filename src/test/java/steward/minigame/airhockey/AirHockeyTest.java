@@ -177,9 +177,7 @@ class AirHockeyTest {
         try (PageTestBrowser browser = PageTestBrowser.start()) {
             browser.open(page, "");
             browser.run("steward.pause()");
-            for (double time = 0; time <= 100; time += 2.5) {
-                browser.run("steward.seek(" + time + ")");
-            }
+            browser.draw(0, 100, 2.5);
             assertEquals(List.of(), browser.complaints());
         }
     }

@@ -30,9 +30,7 @@ class FantasticBitsPageTest {
             browser.prefer(true, false);
             browser.open(page, "");
             browser.run("steward.pause()");
-            for (int turn = 0; turn <= match.result().turns(); turn++) {
-                browser.run("steward.seek(" + (turn + 0.5) + ")");
-            }
+            browser.draw(0.5, match.result().turns(), 1);
             browser.run("steward.seek(0)");
             assertEquals("0 goals", browser.text("#scores .big"));
             assertEquals("0 magic", browser.text("#scores .small"));

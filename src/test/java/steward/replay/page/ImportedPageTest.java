@@ -31,10 +31,7 @@ class ImportedPageTest {
         try (PageTestBrowser browser = PageTestBrowser.start()) {
             browser.open(page, "#turn=1");
             browser.run("steward.pause()");
-            for (int turn = 0; turn <= TURNS; turn++) {
-                browser.seek(turn, 1);
-                browser.run("steward.seek(arguments[0], 0.5)", turn);
-            }
+            browser.draw(0, TURNS, 0.5);
             browser.seek(TURNS, 1);
             assertEquals(List.of(), browser.complaints());
             assertEquals(TURNS, browser.number("steward.lastTurn()"));
@@ -50,10 +47,7 @@ class ImportedPageTest {
         try (PageTestBrowser browser = PageTestBrowser.start()) {
             browser.open(page, "#turn=1");
             browser.run("steward.pause()");
-            for (int turn = 0; turn <= TURNS; turn++) {
-                browser.seek(turn, 1);
-                browser.run("steward.seek(arguments[0], 0.5)", turn);
-            }
+            browser.draw(0, TURNS, 0.5);
             assertEquals(List.of(), browser.complaints());
             assertEquals(TURNS, browser.number("steward.lastTurn()"));
         }

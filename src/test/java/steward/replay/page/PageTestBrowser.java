@@ -153,6 +153,12 @@ public final class PageTestBrowser implements AutoCloseable {
         run("steward.seek(arguments[0], arguments[1])", turn, fraction);
     }
 
+    /** Draws a match from a time on at every so many turns, up to another time. */
+    public void draw(double from, double to, double step) {
+        run("for (let time = arguments[0]; time <= arguments[1]; time += arguments[2]) steward.seek(time)", from, to,
+            step);
+    }
+
     public void click(String selector) {
         driver.findElement(By.cssSelector(selector)).click();
     }

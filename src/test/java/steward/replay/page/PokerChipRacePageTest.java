@@ -29,9 +29,7 @@ class PokerChipRacePageTest {
             browser.prefer(true, false);
             browser.open(page, "");
             browser.run("steward.pause()");
-            for (double time = 0; time <= match.result().turns(); time += 2.5) {
-                browser.run("steward.seek(" + time + ")");
-            }
+            browser.draw(0, match.result().turns(), 2.5);
             browser.run("steward.seek(0)");
             assertTrue(browser.text("#scores .big").matches("[0-9\u2009]+ u²"), browser.text("#scores .big"));
             assertTrue(browser.text("#scores .small").matches("[1-5] chips?( · .*)?"), browser.text("#scores .small"));

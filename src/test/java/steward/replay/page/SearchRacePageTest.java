@@ -29,9 +29,7 @@ class SearchRacePageTest {
             browser.prefer(true, false);
             browser.open(page, "");
             browser.run("steward.pause()");
-            for (int turn = 0; turn <= race.result().turns(); turn += 20) {
-                browser.run("steward.seek(" + turn + ")");
-            }
+            browser.draw(0, race.result().turns(), 20);
             browser.run("steward.seek(0)");
             assertEquals("Lap 1/3", browser.text("#scores .big"));
             assertTrue(browser.text("#scores .small").startsWith("0 of "), browser.text("#scores .small"));
