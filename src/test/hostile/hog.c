@@ -74,6 +74,9 @@ static void moveMemory(void) {
     }
 }
 
+/* The ends of a pipe on which a child that has begun is at its end. */
+static int begun[2];
+
 /* A timer that sends SIGCONT lets a stopped process go on, and is spent by that: here are many. */
 static void freeItself(void) {
     struct sigevent event = {.sigev_notify = SIGEV_SIGNAL, .sigev_signo = SIGCONT};
@@ -85,6 +88,7 @@ static void freeItself(void) {
         timer_create(CLOCK_MONOTONIC, &event, &timer);
         timer_settime(timer, 0, &each, NULL);
     }
+    close(begun[1]);
     burn();
 }
 
@@ -101,17 +105,25 @@ static const struct {
     {"sigcont", 16, burnAtSigcont}, {"pulse", 16, burnAndRest}, {"sleeper", 16, burnInItsTurn},
     {"memory", 16, moveMemory}, {"namespaces", 16, burnInNamespaces}, {"timer", 16, freeItself}};
 
+/* Starts the children of a word; they have begun when it returns, so that holding them does not come before. */
 static void start(const char *word) {
+    char none;
+    if (pipe(begun)) abort();
     for (unsigned k = 0; k < sizeof kinds / sizeof *kinds; k++) {
         for (int child = 0; strcmp(word, kinds[k].word) == 0 && child < kinds[k].children; child++) {
             if (fork() == 0) {
                 setsid();
                 close(0);
                 close(1);
+                close(begun[0]);
+                if (kinds[k].hog != freeItself) close(begun[1]);
                 kinds[k].hog();
             }
         }
     }
+    close(begun[1]);
+    while (read(begun[0], &none, 1) > 0) {}
+    close(begun[0]);
 }
 
 /* Searches on so many threads at once, in its own turn, for a time. */

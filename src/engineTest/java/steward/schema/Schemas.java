@@ -10,6 +10,8 @@ import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
 import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.ObjectNode;
 
@@ -22,6 +24,8 @@ public final class Schemas {
     static final String FANTASTIC_BITS = "fantastic-bits";
     static final String POKER_CHIP_RACE = "poker-chip-race";
     static final List<String> NAMES = List.of("setup", "turn", "end", "answer", "replay", "scene");
+
+    private static final Map<String, Schema> OPEN = new ConcurrentHashMap<>();
 
     private Schemas() {
     }
@@ -44,10 +48,10 @@ public final class Schemas {
         return open(POD_RACE, name);
     }
 
-    /** Opens a part of a game's schema. */
+    /** Opens a part of a game's schema, once for all tests: reading it takes longer than asking it. */
     public static Schema open(String game, String name) {
-        return SchemaRegistry.withDefaultDialect(SpecificationVersion.DRAFT_2020_12)
-            .getSchema(text(game, name), InputFormat.JSON);
+        return OPEN.computeIfAbsent(game + " " + name, part -> SchemaRegistry
+            .withDefaultDialect(SpecificationVersion.DRAFT_2020_12).getSchema(text(game, name), InputFormat.JSON));
     }
 
     /** Returns the problems of a text by a schema; none if it is valid. */

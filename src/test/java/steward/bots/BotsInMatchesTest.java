@@ -24,6 +24,8 @@ import steward.match.Turn;
 @Execution(ExecutionMode.CONCURRENT)
 class BotsInMatchesTest {
 
+    private static final List<String> SCENES = List.of("mad-pod-racing", "walled-race", "duel");
+
     @ParameterizedTest
     @ValueSource(strings = {"mad-pod-racing", "walled-race", "duel"})
     void plainBotsFinishEveryRaceWithoutAFault(String name) {
@@ -39,25 +41,45 @@ class BotsInMatchesTest {
     @Tag("slow")
     @ValueSource(strings = {"mad-pod-racing", "walled-race", "duel"})
     void veteransPlayEachOtherWithoutAFault(String name) {
+        veteransPlayEachOther(name, 2);
+    }
+
+    @Test
+    @Tag("campaign")
+    void veteransPlayEachOtherTenTimesWithoutAFault() {
+        SCENES.forEach(name -> veteransPlayEachOther(name, 10));
+    }
+
+    private static void veteransPlayEachOther(String name, int seeds) {
         GameSetup scene = BundledBotMatches.scene(name);
-        for (long seed = 1; seed <= 10; seed++) {
+        for (long seed = 1; seed <= seeds; seed++) {
             MatchResult result = BundledBotMatches.play(scene, seed, new Veteran(), new Veteran());
             assertFalse(result.anyFault(), result.toString());
         }
     }
 
-    /** Measured over seeds 1..200, both sides: see the figure in the class doc of {@link Veteran}. */
     @ParameterizedTest
     @Tag("slow")
     @ValueSource(strings = {"mad-pod-racing", "walled-race", "duel"})
     void theVeteranBeatsThePlainBotFromBothSides(String name) {
+        theVeteranBeatsThePlainBot(name, 3, 5);
+    }
+
+    /** Measured over seeds 1..200, both sides: see the figure in the class doc of {@link Veteran}. */
+    @Test
+    @Tag("campaign")
+    void theVeteranBeatsThePlainBotInManyGames() {
+        SCENES.forEach(name -> theVeteranBeatsThePlainBot(name, 20, 36));
+    }
+
+    private static void theVeteranBeatsThePlainBot(String name, int seeds, int least) {
         GameSetup scene = BundledBotMatches.scene(name);
         int won = 0;
-        for (long seed = 1; seed <= 20; seed++) {
+        for (long seed = 1; seed <= seeds; seed++) {
             won += BundledBotMatches.play(scene, seed, new Veteran(), new Racer()).winner() == 0 ? 1 : 0;
             won += BundledBotMatches.play(scene, seed, new Racer(), new Veteran()).winner() == 1 ? 1 : 0;
         }
-        assertTrue(won >= 36, "won " + won + " of 40 on " + name);
+        assertTrue(won >= least, "won " + won + " of " + 2 * seeds + " on " + name);
     }
 
     @ParameterizedTest

@@ -7,8 +7,13 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Comparator;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.jar.JarEntry;
 import java.util.jar.JarOutputStream;
+import java.util.stream.Stream;
 import javax.tools.JavaCompiler;
 import javax.tools.ToolProvider;
 
@@ -22,6 +27,9 @@ public record StandInProject(Path folder) {
     private static final Path SOURCES = Path.of("src/test/resources/referees/sdk");
     private static final String MAIN = "com/codingame/gameengine/core/RefereeMain";
 
+    /** Classes that a source was compiled to for an earlier test, by their names. */
+    private static final Map<String, Map<String, byte[]>> COMPILED = new ConcurrentHashMap<>();
+
     /** Compiles it with the referee among the resources. */
     public static StandInProject compiled(Path folder) throws IOException {
         return compiled(folder, SOURCES.resolve("Referee.java"));
@@ -29,13 +37,9 @@ public record StandInProject(Path folder) {
 
     /** Compiles it with a referee. */
     static StandInProject compiled(Path folder, Path referee) throws IOException {
-        JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
-        assumeTrue(compiler != null, "skipped: this is no JDK");
-        Path classes = Files.createDirectories(folder.resolve("target/classes"));
-        Path sdk = Files.createDirectories(folder.resolve("sdk"));
-        assertEquals(0, compiler.run(null, null, null, "-d", sdk.toString(),
-            SOURCES.resolve(MAIN + ".java").toString()));
-        assertEquals(0, compiler.run(null, null, null, "-d", classes.toString(), referee.toString()));
+        Path sdk = folder.resolve("sdk");
+        compile(SOURCES.resolve(MAIN + ".java"), sdk);
+        compile(referee, folder.resolve("target/classes"));
         Files.createDirectories(folder.resolve("lib"));
         try (OutputStream file = Files.newOutputStream(folder.resolve("lib/core.jar"));
                 JarOutputStream jar = new JarOutputStream(file)) {
@@ -47,6 +51,33 @@ public record StandInProject(Path folder) {
         }
         Files.writeString(folder.resolve("config/config.ini"), "min_players=2\nmax_players=3\ntype=multi");
         return new StandInProject(folder);
+    }
+
+    private static void compile(Path source, Path folder) throws IOException {
+        Files.createDirectories(folder);
+        String text = Files.readString(source);
+        Map<String, byte[]> compiled = COMPILED.get(text);
+        if (compiled == null) {
+            JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
+            assumeTrue(compiler != null, "skipped: this is no JDK");
+            Path made = Files.createTempDirectory(folder, "made");
+            assertEquals(0, compiler.run(null, null, null, "-d", made.toString(), source.toString()));
+            compiled = new TreeMap<>();
+            try (Stream<Path> files = Files.walk(made)) {
+                for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
+                    if (Files.isRegularFile(file)) {
+                        compiled.put(made.relativize(file).toString(), Files.readAllBytes(file));
+                    }
+                    Files.delete(file);
+                }
+            }
+            COMPILED.put(text, compiled);
+        }
+        for (Map.Entry<String, byte[]> type : compiled.entrySet()) {
+            Path file = folder.resolve(type.getKey());
+            Files.createDirectories(file.getParent());
+            Files.write(file, type.getValue());
+        }
     }
 
     /** Returns a scene of it. @param more fields of the referee, each behind a comma */

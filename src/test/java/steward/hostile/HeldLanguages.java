@@ -20,8 +20,8 @@ import steward.bot.process.BotProcess;
 
 /**
  * Asks bots with threads, timers and signals in several languages the same, held while another is asked and not, and
- * prints how long their answers took. {@code --turns N} of each (200), {@code --level light}. Exit status 1 if answers
- * differ.
+ * prints how long their answers took. {@code --turns N} of each (200), {@code --level light}, {@code --languages
+ * java,go} some of the languages. Exit status 1 if answers differ.
  */
 public final class HeldLanguages {
 
@@ -47,7 +47,9 @@ public final class HeldLanguages {
         System.out.println("| language | asked | never held: median, worst ms | always held: median, worst ms | |");
         System.out.println("|---|---:|---:|---:|---|");
         boolean equal = true;
-        for (String language : List.of("java", "node", "go", "python3")) {
+        String languages = options.contains("--languages") ? options.get(options.indexOf("--languages") + 1)
+            : "java,node,go,python3";
+        for (String language : languages.split(",")) {
             List<String> command = command(language, work);
             if (command == null) {
                 System.out.println("| " + language + " | - | - | - | skipped: there is no " + language + " |");

@@ -64,10 +64,16 @@ class HostileTest {
         run(report, HostileSuite.class, "--only", "guards");
     }
 
-    /** Once at every level by every signal. */
     @Test
     void aSeriesThatIsKilledLeavesNothing(TestReporter report) throws Exception {
-        run(report, KilledSeries.class, "--times", "3");
+        run(report, KilledSeries.class, "--short");
+    }
+
+    /** Once at every level by every signal from the start on, and once while it plays. */
+    @Test
+    @Tag("campaign")
+    void aSeriesThatIsKilledAtAnyMomentLeavesNothing(TestReporter report) throws Exception {
+        run(report, KilledSeries.class, "--times", "6");
     }
 
     @Test
@@ -83,6 +89,12 @@ class HostileTest {
 
     @Test
     void botsWithThreadsAnswerTheSameHeldOrNot(TestReporter report) throws Exception {
+        run(report, HeldLanguages.class, "--turns", "10", "--languages", "node,python3");
+    }
+
+    @Test
+    @Tag("campaign")
+    void botsWithThreadsInEveryLanguageAnswerTheSameHeldOrNot(TestReporter report) throws Exception {
         run(report, HeldLanguages.class, "--turns", "20");
     }
 

@@ -23,7 +23,8 @@ import steward.cli.streams.Streams;
  * if anything is left or does not verify.
  *
  * <p>{@code --times N} (200) is how often each signal is sent, {@code --seed S} (17) chooses the moments, and
- * {@code --signals KILL,TERM} some of the signals. SIGINT is
+ * {@code --signals KILL,TERM} some of the signals; {@code --short} sends each once, the first at the strictest level and
+ * the next at others, by turns while it surely plays and from the start on. SIGINT is
  * skipped where this process, and so what it starts, ignores it: a shell starts what runs in the background so.
  */
 public final class KilledSeries {
@@ -68,17 +69,23 @@ public final class KilledSeries {
         List<SandboxLevel> levels = Stream.of(SandboxLevel.values())
             .filter(level -> SandboxSupport.problem(level) == null).toList();
         int signals = options.indexOf("--signals");
-        String chosen = signals < 0 ? "KILL,TERM,INT" : options.get(signals + 1);
-        for (String signal : chosen.split(",")) {
+        List<String> chosen = List.of((signals < 0 ? "KILL,TERM,INT" : options.get(signals + 1)).split(","));
+        boolean isShort = options.contains("--short");
+        for (String signal : chosen) {
             if (signal.equals("INT") && ignoresInterrupts()) {
                 System.out.println("INT is skipped: this process ignores it");
                 continue;
             }
             for (SandboxLevel level : levels) {
                 Row row = new Row();
-                for (int round = levels.indexOf(level); round < times; round += levels.size()) {
+                int first = levels.indexOf(level);
+                int nth = chosen.indexOf(signal);
+                if (isShort && first != levels.size() - 1 - nth % levels.size()) {
+                    continue;
+                }
+                for (int round = first; round < (isShort ? first + 1 : times); round += levels.size()) {
                     // By turns from the start on, and while it surely plays, however slow the machine is.
-                    boolean playing = round / levels.size() % 2 == 1;
+                    boolean playing = isShort ? nth % 2 == 0 : round / levels.size() % 2 == 1;
                     series.round(signal, level, playing, (playing ? 0 : 100) + random.nextInt(LATEST_MS), row);
                 }
                 System.out.printf(HEAD, signal, level.word(), row.rounds, row.processes, row.files, row.replays,

@@ -42,7 +42,7 @@ class ViewersPageTest {
         write(recording, LINES.get(1));
         try (LiveServer server = LiveServer.start(null, 0, 1, "b", recording, PageExtras.NONE);
              Clients first = new Clients(server.address());
-             PageTestBrowser browser = PageTestBrowser.start(folder.resolve("profile"))) {
+             PageTestBrowser browser = PageTestBrowser.start()) {
             Clients.Feed feed = first.feed();
             assertEquals(LINES.get(0), feed.next());
             browser.go(server.address().toString());
@@ -64,7 +64,7 @@ class ViewersPageTest {
         write(recording, LINES.get(0));
         write(recording, LINES.get(1));
         try (LiveServer server = LiveServer.start(null, 0, 1, "b", recording, PageExtras.NONE, 500_000_000);
-             PageTestBrowser browser = PageTestBrowser.start(folder.resolve("profile"))) {
+             PageTestBrowser browser = PageTestBrowser.start()) {
             browser.go(server.address().toString());
             browser.await("a turn does not appear", () -> browser.is("steward.lastTurn() === 1"));
             signal("STOP");
@@ -98,7 +98,7 @@ class ViewersPageTest {
         byte[] page = LeaguePage.live("League", StatusServer.FEED);
         try (StatusServer server = StatusServer.start(null, 0, 1, page, path -> null);
              Clients first = new Clients(server.address());
-             PageTestBrowser browser = PageTestBrowser.start(folder.resolve("profile"))) {
+             PageTestBrowser browser = PageTestBrowser.start()) {
             server.show("""
                 {"scene":"duel","games":7,"again":0,"without":0,"rate":2.5,"bots":[],"cross":[],\
                 "path":{"versions":[],"points":[]},"list":[]}""");

@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
@@ -25,11 +26,21 @@ class PondMatchTest {
         return List.of(new PondBot("cell"), new PondBot("hunter"), new PondBot("fog"));
     }
 
-    /** In twenty matches everything that can happen does, and every one of them verifies. */
     @Test
     void matchesVerifyAndEverythingHappens() throws InterruptedException {
+        assertTheyVerifyAndEverythingHappens(6);
+    }
+
+    @Test
+    @Tag("campaign")
+    void twentyMatchesVerifyAndEverythingHappens() throws InterruptedException {
+        assertTheyVerifyAndEverythingHappens(20);
+    }
+
+    /** In these matches everything that can happen does, and every one of them verifies. */
+    private static void assertTheyVerifyAndEverythingHappens(int matches) throws InterruptedException {
         StringBuilder all = new StringBuilder();
-        for (long seed = 1; seed <= 20; seed++) {
+        for (long seed = 1; seed <= matches; seed++) {
             List<PondBot> bots = bots();
             Played played = PondMatches.play(PondMatches.changed(), seed, bots);
             Verification verification = PondMatches.verify(played.replay());

@@ -53,13 +53,17 @@ class DocsCommandsTest {
     }
 
     @Test
-    void theReadmesBotPlaysAndItsReplayCanBeReadInEveryWay() throws IOException, InterruptedException {
+    void theReadmesBotPlaysAndItsReplayVerifies() throws IOException, InterruptedException {
         String said = shell.run(0, "README.md", "steward match --bot 'me=python3 bot.py' --bot builtin:racer");
         assertEndsByTheRules(said);
+        assertContains("verified: ", shell.run(0, "README.md", "steward replay match.jsonl --verify"));
+    }
 
-        said = shell.run(0, "README.md", "steward replay match.jsonl --verify");
-        assertContains("verified: ", said);
-        said = shell.run(0, "README.md", "steward replay match.jsonl --turn 57");
+    @Test
+    @Tag("campaign")
+    void aReplayCanBeReadInEveryWay() throws IOException, InterruptedException {
+        shell.run(0, "README.md", "steward match --bot 'me=python3 bot.py' --bot builtin:racer");
+        String said = shell.run(0, "README.md", "steward replay match.jsonl --turn 57");
         assertContains("57", said);
         said = shell.run(0, "docs/replays.md", "steward replay match.jsonl --impacts");
         assertContains("impulse", said);
@@ -72,6 +76,7 @@ class DocsCommandsTest {
     }
 
     @Test
+    @Tag("campaign")
     void aBotOfTheSitePlaysAlsoAsCgBrutaltesterCallsIt() throws IOException, InterruptedException {
         textBot("a.out");
         String said = shell.run(0, "docs/protocol.md", "steward match --bot codingame:./a.out --bot builtin:racer");
@@ -92,6 +97,7 @@ class DocsCommandsTest {
     }
 
     @Test
+    @Tag("campaign")
     void aSceneIsExplainedAndAnEnvironmentCanBeLeftBehind() throws IOException, InterruptedException {
         shell.run(0, "docs/scenes.md", "steward scene walled-race > my-scene.json");
         assertContains("\"scene\":\"walled-race\"", shell.run(0, "docs/scenes.md", "steward explain my-scene.json"));

@@ -56,7 +56,7 @@ class LeaguePageTest {
     @Test
     void everythingIsOnThePage() throws IOException {
         played();
-        try (PageTestBrowser browser = PageTestBrowser.start(folder.resolve("profile"))) {
+        try (PageTestBrowser browser = PageTestBrowser.start()) {
             browser.open(folder.resolve("page.html"), "");
             assertEquals(3, rows(browser, "#table"));
             assertEquals(3, rows(browser, "#cross"));
@@ -80,7 +80,6 @@ class LeaguePageTest {
                     browser.size(width, 800);
                     assertTrue(browser.is("document.documentElement.scrollWidth <= innerWidth"),
                         "nothing is wider than " + width);
-                    browser.screenshot(folder.resolve((dark ? "dark" : "light") + width + ".png"));
                 }
             }
             assertEquals(List.of(), browser.complaints());
@@ -105,7 +104,7 @@ class LeaguePageTest {
             "worstMs":2}],"cross":[[null]],"path":{"versions":[1],"points":[]},"list":[]}""";
         byte[] page = LeaguePage.live("League", StatusServer.FEED);
         try (StatusServer server = StatusServer.start(null, 0, 200, page, path -> null);
-             PageTestBrowser browser = PageTestBrowser.start(folder.resolve("profile"))) {
+             PageTestBrowser browser = PageTestBrowser.start()) {
             server.show(state.formatted(1, 1));
             browser.go(server.address().toString());
             assertEquals("<i>a</i>", browser.text("#table tbody th.name"), "names are text");
@@ -136,7 +135,7 @@ class LeaguePageTest {
             "program":"TEXT","silentMs":1,"doubts":["TEXT"]}]}""".replace("TEXT", text);
         byte[] page = LeaguePage.live(HOSTILE, StatusServer.FEED);
         try (StatusServer server = StatusServer.start(null, 0, 1, page, path -> null);
-             PageTestBrowser browser = PageTestBrowser.start(folder.resolve("profile"))) {
+             PageTestBrowser browser = PageTestBrowser.start()) {
             server.show(state);
             browser.go(server.address().toString());
             for (String shown : List.of("#table tbody th.name", "#games td.left", "#workers td.name", "#doubts li",
@@ -160,7 +159,7 @@ class LeaguePageTest {
         done("add", folder + "/a", "evil=codingame:sh " + bot);
         done("run", folder + "/a", "--games", "2");
         done("page", folder + "/a", "--out", folder + "/page.html");
-        try (PageTestBrowser browser = PageTestBrowser.start(folder.resolve("profile"))) {
+        try (PageTestBrowser browser = PageTestBrowser.start()) {
             browser.open(folder.resolve("page.html"), "");
             assertEquals(2, rows(browser, "#games"));
             assertTrue(browser.is("document.querySelector('#games .faulty').title.includes('script')"));
@@ -191,7 +190,7 @@ class LeaguePageTest {
             + "]}";
         byte[] page = LeaguePage.live("League", StatusServer.FEED);
         try (StatusServer server = StatusServer.start(null, 0, 200, page, path -> null);
-             PageTestBrowser browser = PageTestBrowser.start(folder.resolve("profile"))) {
+             PageTestBrowser browser = PageTestBrowser.start()) {
             server.show(state);
             browser.go(server.address().toString());
             assertEquals(3, rows(browser, "#workers"));
@@ -208,8 +207,6 @@ class LeaguePageTest {
                     browser.size(width, 800);
                     assertTrue(browser.is("document.documentElement.scrollWidth <= innerWidth"),
                         "nothing is wider than " + width);
-                    browser.run("document.getElementById('workers-card').scrollIntoView()");
-                    browser.screenshot(folder.resolve("workers-" + (dark ? "dark" : "light") + width + ".png"));
                 }
             }
             assertEquals(List.of(), browser.complaints());

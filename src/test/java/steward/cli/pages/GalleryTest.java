@@ -17,7 +17,7 @@ abstract class GalleryTest {
 
     @BeforeAll
     static void start() {
-        browser = PageTestBrowser.start(folder.resolve("profile"));
+        browser = PageTestBrowser.start();
         gallery = new PageGallery(folder);
     }
 

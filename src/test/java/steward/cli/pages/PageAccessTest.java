@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Every page, asked by axe: light and dark, on a desk and on a phone. */
 @Tag("browser")
@@ -33,42 +34,69 @@ class PageAccessTest extends GalleryTest {
               ? (...words) => older(style[name](...words)) : older(style[name]) });
         })();
         """;
-    private static final int[][] SIZES = {{1280, 720}, {390, 844}, {844, 390}};
+    private static final int[] DESK = {1280, 720};
+    private static final int[] PHONE = {390, 844};
+    private static final int[] PHONE_ON_ITS_SIDE = {844, 390};
 
     static Stream<String> pages() {
         return PageGallery.ALL.stream();
     }
 
-    @ParameterizedTest
-    @MethodSource("pages")
-    void axeFindsNothing(String name) throws IOException {
-        gallery.show(browser, name);
-        for (boolean isDark : new boolean[] {true, false}) {
-            browser.prefer(isDark, true);
-            for (int[] size : SIZES) {
-                browser.size(size[0], size[1]);
-                browser.settle();
-                assertEquals(List.of(), violations(), () -> (isDark ? "dark, " : "light, ") + size[0] + " wide");
-            }
-        }
+    private static void assertNothingFound(boolean isDark, int[] size) throws IOException {
+        browser.prefer(isDark, true);
+        browser.size(size[0], size[1]);
+        browser.settle();
+        assertEquals(List.of(), violations(), () -> (isDark ? "dark, " : "light, ") + size[0] + " wide");
+    }
+
+    private static void assertNothingFoundAtTheEnd(String name) throws IOException {
         if (PageGallery.MATCHES.contains(name)) {
             browser.run("steward.seek(steward.lastTurn())");
             assertEquals(List.of(), violations(), "at the end");
         }
     }
 
+    private static void assertMistakesAreFound() throws IOException {
+        browser.run("""
+            const head = document.querySelector('h1');
+            Object.assign(head.style, { color: '#888888', backgroundColor: '#999999' });
+            head.append(document.createElement('img'));
+            """);
+        assertEquals(List.of("color-contrast", "image-alt"),
+            violations().stream().map(each -> each.replaceFirst(":.*", "")).sorted().toList());
+    }
+
+    /** One page of each kind, each theme at another size; then the page with two mistakes. */
+    @ParameterizedTest
+    @ValueSource(strings = {"mad-pod-racing", "undrawn", PageGallery.SMALL_LEAGUE, "tournament", "author"})
+    void axeFindsMistakesAlone(String name) throws IOException {
+        gallery.show(browser, name);
+        assertNothingFound(true, DESK);
+        assertNothingFound(false, PHONE);
+        assertNothingFoundAtTheEnd(name);
+        assertMistakesAreFound();
+    }
+
+    @Tag("campaign")
+    @ParameterizedTest
+    @MethodSource("pages")
+    void axeFindsNothing(String name) throws IOException {
+        gallery.show(browser, name);
+        for (boolean isDark : new boolean[] {true, false}) {
+            for (int[] size : List.of(DESK, PHONE, PHONE_ON_ITS_SIDE)) {
+                assertNothingFound(isDark, size);
+            }
+        }
+        assertNothingFoundAtTheEnd(name);
+    }
+
     @Test
+    @Tag("campaign")
     void whatIsWrongIsFound() throws IOException {
-        browser.size(1280, 720);
+        browser.size(DESK[0], DESK[1]);
         for (String name : List.of("mad-pod-racing", "league", "tournament")) {
             gallery.show(browser, name);
-            browser.run("""
-                const head = document.querySelector('h1');
-                Object.assign(head.style, { color: '#888888', backgroundColor: '#999999' });
-                head.append(document.createElement('img'));
-                """);
-            assertEquals(List.of("color-contrast", "image-alt"),
-                violations().stream().map(each -> each.replaceFirst(":.*", "")).sorted().toList(), name);
+            assertMistakesAreFound();
         }
     }
 

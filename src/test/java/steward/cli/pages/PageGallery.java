@@ -7,7 +7,9 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.Stream;
 import steward.bot.Bot;
 import steward.bots.fantasticbits.FantasticBitsBots;
@@ -34,8 +36,12 @@ final class PageGallery {
     static final List<String> ALL = Stream.concat(MATCHES.stream(), Stream.of("league", "tournament", "author"))
         .toList();
 
+    /** The page of a league with few bots and games: every kind of part of it, few of each. */
+    static final String SMALL_LEAGUE = "small-league";
+
     private static final int LEAGUE_BOTS = 25;
     private static final int LEAGUE_ROUNDS = 4;
+    private static final int FEW_BOTS = 4;
     /** A guest's match: what its bots said, and no drawing. */
     private static final List<String> UNDRAWN = List.of("""
         {"type":"steward-replay","format":3,"game":"guest","seed":"7","timeFactor":1,"players":[{"name":"left"},\
@@ -51,6 +57,7 @@ final class PageGallery {
 
     private final Path folder;
     private final PageTestPages pages;
+    private final Map<String, Path> written = new HashMap<>();
 
     /** @param folder an empty one */
     PageGallery(Path folder) {
@@ -61,25 +68,15 @@ final class PageGallery {
     /** Opens a page at its moment. */
     void show(PageTestBrowser browser, String name) throws IOException {
         switch (name) {
-            case "mad-pod-racing", "walled-race" ->
-                open(browser, PageTestRaces.play(PageTestRaces.scene(name), 3), name);
-            case "search-race" -> open(browser, played(name, SearchRaceBots.planner()), name);
-            case "mean-max" -> open(browser,
-                played(name, MeanMaxBots.marauder(), MeanMaxBots.gatherer(), MeanMaxBots.gatherer()), name);
-            case "fantastic-bits" -> open(browser,
-                played(name, FantasticBitsBots.captain(), FantasticBitsBots.chaser()), name);
-            case "poker-chip-race" -> open(browser,
-                played(name, PokerChipRaceBots.glutton(), PokerChipRaceBots.nibbler()), name);
             case "crowd" -> openLines(browser, PageTestCrowd.lines(500), "30.5");
             case "undrawn" -> openLines(browser, UNDRAWN, "2");
-            case "league" -> browser.open(league(), "");
+            case "league" -> browser.open(league(LEAGUE_BOTS, LEAGUE_ROUNDS), "");
+            case SMALL_LEAGUE -> browser.open(league(FEW_BOTS, 1), "");
             case "tournament" -> browser.openPlain(tournament().resolve("index.html"));
-            default -> browser.openPlain(tournament().resolve("bots/crash.html"));
+            case "author" -> browser.openPlain(tournament().resolve("bots/crash.html"));
+            default -> browser.open(written.computeIfAbsent(name, title -> pages.page(played(title), title)),
+                "#t=" + (name.equals("poker-chip-race") ? "9.5" : "30.5"));
         }
-    }
-
-    private void open(PageTestBrowser browser, byte[] replay, String title) {
-        browser.open(pages.page(replay, title), "#t=" + (title.equals("poker-chip-race") ? "9.5" : "30.5"));
     }
 
     private void openLines(PageTestBrowser browser, List<String> lines, String time) {
@@ -91,14 +88,25 @@ final class PageGallery {
         browser.complaints();                                // about the feed, which nobody serves
     }
 
+    private static byte[] played(String scene) {
+        return switch (scene) {
+            case "search-race" -> played(scene, SearchRaceBots.planner());
+            case "mean-max" ->
+                played(scene, MeanMaxBots.marauder(), MeanMaxBots.gatherer(), MeanMaxBots.gatherer());
+            case "fantastic-bits" -> played(scene, FantasticBitsBots.captain(), FantasticBitsBots.chaser());
+            case "poker-chip-race" -> played(scene, PokerChipRaceBots.glutton(), PokerChipRaceBots.nibbler());
+            default -> PageTestRaces.play(PageTestRaces.scene(scene), 3);
+        };
+    }
+
     private static byte[] played(String scene, Bot... bots) {
         return Recorded.of(TestScenes.open(scene), 7, List.of(bots)).bytes();
     }
 
-    private Path league() throws IOException {
-        Path page = folder.resolve("league.html");
+    private Path league(int bots, int rounds) throws IOException {
+        Path page = folder.resolve("league-of-" + bots + ".html");
         try (OutputStream html = Files.newOutputStream(page)) {
-            LeaguePage.write(PageTestLeague.of(LEAGUE_BOTS, LEAGUE_ROUNDS), folder, html, "League night");
+            LeaguePage.write(PageTestLeague.of(bots, rounds), folder, html, "League night");
         }
         return page;
     }

@@ -3,6 +3,7 @@ package steward.cli.pages;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.image.BufferedImage;
+import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
@@ -36,17 +37,36 @@ class PagePicturesTest extends GalleryTest {
     /** The details of a match, in which answer times differ from run to run. */
     private static final int DETAILS = 344;
 
-    static Stream<Arguments> pages() {
-        return PageGallery.ALL.stream()
-            .flatMap(name -> Stream.of(Arguments.of(name, true), Arguments.of(name, false)));
+    static Stream<String> pages() {
+        return PageGallery.ALL.stream();
     }
 
+    static Stream<Arguments> pagesAndThemes() {
+        return pages().flatMap(name -> Stream.of(Arguments.of(name, true), Arguments.of(name, false)));
+    }
+
+    /** The page follows when the theme changes. */
     @ParameterizedTest
     @MethodSource("pages")
-    void looksLikeTheReference(String name, boolean isDark) throws IOException {
-        BufferedImage seen = seen(name, isDark, "");
+    void looksLikeTheReferences(String name) throws IOException {
+        show(name, true);
+        assertLooksLikeTheReference(name, true);
+        browser.prefer(false, true);
+        assertLooksLikeTheReference(name, false);
+    }
+
+    @Tag("campaign")
+    @ParameterizedTest
+    @MethodSource("pagesAndThemes")
+    void looksLikeTheReferenceWhenOpened(String name, boolean isDark) throws IOException {
+        show(name, isDark);
+        assertLooksLikeTheReference(name, isDark);
+    }
+
+    private static void assertLooksLikeTheReference(String name, boolean isDark) throws IOException {
+        BufferedImage seen = seen(name);
         String file = name + (isDark ? "-dark" : "-light") + ".png";
-        try (InputStream in = getClass().getResourceAsStream(file)) {
+        try (InputStream in = PagePicturesTest.class.getResourceAsStream(file)) {
             double others = in == null ? 1 : others(seen, ImageIO.read(in));
             if (others > OTHERS) {
                 Path written = Files.createDirectories(Path.of("build/pictures")).resolve(file);
@@ -58,29 +78,43 @@ class PagePicturesTest extends GalleryTest {
         }
     }
 
-    /** Other letters are within the tolerance; what belongs to the picture and is not there is not. */
     @Test
     void whatIsGoneIsFound() throws IOException {
-        BufferedImage whole = seen("mad-pod-racing", true, "");
-        double serif = others(whole, seen("mad-pod-racing", true, "document.body.style.fontFamily = 'serif'"));
+        assertWhatIsGoneIsFound("steward.hide('drawBody')", "document.getElementById('scores').hidden = true");
+    }
+
+    @Test
+    @Tag("campaign")
+    void moreThatIsGoneIsFound() throws IOException {
+        assertWhatIsGoneIsFound("steward.hide('drawGround')", "document.getElementById('marks').hidden = true");
+    }
+
+    /** Other letters are within the tolerance; what belongs to the picture and is not there is not. */
+    private static void assertWhatIsGoneIsFound(String... changes) throws IOException {
+        String name = "mad-pod-racing";
+        show(name, true);
+        BufferedImage whole = seen(name);
+        browser.run("document.body.style.fontFamily = 'serif'");
+        double serif = others(whole, seen(name));
         assertTrue(serif <= OTHERS, () -> "another font: " + serif);
-        for (String gone : List.of("steward.hide('drawBody')", "steward.hide('drawGround')",
-                "document.getElementById('scores').hidden = true", "document.getElementById('marks').hidden = true")) {
-            double others = others(whole, seen("mad-pod-racing", true, gone));
+        for (String gone : changes) {
+            show(name, true);
+            browser.run(gone);
+            double others = others(whole, seen(name));
             assertTrue(others > OTHERS, () -> gone + ": " + others);
         }
     }
 
-    private static BufferedImage seen(String name, boolean isDark, String change) throws IOException {
-        boolean isMatch = PageGallery.MATCHES.contains(name);
-        browser.size(1280, isMatch ? 720 : 1600);
+    private static void show(String name, boolean isDark) throws IOException {
+        browser.size(1280, PageGallery.MATCHES.contains(name) ? 720 : 1600);
         browser.prefer(isDark, true);
         gallery.show(browser, name);
-        browser.run(change);
+    }
+
+    private static BufferedImage seen(String name) throws IOException {
         browser.settle();
-        browser.screenshot(folder.resolve("seen.png"));
-        BufferedImage whole = ImageIO.read(folder.resolve("seen.png").toFile());
-        return shrunk(whole, whole.getWidth() - (isMatch ? DETAILS : 0));
+        BufferedImage whole = ImageIO.read(new ByteArrayInputStream(browser.screenshot()));
+        return shrunk(whole, whole.getWidth() - (PageGallery.MATCHES.contains(name) ? DETAILS : 0));
     }
 
     private static BufferedImage shrunk(BufferedImage whole, int width) {
@@ -95,11 +129,9 @@ class PagePicturesTest extends GalleryTest {
 
     private static int mean(BufferedImage whole, int left, int top) {
         int[] sums = new int[3];
-        for (int y = top; y < top + CELL; y++) {
-            for (int x = left; x < left + CELL; x++) {
-                for (int channel = 0; channel < 3; channel++) {
-                    sums[channel] += channel(whole.getRGB(x, y), channel);
-                }
+        for (int pixel : whole.getRGB(left, top, CELL, CELL, null, 0, CELL)) {
+            for (int channel = 0; channel < 3; channel++) {
+                sums[channel] += channel(pixel, channel);
             }
         }
         int all = CELL * CELL;

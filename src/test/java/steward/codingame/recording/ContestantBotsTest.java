@@ -27,15 +27,17 @@ import steward.match.TestScenes;
 import steward.match.TimeControl;
 
 /**
- * Bots as contestants write them, in three languages, each in 20 matches against a bot that speaks JSON: the upper
- * leagues with two pods, the lower ones with one, from both sides.
+ * Bots as contestants write them, in three languages, each in a few matches against a bot that speaks JSON, in campaigns
+ * in 20: the upper leagues with two pods, the lower ones with one, from both sides.
  */
 @Execution(ExecutionMode.CONCURRENT)
 @Tag("process")
 @Timeout(120)
 class ContestantBotsTest {
 
-    private static final int MATCHES = 20;
+    /** Both sides of the first two scenes. */
+    private static final int FEW = 4;
+    private static final int MANY = 20;
     private static final List<String> SCENES = List.of("duel", "mad-pod-racing-silver", "mad-pod-racing", "duel");
 
     @TempDir
@@ -43,32 +45,52 @@ class ContestantBotsTest {
 
     @Test
     void writtenInCpp(TestReporter report) throws IOException, InterruptedException {
-        assumeTrue(onPath("g++"), "skipped: there is no g++ on the PATH");
-        Path program = folder.resolve("pilot");
-        assertEquals(0, run("g++", "-O1", "-o", program.toString(), source("pilot.cpp").toString()));
-        play(report, "pilot.cpp", List.of(program.toString()));
+        cpp(report, FEW);
     }
 
     @Test
     void writtenInJava(TestReporter report) throws IOException {
-        JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
-        assumeTrue(compiler != null, "skipped: this Java has no compiler");
-        assertEquals(0, compiler.run(null, null, null, "-d", folder.toString(), source("Pilot.java").toString()));
-        play(report, "Pilot.java", List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-            "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC", "-cp", folder.toString(), "Player"));
+        java(report, FEW);
     }
 
     @Test
     void writtenInPython(TestReporter report) throws IOException, InterruptedException {
-        assumeTrue(onPath("python3"), "skipped: there is no python3 on the PATH");
-        assumeTrue(run("python3", "-c", "import math, sys") == 0, "skipped: python3 does not run");
-        play(report, "pilot.py", List.of("python3", source("pilot.py").toString()));
+        python(report, FEW);
     }
 
-    private static void play(TestReporter report, String name, List<String> command) {
+    @Test
+    @Tag("campaign")
+    void eachPlaysManyMatches(TestReporter report) throws IOException, InterruptedException {
+        cpp(report, MANY);
+        java(report, MANY);
+        python(report, MANY);
+    }
+
+    private void cpp(TestReporter report, int matches) throws IOException, InterruptedException {
+        assumeTrue(onPath("g++"), "skipped: there is no g++ on the PATH");
+        Path program = folder.resolve("pilot");
+        assertEquals(0, run("g++", "-O1", "-o", program.toString(), source("pilot.cpp").toString()));
+        play(report, "pilot.cpp", matches, List.of(program.toString()));
+    }
+
+    private void java(TestReporter report, int matches) throws IOException {
+        JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
+        assumeTrue(compiler != null, "skipped: this Java has no compiler");
+        assertEquals(0, compiler.run(null, null, null, "-d", folder.toString(), source("Pilot.java").toString()));
+        play(report, "Pilot.java", matches, List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+            "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC", "-cp", folder.toString(), "Player"));
+    }
+
+    private void python(TestReporter report, int matches) throws IOException, InterruptedException {
+        assumeTrue(onPath("python3"), "skipped: there is no python3 on the PATH");
+        assumeTrue(run("python3", "-c", "import math, sys") == 0, "skipped: python3 does not run");
+        play(report, "pilot.py", matches, List.of("python3", source("pilot.py").toString()));
+    }
+
+    private static void play(TestReporter report, String name, int matches, List<String> command) {
         int wins = 0;
         int turns = 0;
-        for (int match = 0; match < MATCHES; match++) {
+        for (int match = 0; match < matches; match++) {
             GameSetup setup = TestScenes.open(SCENES.get(match / 2 % SCENES.size()));
             int side = match % 2;
             Seat bot = TextMatches.program(name, command);
@@ -86,7 +108,7 @@ class ContestantBotsTest {
             wins += played.result().winner() == side ? 1 : 0;
             turns += played.result().turns();
         }
-        report.publishEntry(name + ": " + MATCHES + " matches without a fault, " + wins + " won, " + turns + " turns");
+        report.publishEntry(name + ": " + matches + " matches without a fault, " + wins + " won, " + turns + " turns");
     }
 
     private Path source(String name) throws IOException {

@@ -36,7 +36,7 @@ class MeanMaxContestantsTest {
 
     @Test
     void theyPlayWithoutAFault(TestReporter report) throws IOException, InterruptedException {
-        play(report, 2);
+        play(report, 1);
     }
 
     @Test

@@ -37,7 +37,7 @@ class PokerChipRaceContestantsTest {
 
     @Test
     void theyPlayWithoutAFault(TestReporter report) throws IOException, InterruptedException {
-        play(report, 2);
+        play(report, 1);
     }
 
     @Test

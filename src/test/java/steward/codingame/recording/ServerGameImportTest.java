@@ -9,6 +9,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.ByteArrayOutputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
@@ -75,8 +76,18 @@ class ServerGameImportTest {
     }
 
     @Test
+    void aChangedPlaceIsFound() {
+        assertAChangedPlaceIsFound(100);
+    }
+
+    @Test
+    @Tag("campaign")
     void aChangedPlaceIsFoundInEveryTurn() {
-        for (int turn = 1; turn <= GAME.turns(); turn += 13) {
+        assertAChangedPlaceIsFound(1);
+    }
+
+    private void assertAChangedPlaceIsFound(int each) {
+        for (int turn = 1; turn <= GAME.turns(); turn += each) {
             String[] lines = view(turn).split("\n");
             int line = Arrays.asList(lines).lastIndexOf("#1.00000");
             while (!lines[line].startsWith("1 ")) {

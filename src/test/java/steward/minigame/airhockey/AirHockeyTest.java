@@ -174,12 +174,10 @@ class AirHockeyTest {
     @Tag("browser")
     void thePageDrawsEveryTurn() throws IOException {
         Path page = page();
-        try (PageTestBrowser browser = PageTestBrowser.start(folder.resolve("profile"))) {
+        try (PageTestBrowser browser = PageTestBrowser.start()) {
             browser.open(page, "");
             browser.run("steward.pause()");
-            for (double time = 0; time <= 100; time += 2.5) {
-                browser.run("steward.seek(" + time + ")");
-            }
+            browser.draw(0, 100, 2.5);
             assertEquals(List.of(), browser.complaints());
         }
     }

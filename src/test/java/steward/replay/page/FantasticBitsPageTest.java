@@ -25,14 +25,12 @@ class FantasticBitsPageTest {
             List.of(FantasticBitsBots.captain(), FantasticBitsBots.chaser()));
         assertTrue(match.text().contains("\"spell\":\"flipendo\""), "spells are drawn too");
         Path page = new PageTestPages(folder).page(match.bytes(), "Fantastic Bits");
-        try (PageTestBrowser browser = PageTestBrowser.start(folder.resolve("profile"))) {
+        try (PageTestBrowser browser = PageTestBrowser.start()) {
             browser.size(1280, 720);
             browser.prefer(true, false);
             browser.open(page, "");
             browser.run("steward.pause()");
-            for (int turn = 0; turn <= match.result().turns(); turn++) {
-                browser.run("steward.seek(" + (turn + 0.5) + ")");
-            }
+            browser.draw(0.5, match.result().turns(), 1);
             browser.run("steward.seek(0)");
             assertEquals("0 goals", browser.text("#scores .big"));
             assertEquals("0 magic", browser.text("#scores .small"));

@@ -33,7 +33,7 @@ class GuestPageTest {
 
     @Test
     void aGuestIsShownByItsLines() {
-        try (PageTestBrowser browser = PageTestBrowser.start(folder.resolve("profile"))) {
+        try (PageTestBrowser browser = PageTestBrowser.start()) {
             browser.size(1280, 720);
             browser.open(new PageTestPages(folder).live("A heap"), "");
             LINES.forEach(line -> browser.run("steward.addTurn(arguments[0])", line));

@@ -28,13 +28,10 @@ class ImportedPageTest {
         ByteArrayOutputStream replay = new ByteArrayOutputStream();
         GameRecordingImport.of(OfficialGame.play(12).sketch(TURNS), "game.json", TestScenes.TYPES).write(replay);
         Path page = new PageTestPages(folder).page(replay.toByteArray(), "Imported");
-        try (PageTestBrowser browser = PageTestBrowser.start(folder.resolve("profile"))) {
+        try (PageTestBrowser browser = PageTestBrowser.start()) {
             browser.open(page, "#turn=1");
             browser.run("steward.pause()");
-            for (int turn = 0; turn <= TURNS; turn++) {
-                browser.seek(turn, 1);
-                browser.run("steward.seek(arguments[0], 0.5)", turn);
-            }
+            browser.draw(0, TURNS, 0.5);
             browser.seek(TURNS, 1);
             assertEquals(List.of(), browser.complaints());
             assertEquals(TURNS, browser.number("steward.lastTurn()"));
@@ -47,13 +44,10 @@ class ImportedPageTest {
         ByteArrayOutputStream replay = new ByteArrayOutputStream();
         RecordingImport.of(ServerMeanMax.play(5, TURNS).json(), "game.json", TestScenes.TYPES).write(replay);
         Path page = new PageTestPages(folder).page(replay.toByteArray(), "Imported");
-        try (PageTestBrowser browser = PageTestBrowser.start(folder.resolve("profile"))) {
+        try (PageTestBrowser browser = PageTestBrowser.start()) {
             browser.open(page, "#turn=1");
             browser.run("steward.pause()");
-            for (int turn = 0; turn <= TURNS; turn++) {
-                browser.seek(turn, 1);
-                browser.run("steward.seek(arguments[0], 0.5)", turn);
-            }
+            browser.draw(0, TURNS, 0.5);
             assertEquals(List.of(), browser.complaints());
             assertEquals(TURNS, browser.number("steward.lastTurn()"));
         }

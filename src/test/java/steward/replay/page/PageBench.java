@@ -33,7 +33,7 @@ public final class PageBench {
     /** Prints a line for a pod race and for matches of more and more bodies, then one for each pace. */
     public static void main(String[] args) throws IOException, InterruptedException {
         Path folder = Files.createTempDirectory("steward-page-bench");
-        try (PageTestBrowser browser = PageTestBrowser.start(folder.resolve("profile"))) {
+        try (PageTestBrowser browser = PageTestBrowser.start()) {
             browser.size(1440, 900);
             browser.prefer(true, false);
             System.out.println("Script in ms            frame: median  90%   most    turn begins: median  90%   most   "

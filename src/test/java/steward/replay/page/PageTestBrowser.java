@@ -3,26 +3,30 @@ package steward.replay.page;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.File;
-import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Arrays;
+import java.util.Base64;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.BooleanSupplier;
 import java.util.logging.Level;
 import java.util.logging.Logger;
 import org.openqa.selenium.By;
 import org.openqa.selenium.Dimension;
-import org.openqa.selenium.OutputType;
 import org.openqa.selenium.chrome.ChromeDriver;
 import org.openqa.selenium.chrome.ChromeDriverService;
 import org.openqa.selenium.chrome.ChromeOptions;
 import org.openqa.selenium.logging.LogType;
 import org.openqa.selenium.logging.LoggingPreferences;
 
-/** A headless Chromium in which tests look at pages, through the page's own test hook {@code window.steward}. */
+/**
+ * A headless Chromium in which tests look at pages, through the page's own test hook {@code window.steward}. One serves
+ * all classes of this JVM, which run one after another; who is done with it closes it, and the next finds it as new.
+ * It ends with the JVM.
+ */
 public final class PageTestBrowser implements AutoCloseable {
 
     private static final Duration PATIENCE = Duration.ofSeconds(60);
@@ -30,9 +34,25 @@ public final class PageTestBrowser implements AutoCloseable {
     /** Warns of every Chromium newer than itself; kept here because loggers are only held weakly. */
     private static final Logger VERSION_FINDER = Logger.getLogger("org.openqa.selenium.devtools.CdpVersionFinder");
 
-    private final ChromeDriver driver;
+    private static final AtomicBoolean IN_USE = new AtomicBoolean();
 
-    private PageTestBrowser(Path browser, Path driverProgram, Path profile) {
+    private final ChromeDriver driver = Started.DRIVER;
+
+    /** The browser of this JVM, started by the first test that looks at a page. */
+    private static final class Started {
+
+        static final ChromeDriver DRIVER = driver(browser(), driverProgram());
+
+        static {
+            Runtime.getRuntime().addShutdownHook(new Thread(DRIVER::quit));
+        }
+    }
+
+    private PageTestBrowser() {
+        size(1280, 720);
+    }
+
+    private static ChromeDriver driver(Path browser, Path driverProgram) {
         VERSION_FINDER.setLevel(Level.SEVERE);
         LoggingPreferences logs = new LoggingPreferences();
         logs.enable(LogType.BROWSER, Level.ALL);
@@ -40,23 +60,32 @@ public final class PageTestBrowser implements AutoCloseable {
         ChromeOptions options = new ChromeOptions();
         options.setBinary(browser.toFile());
         options.addArguments("--headless", "--no-sandbox", "--disable-gpu", "--no-first-run",
-            "--disable-background-networking", "--disable-component-update", "--disable-sync", "--hide-scrollbars",
-            "--force-device-scale-factor=1", "--user-data-dir=" + profile);
+            "--disable-background-networking", "--disable-component-update", "--disable-sync", "--disable-extensions",
+            "--hide-scrollbars", "--force-device-scale-factor=1");
         options.setCapability("goog:loggingPrefs", logs);
         System.setProperty(ChromeDriverService.CHROME_DRIVER_EXE_PROPERTY, driverProgram.toString());
         System.setProperty(ChromeDriverService.CHROME_DRIVER_SILENT_OUTPUT_PROPERTY, "true");
-        driver = new ChromeDriver(options);
+        ChromeDriver driver = new ChromeDriver(options);
         driver.manage().timeouts().scriptTimeout(PATIENCE).pageLoadTimeout(PATIENCE);
-        size(1280, 720);
+        return driver;
     }
 
-    /** Starts a browser; the test is skipped, saying so, where there is none or no driver for it. */
-    public static PageTestBrowser start(Path profile) {
-        Path browser = find("chromium", "chromium-browser", "google-chrome");
-        Path driver = find("chromedriver");
-        assumeTrue(browser != null, "there is no chromium on the PATH");
-        assumeTrue(driver != null, "there is no chromedriver on the PATH");
-        return new PageTestBrowser(browser, driver, profile);
+    /** Hands out the browser; the test is skipped, saying so, where there is none or no driver for it. */
+    public static PageTestBrowser start() {
+        assumeTrue(browser() != null, "there is no chromium on the PATH");
+        assumeTrue(driverProgram() != null, "there is no chromedriver on the PATH");
+        if (!IN_USE.compareAndSet(false, true)) {
+            throw new IllegalStateException("the browser is in use, or a test has not closed it");
+        }
+        return new PageTestBrowser();
+    }
+
+    private static Path browser() {
+        return find("chromium", "chromium-browser", "google-chrome");
+    }
+
+    private static Path driverProgram() {
+        return find("chromedriver");
     }
 
     private static Path find(String... names) {
@@ -122,6 +151,12 @@ public final class PageTestBrowser implements AutoCloseable {
 
     void seek(int turn, double fraction) {
         run("steward.seek(arguments[0], arguments[1])", turn, fraction);
+    }
+
+    /** Draws a match from a time on at every so many turns, up to another time. */
+    public void draw(double from, double to, double step) {
+        run("for (let time = arguments[0]; time <= arguments[1]; time += arguments[2]) steward.seek(time)", from, to,
+            step);
     }
 
     public void click(String selector) {
@@ -191,23 +226,34 @@ public final class PageTestBrowser implements AutoCloseable {
             "deltaY", down));
     }
 
+    /** The number of windows that are open. */
+    int windows() {
+        return driver.getWindowHandles().size();
+    }
+
     /** Turns to the window that was opened last, and waits until its page is ready. */
     public void lastWindow() {
-        await("no window was opened", () -> driver.getWindowHandles().size() > 1);
+        await("no window was opened", () -> windows() > 1);
         driver.switchTo().window(driver.getWindowHandles().stream().reduce((one, other) -> other).orElseThrow());
         await("the page of the window is not ready", () -> is("window.steward && window.steward.ready"));
     }
 
-    public void screenshot(Path file) {
-        try {
-            Files.write(file, driver.getScreenshotAs(OutputType.BYTES));
-        } catch (IOException e) {
-            throw new AssertionError(e);
-        }
+    /** What the window shows, as a PNG. */
+    public byte[] screenshot() {
+        return Base64.getDecoder().decode((String) driver.executeCdpCommand("Page.captureScreenshot",
+            Map.of("format", "png", "optimizeForSpeed", true)).get("data"));
     }
 
+    /** Closes the pages, and forgets what they stored and what was preferred. */
     @Override
     public void close() {
-        driver.quit();
+        List<String> windows = List.copyOf(driver.getWindowHandles());
+        for (String window : windows.subList(1, windows.size())) {
+            driver.switchTo().window(window).close();
+        }
+        driver.switchTo().window(windows.get(0)).get("about:blank");
+        driver.executeCdpCommand("Emulation.setEmulatedMedia", Map.of("features", List.of()));
+        driver.executeCdpCommand("Storage.clearDataForOrigin", Map.of("origin", "*", "storageTypes", "all"));
+        IN_USE.set(false);
     }
 }

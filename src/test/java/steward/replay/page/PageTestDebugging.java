@@ -28,7 +28,7 @@ class PageTestDebugging {
 
     @BeforeAll
     static void start() {
-        browser = PageTestBrowser.start(folder.resolve("profile"));
+        browser = PageTestBrowser.start();
         page = new PageTestPages(folder).page(PageTestRaces.play(PageTestRaces.scene("mad-pod-racing"), 3), "Race");
     }
 

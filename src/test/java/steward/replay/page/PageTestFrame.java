@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -17,12 +18,18 @@ import org.junit.jupiter.params.provider.ValueSource;
 class PageTestFrame {
 
     @TempDir
-    Path folder;
+    static Path folder;
+
+    private static Path page;
+
+    @BeforeAll
+    static void play() {
+        page = new PageTestPages(folder).page(PageTestRaces.play(PageTestRaces.scene("duel"), 5), "Duel");
+    }
 
     @ParameterizedTest
     @ValueSource(strings = {"file", "sandbox", "text"})
     void behavesInsideAnotherPage(String kind) throws IOException {
-        Path page = new PageTestPages(folder).page(PageTestRaces.play(PageTestRaces.scene("duel"), 5), "Duel");
         String frame = switch (kind) {
             case "file" -> "src=\"" + page.getFileName() + "#t=7.25\"";
             case "sandbox" -> "sandbox=\"allow-scripts\" src=\"" + page.getFileName() + "#t=7.25\"";
@@ -31,7 +38,7 @@ class PageTestFrame {
         Path outer = folder.resolve("outer.html");
         Files.writeString(outer, "<!DOCTYPE html><title>Notebook</title><body style=\"margin:0;height:3000px\">"
             + "<iframe width=\"700\" height=\"420\" " + frame + "></iframe></body>");
-        try (PageTestBrowser browser = PageTestBrowser.start(folder.resolve("profile"))) {
+        try (PageTestBrowser browser = PageTestBrowser.start()) {
             browser.openPlain(outer);
             browser.enterFrame();
             if (!kind.equals("text")) {

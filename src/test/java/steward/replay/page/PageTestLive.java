@@ -34,7 +34,7 @@ class PageTestLive {
 
     @BeforeAll
     static void start() {
-        browser = PageTestBrowser.start(folder.resolve("profile"));
+        browser = PageTestBrowser.start();
     }
 
     @AfterAll

@@ -32,7 +32,7 @@ class PageTestTexts {
 
     @BeforeAll
     static void start() {
-        browser = PageTestBrowser.start(folder.resolve("profile"));
+        browser = PageTestBrowser.start();
         pages = new PageTestPages(folder);
         replay = PageTestRaces.play(PageTestRaces.scene("duel"), 5);
     }

@@ -25,7 +25,7 @@ class PageTestWatch {
         byte[] replay = PageTestRaces.play(PageTestRaces.scene("duel"), 5);
         List<String> lines = new String(replay, StandardCharsets.UTF_8).lines().toList();
         LiveRecording recording = new LiveRecording();
-        try (PageTestBrowser browser = PageTestBrowser.start(folder.resolve("profile"))) {
+        try (PageTestBrowser browser = PageTestBrowser.start()) {
             try (LiveServer server = LiveServer.start(null, 0, 200, "swift against steady", recording,
                     PageExtras.NONE)) {
                 browser.go(server.address().toString());

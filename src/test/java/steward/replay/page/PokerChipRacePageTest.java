@@ -24,14 +24,12 @@ class PokerChipRacePageTest {
         Recorded match = Recorded.of(TestScenes.open("poker-chip-race"), 7,
             List.of(PokerChipRaceBots.glutton(), PokerChipRaceBots.nibbler()));
         Path page = new PageTestPages(folder).page(match.bytes(), "Poker Chip Race");
-        try (PageTestBrowser browser = PageTestBrowser.start(folder.resolve("profile"))) {
+        try (PageTestBrowser browser = PageTestBrowser.start()) {
             browser.size(1280, 720);
             browser.prefer(true, false);
             browser.open(page, "");
             browser.run("steward.pause()");
-            for (double time = 0; time <= match.result().turns(); time += 2.5) {
-                browser.run("steward.seek(" + time + ")");
-            }
+            browser.draw(0, match.result().turns(), 2.5);
             browser.run("steward.seek(0)");
             assertTrue(browser.text("#scores .big").matches("[0-9\u2009]+ u²"), browser.text("#scores .big"));
             assertTrue(browser.text("#scores .small").matches("[1-5] chips?( · .*)?"), browser.text("#scores .small"));

@@ -24,14 +24,12 @@ class SearchRacePageTest {
     void aWholeRaceIsDrawn() {
         Recorded race = Recorded.of(TestScenes.open("search-race"), 7, List.of(SearchRaceBots.driver()));
         Path page = new PageTestPages(folder).page(race.bytes(), "Search race");
-        try (PageTestBrowser browser = PageTestBrowser.start(folder.resolve("profile"))) {
+        try (PageTestBrowser browser = PageTestBrowser.start()) {
             browser.size(1280, 720);
             browser.prefer(true, false);
             browser.open(page, "");
             browser.run("steward.pause()");
-            for (int turn = 0; turn <= race.result().turns(); turn += 20) {
-                browser.run("steward.seek(" + turn + ")");
-            }
+            browser.draw(0, race.result().turns(), 20);
             browser.run("steward.seek(0)");
             assertEquals("Lap 1/3", browser.text("#scores .big"));
             assertTrue(browser.text("#scores .small").startsWith("0 of "), browser.text("#scores .small"));

@@ -30,7 +30,7 @@ class SparsePageTest {
     void ofATurnWithoutStateOnlyPlacesAreShown() {
         Recorded match = Recorded.of(TestScenes.TYPES.open(SCENE, "many.json"), 7, List.of());
         Path page = new PageTestPages(folder).page(match.bytes(), "Many");
-        try (PageTestBrowser browser = PageTestBrowser.start(folder.resolve("profile"))) {
+        try (PageTestBrowser browser = PageTestBrowser.start()) {
             browser.size(1280, 720);
             browser.open(page, "");
             browser.run("steward.pause()");

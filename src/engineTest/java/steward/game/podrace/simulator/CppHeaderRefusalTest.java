@@ -93,20 +93,35 @@ class CppHeaderRefusalTest {
 
     /** By this flag clang contracts whatever a file says. */
     @Test
+    void clangContractsWhereItIsToldTo() throws IOException, InterruptedException {
+        needs("clang++");
+        assertEquals(CONTRACTED, said("clang++", "program.cpp", "-O2", "-mavx2", "-mfma", "-ffp-contract=fast"));
+    }
+
+    @Test
+    @Tag("campaign")
     void clangContractsNothingUnlessItIsToldTo() throws IOException, InterruptedException {
         needs("clang++");
         assertEquals(FINE, said("clang++", "program.cpp", "-O3", "-mavx2", "-mfma"));
         assertEquals(CONTRACTED, said("clang++", "program.cpp", "-O3", "-mavx2", "-mfma", "-ffp-contract=fast"));
     }
 
-    /** The link with this flag sets the processor to flush tiny numbers; the compiler alone does no harm. */
+    /** The link with one of these flags sets the processor to flush tiny numbers; the compiler alone does no harm. */
     @Test
     void ofastIsRefusedWhereItFlushesTinyNumbers() throws IOException, InterruptedException {
         needs("g++");
+        assertEquals(0, run(List.of("g++", "-std=c++17", "-Ofast", "-mavx2", "-mfma", "-c", "program.cpp")).status());
+        assertEquals(FLUSHED, said("g++", "program.o", "-Ofast"));
+        assertEquals(FLUSHED, said("g++", "program.o", "-ffast-math"));
+        assertEquals(FINE, said("g++", "program.o"));
+    }
+
+    @Test
+    @Tag("campaign")
+    void ofastIsRefusedWhereOneCallCompilesAndLinks() throws IOException, InterruptedException {
+        needs("g++");
         assertEquals(FLUSHED, said("g++", "program.cpp", "-Ofast"));
         assertEquals(FLUSHED, said("g++", "program.cpp", "-O2", "-ffast-math"));
-        assertEquals(0, run(List.of("g++", "-std=c++17", "-Ofast", "-mavx2", "-mfma", "-c", "program.cpp")).status());
-        assertEquals(FINE, said("g++", "program.o"));
     }
 
     @Test
@@ -121,14 +136,26 @@ class CppHeaderRefusalTest {
     @Test
     void whatRemainsIsFoundByTheSelfCheck() throws IOException, InterruptedException {
         needs("g++");
+        leaveOutThePragma();
+        assertEquals(CONTRACTED, said("g++", "program.cpp", "-O2", "-mavx2", "-mfma", "-ffp-contract=fast"));
+    }
+
+    @Test
+    @Tag("campaign")
+    void theSelfCheckFindsWhatIsReorderedAndNothingElse() throws IOException, InterruptedException {
+        needs("g++");
+        leaveOutThePragma();
+        assertEquals(CONTRACTED, said("g++", "program.cpp", "-O3", "-mavx2", "-mfma", "-ffp-contract=fast"));
+        assertEquals(FINE, said("g++", "program.cpp", "-O3", "-mavx2", "-mfma", "-ffp-contract=off"));
+        assertEquals(0, run(List.of("g++", "-std=c++17", "-Ofast", "-mavx2", "-c", "program.cpp")).status());
+        assertNotEquals(FINE, said("g++", "program.o"), "reordered");
+    }
+
+    private void leaveOutThePragma() throws IOException {
         Path header = folder.resolve(CppHeader.HEADER.getFileName());
         String whole = Files.readString(header);
         String without = whole.replaceFirst("#pragma GCC optimize\\(.*\\)\n", "");
         assertNotEquals(whole, without);
         Files.writeString(header, without);
-        assertEquals(CONTRACTED, said("g++", "program.cpp", "-O3", "-mavx2", "-mfma", "-ffp-contract=fast"));
-        assertEquals(FINE, said("g++", "program.cpp", "-O3", "-mavx2", "-mfma", "-ffp-contract=off"));
-        assertEquals(0, run(List.of("g++", "-std=c++17", "-Ofast", "-mavx2", "-c", "program.cpp")).status());
-        assertNotEquals(FINE, said("g++", "program.o"), "reordered");
     }
 }
