@@ -95,15 +95,27 @@ class CppHeaderRefusalTest {
     @Test
     void clangContractsNothingUnlessItIsToldTo() throws IOException, InterruptedException {
         needs("clang++");
-        assertEquals(FINE, said("clang++", "program.cpp", "-O3", "-mavx2", "-mfma"));
         assertEquals(CONTRACTED, said("clang++", "program.cpp", "-O3", "-mavx2", "-mfma", "-ffp-contract=fast"));
     }
 
-    /** The link with this flag sets the processor to flush tiny numbers; the compiler alone does no harm. */
+    @Test
+    @Tag("campaign")
+    void clangUntoldContractsNothing() throws IOException, InterruptedException {
+        needs("clang++");
+        assertEquals(FINE, said("clang++", "program.cpp", "-O3", "-mavx2", "-mfma"));
+    }
+
     @Test
     void ofastIsRefusedWhereItFlushesTinyNumbers() throws IOException, InterruptedException {
         needs("g++");
         assertEquals(FLUSHED, said("g++", "program.cpp", "-Ofast"));
+    }
+
+    /** The link with this flag sets the processor to flush tiny numbers; the compiler alone does no harm. */
+    @Test
+    @Tag("campaign")
+    void fastMathIsRefusedLikewiseButNotInTheCompilerAlone() throws IOException, InterruptedException {
+        needs("g++");
         assertEquals(FLUSHED, said("g++", "program.cpp", "-O2", "-ffast-math"));
         assertEquals(0, run(List.of("g++", "-std=c++17", "-Ofast", "-mavx2", "-mfma", "-c", "program.cpp")).status());
         assertEquals(FINE, said("g++", "program.o"));
@@ -121,14 +133,25 @@ class CppHeaderRefusalTest {
     @Test
     void whatRemainsIsFoundByTheSelfCheck() throws IOException, InterruptedException {
         needs("g++");
+        removePragma();
+        assertEquals(CONTRACTED, said("g++", "program.cpp", "-O3", "-mavx2", "-mfma", "-ffp-contract=fast"));
+    }
+
+    @Test
+    @Tag("campaign")
+    void theSelfCheckFindsWhatIsReorderedAndNothingElse() throws IOException, InterruptedException {
+        needs("g++");
+        removePragma();
+        assertEquals(FINE, said("g++", "program.cpp", "-O3", "-mavx2", "-mfma", "-ffp-contract=off"));
+        assertEquals(0, run(List.of("g++", "-std=c++17", "-Ofast", "-mavx2", "-c", "program.cpp")).status());
+        assertNotEquals(FINE, said("g++", "program.o"), "reordered");
+    }
+
+    private void removePragma() throws IOException {
         Path header = folder.resolve(CppHeader.HEADER.getFileName());
         String whole = Files.readString(header);
         String without = whole.replaceFirst("#pragma GCC optimize\\(.*\\)\n", "");
         assertNotEquals(whole, without);
         Files.writeString(header, without);
-        assertEquals(CONTRACTED, said("g++", "program.cpp", "-O3", "-mavx2", "-mfma", "-ffp-contract=fast"));
-        assertEquals(FINE, said("g++", "program.cpp", "-O3", "-mavx2", "-mfma", "-ffp-contract=off"));
-        assertEquals(0, run(List.of("g++", "-std=c++17", "-Ofast", "-mavx2", "-c", "program.cpp")).status());
-        assertNotEquals(FINE, said("g++", "program.o"), "reordered");
     }
 }
