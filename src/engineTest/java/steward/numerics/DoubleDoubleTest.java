@@ -3,6 +3,7 @@ package steward.numerics;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
@@ -43,8 +44,18 @@ class DoubleDoubleTest {
 
     @Test
     void productsQuotientsAndRootsAreWithinTheirBounds() {
+        checkProducts(CASES / 5);
+    }
+
+    @Test
+    @Tag("campaign")
+    void manyProductsQuotientsAndRootsAreWithinTheirBounds() {
+        checkProducts(CASES);
+    }
+
+    private void checkProducts(int cases) {
         SplitMix64 random = new SplitMix64(2);
-        for (int k = 0; k < CASES; k++) {
+        for (int k = 0; k < cases; k++) {
             DoubleDouble a = Numbers.anyDoubleDouble(random, -200, 200);
             DoubleDouble b = Numbers.anyDoubleDouble(random, -200, 200);
             double c = Numbers.any(random, -200, 200);

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.math.BigDecimal;
 import java.math.BigInteger;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
@@ -77,8 +78,18 @@ class WideFractionTest {
     /** Half way up, where it says so: BigDecimal goes to even there. */
     @Test
     void theNearestDoubleIsTheNearest() {
+        checkNearest(COUNT / 8);
+    }
+
+    @Test
+    @Tag("campaign")
+    void ofManyTheNearestDoubleIsTheNearest() {
+        checkNearest(COUNT);
+    }
+
+    private void checkNearest(int count) {
         BigDecimal unit = new BigDecimal(ONE);
-        for (int k = 0; k < COUNT; k++) {
+        for (int k = 0; k < count; k++) {
             WideFraction a = new WideFraction().set(Math.max(1, word() >>> random.nextInt(64)), word(), word() | 1);
             assertEquals(new BigDecimal(of(a)).divide(unit).doubleValue(), a.toDouble());
             assertEquals(192 - of(a).bitLength(), a.leadingZeros());

@@ -197,7 +197,7 @@ class ShutInTest {
 
     @Test
     void itAgreesWithAWalk() {
-        agreesWithAWalk(30);
+        agreesWithAWalk(12);
     }
 
     @Test

@@ -2,6 +2,7 @@ package steward.game.pokerchiprace;
 
 import java.io.IOException;
 import java.util.function.Function;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestReporter;
 import org.junit.jupiter.api.parallel.Execution;
@@ -18,18 +19,38 @@ import steward.game.GroundTruth;
 class PokerChipRaceVectorsTest {
 
     @Test
-    void everyMatchIsReproducedFromItsSeedToTheLastBit(TestReporter report) throws IOException {
-        compare(report, "from the start", match -> new PokerReplay(match).compareWhole());
+    void matchesAreReproducedFromTheirSeedsToTheLastBit(TestReporter report) throws IOException {
+        compareWhole(report, false);
     }
 
     @Test
-    void everyTurnIsReproducedFromTheStateBeforeIt(TestReporter report) throws IOException {
-        compare(report, "turn by turn", match -> new PokerReplay(match).compareTurnByTurn());
+    @Tag("campaign")
+    void everyMatchIsReproducedFromItsSeedToTheLastBit(TestReporter report) throws IOException {
+        compareWhole(report, true);
     }
 
-    private static void compare(TestReporter report, String how, Function<PokerMatch, Comparison> comparing)
-            throws IOException {
-        GroundTruth.assertReproduced(report, "poker-chip-race", how, PokerMatch::read, match -> match.turns().size(),
+    private static void compareWhole(TestReporter report, boolean all) throws IOException {
+        compare(report, all, "from the start", match -> new PokerReplay(match).compareWhole());
+    }
+
+    @Test
+    void turnsAreReproducedFromTheStatesBeforeThem(TestReporter report) throws IOException {
+        compareTurns(report, false);
+    }
+
+    @Test
+    @Tag("campaign")
+    void everyTurnIsReproducedFromTheStateBeforeIt(TestReporter report) throws IOException {
+        compareTurns(report, true);
+    }
+
+    private static void compareTurns(TestReporter report, boolean all) throws IOException {
+        compare(report, all, "turn by turn", match -> new PokerReplay(match).compareTurnByTurn());
+    }
+
+    private static void compare(TestReporter report, boolean all, String how,
+                                Function<PokerMatch, Comparison> comparing) throws IOException {
+        GroundTruth.assertReproduced(report, all, "poker-chip-race", how, PokerMatch::read, match -> match.turns().size(),
             comparing);
     }
 }

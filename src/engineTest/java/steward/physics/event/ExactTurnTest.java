@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
@@ -89,9 +90,19 @@ class ExactTurnTest {
 
     @Test
     void timePositionsVelocitiesAndImpulseAreRoundedOnce() {
+        assertRoundedOnce(500);
+    }
+
+    @Test
+    @Tag("campaign")
+    void inManyTurnsAllAreRoundedOnce() {
+        assertRoundedOnce(3000);
+    }
+
+    private void assertRoundedOnce(int cases) {
         int hits = 0;
         double worst = 0;
-        for (long seed = 1; seed <= 3000; seed++) {
+        for (long seed = 1; seed <= cases; seed++) {
             Bodies bodies = meeting(new SplitMix64(seed));
             boolean elastic = seed % 2 == 0;
             BigDecimal[] expected = byHand(bodies, elastic ? 1 : bodies.restitution[0]);
@@ -111,7 +122,7 @@ class ExactTurnTest {
                 hits++;
             }
         }
-        assertTrue(hits > 2500 && worst > 0.49, hits + " hits, worst " + worst);
+        assertTrue(hits > 0.8 * cases && worst > 0.49, hits + " hits, worst " + worst);
     }
 
     /** A body above a tilted floor, a segment's side and end, inside an arena: the time by 70 digits. */

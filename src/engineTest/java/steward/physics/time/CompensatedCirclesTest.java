@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.math.BigDecimal;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
@@ -54,20 +55,40 @@ class CompensatedCirclesTest {
 
     @Test
     void isWithinFiveUlpOverAllExponents() {
-        for (int n = 0; n < 6000; n++) {
+        checkExponents(1000);
+    }
+
+    @Test
+    @Tag("campaign")
+    void inManyCasesIsWithinFiveUlpOverAllExponents() {
+        checkExponents(6000);
+    }
+
+    private void checkExponents(int cases) {
+        for (int n = 0; n < cases; n++) {
             check(1.1 * random.nextDouble(), 0.001 + 10 * random.nextDouble(), random.nextInt(-150, 150),
                 random.nextInt(-150, 150));
         }
-        assertTrue(hits > 5000 && worst > 0.5, hits + " hits, worst " + worst);
+        assertTrue(hits > 0.8 * cases && worst > 0.5, hits + " hits, worst " + worst);
     }
 
     @Test
     void isWithinFiveUlpWhenItGrazesAndWhenItIsNear() {
-        for (int n = 0; n < 6000; n++) {
+        checkGrazing(1000);
+    }
+
+    @Test
+    @Tag("campaign")
+    void inManyCasesIsWithinFiveUlpWhenItGrazesAndWhenItIsNear() {
+        checkGrazing(6000);
+    }
+
+    private void checkGrazing(int cases) {
+        for (int n = 0; n < cases; n++) {
             double off = near();
             check(n % 3 == 0 ? 1 + off : 1 - off, 0.5 + random.nextDouble(), 0, 0);
             check(0.9 * random.nextDouble(), near(), 0, 0);
         }
-        assertTrue(hits > 9000 && worst > 0.5, hits + " hits, worst " + worst);
+        assertTrue(hits > 1.5 * cases && worst > 0.5, hits + " hits, worst " + worst);
     }
 }

@@ -15,6 +15,9 @@ import steward.scene.SceneFiles;
 /** Turns that the golden hash covers: worlds on every rung, and every shipped scene with every arithmetic. */
 final class GoldenSuite {
 
+    /** Turns of the short form; scenes of hundreds of bodies play fewer, which end before the bodies lie in piles. */
+    private static final int SHORT = 30;
+    private static final int SHORT_OF_BODIES = 12;
     private static final String ACCURACY = "\"accuracy\"\\s*:\\s*\\{[^}]*}";
 
     /** Returns the number of parts, of all games. */
@@ -40,10 +43,10 @@ final class GoldenSuite {
      */
     static List<GoldenHash.Part> parts(String game, RunLength size, Runnable after) {
         List<GoldenHash.Part> parts = new ArrayList<>();
-        int turns = size == RunLength.SMALL ? 30 : 500;
         List<String> scenes = SceneFiles.shipped().stream()
             .filter(scene -> Games.open(scene).scene().gameId().equals(game)).toList();
         for (String scene : scenes) {
+            int turns = turns(scene, size);
             for (Arithmetic arithmetic : Arithmetic.values()) {
                 parts.add(play(scene, "\"accuracy\": {\"advance\": \"event\", \"arithmetic\": \"" + arithmetic.text()
                     + "\"}", arithmetic.text(), turns));
@@ -54,6 +57,11 @@ final class GoldenSuite {
             after.run();
         }
         return parts;
+    }
+
+    private static int turns(String scene, RunLength size) {
+        int few = Games.open(scene).scene().players() == 0 ? SHORT_OF_BODIES : SHORT;
+        return size.pick(few, 500, 500);
     }
 
     private static GoldenHash.Part play(String scene, String accuracy, String rung, int turns) {

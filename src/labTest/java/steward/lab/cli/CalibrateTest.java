@@ -14,6 +14,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.function.ToIntFunction;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -59,24 +60,31 @@ class CalibrateTest {
     });
 
     /** A rung costs the more the farther up it stands, from step/1 on. */
-    private static final Timing MADE_TIMES = new Timing(new TimingEffort(1, 1, 0, 0, 0), bytes -> {
-        try (DataInputStream job = new DataInputStream(new ByteArrayInputStream(bytes))) {
-            int nanos = 30 + 30 * Accuracy.ladder().indexOf(RungJob.read(job).rung());
-            return new TimedPlace() {
-                @Override
-                public boolean warmUp(double least, double most) {
-                    return true;
-                }
+    private static final Timing MADE_TIMES = madeTimes(rung -> 30 + 30 * Accuracy.ladder().indexOf(rung));
+    /** Exact times cost less than any steps. */
+    private static final Timing CHEAP_EVENTS = madeTimes(rung -> rung.steps() == 0 ? 30 * (1 + rung.arithmetic().ordinal())
+        : 3000);
 
-                @Override
-                public Stretch round(double least) {
-                    return new Stretch(nanos, 0);
-                }
-            };
-        } catch (IOException impossible) {
-            throw new UncheckedIOException(impossible);
-        }
-    });
+    private static Timing madeTimes(ToIntFunction<Accuracy> nanos) {
+        return new Timing(new TimingEffort(1, 1, 0, 0, 0), bytes -> {
+            try (DataInputStream job = new DataInputStream(new ByteArrayInputStream(bytes))) {
+                int each = nanos.applyAsInt(RungJob.read(job).rung());
+                return new TimedPlace() {
+                    @Override
+                    public boolean warmUp(double least, double most) {
+                        return true;
+                    }
+
+                    @Override
+                    public Stretch round(double least) {
+                        return new Stretch(each, 0);
+                    }
+                };
+            } catch (IOException impossible) {
+                throw new UncheckedIOException(impossible);
+            }
+        });
+    }
 
     @TempDir
     private Path folder;
@@ -88,14 +96,19 @@ class CalibrateTest {
     }
 
     @Test
-    @Tag("process")
-    void aSceneThatStatesAnErrorIsCalibratedAndPlayed() throws IOException {
-        assumeTrue(ShellBots.runnable(), "there is no /bin/sh");
+    void whoWantsToPlayASceneThatIsNotCalibratedIsToldHow() throws IOException {
         Path scene = scene("{ \"maxPositionError\": 0.01, \"share\": 0.99 }");
         Cli uncalibrated = Cli.run("explain", scene.toString());
         assertEquals(ExitStatus.UNUSABLE, uncalibrated.status());
         assertTrue(uncalibrated.err().endsWith("steward tradeoff --calibrate " + scene + "\n"), uncalibrated.err());
+    }
 
+    /** Timed in JVMs, one for each rung. */
+    @Test
+    @Tag("process")
+    @Tag("campaign")
+    void aSceneThatStatesAnErrorIsCalibratedAndPlayed() throws IOException {
+        Path scene = scene("{ \"maxPositionError\": 0.01, \"share\": 0.99 }");
         Cli calibrated = Cli.run("tradeoff", "--calibrate", scene.toString(), "--states", "1000");
         Path figures = folder.resolve("mine.accuracy.json");
         assertEquals(ExitStatus.DONE, calibrated.status(), calibrated.err());
@@ -103,7 +116,25 @@ class CalibrateTest {
         assertTrue(calibrated.out().lines().allMatch(line -> line.length() <= 100 || line.startsWith("written to ")),
             calibrated.out());
         assertFalse(Files.exists(folder.resolve("mine.accuracy.json.part")));
+        assertPlayedAsCalibrated(scene, figures);
+    }
 
+    @Test
+    @Tag("process")
+    void aSceneThatStatesAnErrorIsPlayedAsCalibrated() throws Exception {
+        Path scene = scene("{ \"maxPositionError\": 0.01, \"share\": 0.99 }");
+        Path figures = folder.resolve("mine.accuracy.json");
+        calibrate(scene, figures, CHEAP_EVENTS);
+        assertPlayedAsCalibrated(scene, figures);
+    }
+
+    private static void calibrate(Path scene, Path figures, Timing timing) throws Exception {
+        CalibrationRun.of(new Streams(new ByteArrayOutputStream(), new ByteArrayOutputStream(), false, false),
+            Games.open(scene.toString(), Calibration.PLAYED_ON), figures, 1000, timing).run();
+    }
+
+    private void assertPlayedAsCalibrated(Path scene, Path figures) throws IOException {
+        assumeTrue(ShellBots.runnable(), "there is no /bin/sh");
         String explained = Cli.run("explain", scene.toString()).out().replaceAll("\\s+", " ");
         assertTrue(explained.matches(".*Accuracy: event/[a-z]+, the cheapest that is off by at most 0.01 u in 99% "
             + "of states: by .*"), explained);
@@ -124,9 +155,7 @@ class CalibrateTest {
     @Test
     void aRougherDemandHasACheaperRung() throws Exception {
         Path scene = scene("{ \"maxPositionError\": 400, \"share\": 0.99 }");
-        CalibrationRun.of(new Streams(new ByteArrayOutputStream(), new ByteArrayOutputStream(), false, false),
-            Games.open(scene.toString(), Calibration.PLAYED_ON), folder.resolve("mine.accuracy.json"), 1000,
-            MADE_TIMES).run();
+        calibrate(scene, folder.resolve("mine.accuracy.json"), MADE_TIMES);
         String explained = Cli.run("explain", scene.toString()).out();
         assertTrue(explained.contains("\nAccuracy: step/1, the cheapest"), explained);
         assertTrue(explained.contains("\n  accuracy: advance step, steps 1, arithmetic double\n"), explained);

@@ -71,7 +71,7 @@ class StabilityCommandTest {
         String expected = "steward: interrupted; the rows so far are above; unfinished: crowd of 100, 10%, "
             + "double, [.0-9]+%: [1-9]\\d* impacts in \\d+ turns: 0 overlaps, (?s:.*)";
         String said = "";
-        for (int seconds = 3; seconds < 100 && !said.matches(expected); seconds *= 5) {
+        for (int seconds = 1; seconds < 100 && !said.matches(expected); seconds *= 4) {
             said = interruptedAfter(seconds);
         }
         assertTrue(said.matches(expected), said);
@@ -108,6 +108,7 @@ class StabilityCommandTest {
 
     /** A table of a second is not announced. */
     @Test
+    @Tag("slow")
     void aLongRunSaysBeforehandHowLongItTakes() {
         assertFalse(Cli.run(true, "stability", "--quick", "--case", "rounding").err().contains("This takes"));
         Cli golden = golden();
@@ -159,13 +160,14 @@ class StabilityCommandTest {
         stability(more).assertRefused(message);
     }
 
-    /** An interrupted run leaves the rows that were measured, in files that are whole. */
+    /** An interrupted run leaves the rows that were measured, in files that are whole; the last one has no end. */
     @Test
     @Tag("process")
     void whatWasMeasuredIsKept() throws IOException, InterruptedException {
         Path out = folder.resolve("results");
         Path errors = folder.resolve("errors");
-        Process run = child(List.of("-Xint"), "stability", "--quick", "--out", out.toString())
+        Process run = child(List.of(), "stability", "--quick", "--case", "Newton's cradle", "--case",
+            "crowd of 100, 10%", "--impacts", "1000000000000", "--out", out.toString())
             .redirectError(errors.toFile()).redirectOutput(folder.resolve("table").toFile()).start();
         try {
             Path csv = out.resolve("stability.csv");
@@ -179,7 +181,7 @@ class StabilityCommandTest {
         int lines = Files.readAllLines(out.resolve("stability.csv")).size();
         assertTrue(lines >= 4, "lines " + lines);
         JsonNode rows = JsonMapper.shared().readTree(Files.readString(out.resolve("stability.json"))).get("rows");
-        assertTrue(rows.size() >= lines - 2 && rows.size() < 100, rows.size() + " rows, " + lines + " lines");
+        assertTrue(rows.size() >= lines - 2 && rows.size() <= Rung.all().size(), rows.size() + " rows, " + lines + " lines");
         String said = Files.readString(errors);
         assertTrue(said.contains("interrupted; the rows so far are in " + out), said);
     }

@@ -7,7 +7,6 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.stream.IntStream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestReporter;
@@ -25,22 +24,27 @@ import steward.game.podrace.simulator.CppHeader;
 @Execution(ExecutionMode.CONCURRENT)
 class PodRaceVectorsTest {
 
-    private static List<Path> files() throws IOException {
-        return GroundTruth.VECTORS.files("pod-race", ".jsonl.gz");
-    }
-
-    private static List<Path> everyThirdFile() throws IOException {
-        List<Path> files = files();
-        return IntStream.range(0, files.size()).filter(k -> k % 3 == 0).mapToObj(files::get).toList();
+    private static List<Path> files(boolean all) throws IOException {
+        return GroundTruth.VECTORS.files(all, "pod-race", ".jsonl.gz");
     }
 
     @Test
+    void matchesOfTheRefereeAreReproducedToTheLastBit(TestReporter report) throws IOException {
+        compare(report, false);
+    }
+
+    @Test
+    @Tag("campaign")
     void everyMatchOfTheRefereeIsReproducedToTheLastBit(TestReporter report) throws IOException {
+        compare(report, true);
+    }
+
+    private static void compare(TestReporter report, boolean all) throws IOException {
         List<String> differences = new ArrayList<>();
         long values = 0;
         long impacts = 0;
         int turns = 0;
-        List<Path> files = files();
+        List<Path> files = files(all);
         for (Path file : files) {
             VectorMatch match = VectorMatch.read(file);
             Comparison found = new VectorReplay(match).compare();
@@ -60,21 +64,23 @@ class PodRaceVectorsTest {
     }
 
     @Test
+    @Tag("process")
     void theSimulatorPlaysTheSameTurns(TestReporter report) throws IOException {
-        theSimulatorPlays(report, everyThirdFile());
+        compareSimulator(report, false);
     }
 
     @Test
+    @Tag("process")
     @Tag("campaign")
-    void theSimulatorPlaysAllTurns(TestReporter report) throws IOException {
-        theSimulatorPlays(report, files());
+    void theSimulatorPlaysTheSameTurnsOfEveryMatch(TestReporter report) throws IOException {
+        compareSimulator(report, true);
     }
 
-    private static void theSimulatorPlays(TestReporter report, List<Path> files) throws IOException {
+    private static void compareSimulator(TestReporter report, boolean all) throws IOException {
         List<String> differences = new ArrayList<>();
         long values = 0;
         int turns = 0;
-        for (Path file : files) {
+        for (Path file : files(all)) {
             VectorMatch match = VectorMatch.read(file);
             SimulatedVectors simulated = new SimulatedVectors(match, null);
             Comparison found = simulated.compare();
@@ -93,20 +99,20 @@ class PodRaceVectorsTest {
     @Test
     @Tag("process")
     void theHeaderForBotsPlaysTheSameTurns(TestReporter report) throws IOException, InterruptedException {
-        theHeaderPlaysTheSameTurns(new CppHeader(report, false), everyThirdFile());
+        theHeaderPlaysTheSameTurns(new CppHeader(report, false), false);
     }
 
     @Test
     @Tag("process")
     @Tag("campaign")
     void byEveryFlagTheHeaderForBotsPlaysTheSameTurns(TestReporter report) throws IOException, InterruptedException {
-        theHeaderPlaysTheSameTurns(new CppHeader(report, true), files());
+        theHeaderPlaysTheSameTurns(new CppHeader(report, true), true);
     }
 
-    private static void theHeaderPlaysTheSameTurns(CppHeader started, List<Path> files) throws IOException,
-            InterruptedException {
+    private static void theHeaderPlaysTheSameTurns(CppHeader started, boolean all)
+            throws IOException, InterruptedException {
         try (CppHeader header = started) {
-            for (Path file : files) {
+            for (Path file : files(all)) {
                 Comparison found = new SimulatedVectors(VectorMatch.read(file), header).compare();
                 assertEquals(List.of(), found.differences());
             }
