@@ -35,5 +35,6 @@ public final class SeveralCalls {
             streams.out().flush();
             call.clear();
         }
+        System.exit(0);                                // as the program does: threads of a broker would go on a minute
     }
 }

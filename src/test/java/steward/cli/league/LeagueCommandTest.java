@@ -161,7 +161,7 @@ class LeagueCommandTest {
         done("init", "TMP/a", "--scene", "duel", "--seed", "1");
         done("add", "TMP/a", "one=builtin:racer");
         done("add", "TMP/a", "two=builtin:regular");
-        String[] run = {"run", "TMP/a", "--games", "10"};
+        String[] run = {"run", "TMP/a", "--games", "2"};
         Path league = folder.resolve("a");
         String open = league + " was open to other users";
         assertFalse(league(run).done().err().contains(open), "as it was made");

@@ -22,6 +22,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
+import steward.cli.Cli;
 import steward.cli.Main;
 import steward.cli.SeveralCalls;
 import steward.cli.ShellBots;
@@ -33,7 +34,8 @@ import steward.league.store.GameStore;
 
 /**
  * Leagues of shell bots, which are deterministic, in programs of their own: killed at any moment, changed in between,
- * called twice. {@code -Dsteward.turns=100} kills so often.
+ * called twice. The campaign kills as often as
+ * {@code -Dsteward.turns} says.
  */
 @Tag("process")
 @Tag("slow")
@@ -41,7 +43,6 @@ import steward.league.store.GameStore;
 @Execution(ExecutionMode.CONCURRENT)
 class LeagueProcessTest {
 
-    private static final int KILLS = Integer.getInteger("steward.turns", 3);
     private static final int GAMES_A_KILL = 12;
 
     @TempDir
@@ -69,19 +70,20 @@ class LeagueProcessTest {
             .reduce((one, other) -> one + File.pathSeparator + other).orElseThrow();
     }
 
-    private String run(int status, String... arguments) throws IOException, InterruptedException {
-        Path out = Files.createTempFile(folder, "out", ".txt");
-        int found = start(out, arguments).waitFor();
-        String said = Files.readString(out, StandardCharsets.UTF_8);
-        assertEquals(status, found, said);
-        return said;
+    /** Makes a league, in this JVM: each start of Java takes a second. */
+    private void make(String league) {
+        String script = "=codingame:sh '" + folder.resolve("text pod.sh") + "' ";
+        here(0, "init", "TMP/" + league, "--scene", "TMP/short.json", "--seed", "5");
+        here(0, "add", "TMP/" + league, "fast" + script + "drive 0");
+        here(0, "add", "TMP/" + league, "still" + script + "stay 0");
+        here(0, "add", "TMP/" + league, "wrong" + script + "drive 3");
     }
 
-    private void make(String league) throws IOException, InterruptedException {
-        run(0, "league", "init", league, "--scene", "short.json", "--seed", "5");
-        run(0, "league", "add", league, "fast=codingame:sh 'text pod.sh' drive 0");
-        run(0, "league", "add", league, "still=codingame:sh 'text pod.sh' stay 0");
-        run(0, "league", "add", league, "wrong=codingame:sh 'text pod.sh' drive 3");
+    /** A call in this JVM; what it says. */
+    private String here(int status, String... words) {
+        Cli cli = Cli.league(folder, words);
+        assertEquals(status, cli.status(), cli.err());
+        return cli.out() + cli.err();
     }
 
     /** Every game without what is measured: it has to be the same however it was played. */
@@ -101,15 +103,25 @@ class LeagueProcessTest {
 
     @Test
     void aLeagueThatIsKilledComesToTheSameGames() throws IOException, InterruptedException {
-        String games = Integer.toString(KILLS * GAMES_A_KILL);
+        assertTheSameGames(2);
+    }
+
+    @Test
+    @Tag("campaign")
+    void aLeagueThatIsKilledOftenComesToTheSameGames() throws IOException, InterruptedException {
+        assertTheSameGames(Integer.getInteger("steward.turns", 10));
+    }
+
+    private void assertTheSameGames(int kills) throws IOException, InterruptedException {
+        String games = Integer.toString(kills * GAMES_A_KILL);
         make("whole");
-        run(0, "league", "run", "whole", "--games", games, "--threads", "2");
+        here(0, "run", "TMP/whole", "--games", games, "--threads", "2");
         List<String> expected = games("whole");
-        assertEquals(KILLS * GAMES_A_KILL, expected.size());
+        assertEquals(kills * GAMES_A_KILL, expected.size());
 
         make("killed");
         SplittableRandom random = new SplittableRandom(8);
-        for (int kill = 0; kill < KILLS; kill++) {
+        for (int kill = 0; kill < kills; kill++) {
             Path out = Files.createTempFile(folder, "out", ".txt");
             Process process = start(out, "league", "run", "killed", "--games", games, "--threads",
                 Integer.toString(1 + random.nextInt(3)));
@@ -124,7 +136,7 @@ class LeagueProcessTest {
                 assertTrue(expected.containsAll(gamesOrNone("killed")), "after kill " + kill);
             }
         }
-        run(0, "league", "run", "killed", "--games", games, "--threads", "2");
+        here(0, "run", "TMP/killed", "--games", games, "--threads", "2");
         assertEquals(expected, games("killed"));
         try (Stream<Path> left = Files.list(folder.resolve("tmp"))) {
             assertEquals(List.of(), left.filter(file -> file.getFileName().toString().contains("sqlite")).toList());
@@ -143,10 +155,10 @@ class LeagueProcessTest {
     @Test
     void aChangedBotIsANewVersionAndASecondRunIsRefused() throws IOException, InterruptedException {
         make("league");
-        run(0, "league", "run", "league", "--games", "6");
+        here(0, "run", "TMP/league", "--games", "6");
         Files.writeString(folder.resolve("text pod.sh"), Files.readString(folder.resolve("text pod.sh"))
             + "# another program\n");
-        String said = run(0, "league", "run", "league", "--games", "8");
+        String said = here(0, "run", "TMP/league", "--games", "8");
         assertTrue(said.contains("fast changed after 4 games: new version fast#2\n"), said);
         assertTrue(said.contains("fast (out)") && said.contains("fast#2"), said);
 
@@ -158,12 +170,12 @@ class LeagueProcessTest {
                 assertTrue(first.isAlive(), () -> read(out));
                 first.waitFor(10, TimeUnit.MILLISECONDS);
             }
-            assertEquals("steward: league: found a league that is being played by process " + first.pid()
-                + ", expected one run at a time\n", run(2, "league", "run", "league"));
+            assertEquals("steward: " + folder.resolve("league") + ": found a league that is being played by process "
+                + first.pid() + ", expected one run at a time\n", here(2, "run", "TMP/league"));
         } finally {
             first.destroyForcibly().waitFor();
         }
-        run(0, "league", "run", "league", "--games", "8");
+        here(0, "run", "TMP/league", "--games", "8");
     }
 
     private static String read(Path file) {
@@ -177,15 +189,15 @@ class LeagueProcessTest {
     @Test
     void noOtherCommandLoadsTheDatabase() throws IOException, InterruptedException {
         Path out = Files.createTempFile(folder, "out", ".txt");
-        List<String> command = List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-            "-XX:TieredStopAtLevel=1", "-Xlog:class+load", "-cp", absolute());
+        make("league");
         List<List<String>> calls = List.of(List.of("match", "--scene", "short.json", "--bot",
                 "codingame:sh 'text pod.sh' drive 0", "--bot", "codingame:sh 'text pod.sh' stay 0", "--games", "2",
                 "--out", "games"),
             List.of("replay", "games/game-0001.jsonl", "--verify"), List.of("explain", "short.json"),
-            List.of("--help"), List.of("league", "table", "none"));
-        List<String> words = new ArrayList<>(command);
-        words.add(SeveralCalls.class.getName());
+            List.of("--help"), List.of("league", "table", "none"), List.of("league", "run", "league", "--games", "1"));
+        List<String> words = new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+            "-XX:TieredStopAtLevel=1", "-Xlog:class+load", "--enable-native-access=ALL-UNNAMED", "-cp", absolute(),
+            SeveralCalls.class.getName()));
         words.addAll(SeveralCalls.words(calls));
         int status = new ProcessBuilder(words).directory(folder.toFile()).redirectErrorStream(true)
             .redirectOutput(out.toFile()).start().waitFor();
@@ -195,12 +207,8 @@ class LeagueProcessTest {
         for (List<String> call : calls) {
             assertTrue(said.contains(SeveralCalls.line(call.contains("none") ? 2 : 0, call)), () -> call + ": " + said);
         }
-        assertFalse(said.contains("org.sqlite"), () -> "the database is loaded: " + said);
-        make("league");
-        words = new ArrayList<>(command);
-        words.addAll(List.of(Main.class.getName(), "league", "run", "league", "--games", "1"));
-        new ProcessBuilder(words).directory(folder.toFile()).redirectErrorStream(true).redirectOutput(out.toFile())
-            .start().waitFor();
-        assertTrue(read(out).contains("org.sqlite"), "a run does: the test would see it");
+        int run = said.indexOf(SeveralCalls.line(2, calls.get(calls.size() - 2)));
+        assertFalse(said.substring(0, run).contains("org.sqlite"), () -> "the database is loaded: " + said);
+        assertTrue(said.substring(run).contains("org.sqlite"), "a run does: the test would see it");
     }
 }

@@ -21,8 +21,8 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
+import steward.cli.Cli;
 import steward.cli.FreePort;
-import steward.cli.Main;
 import steward.cli.SeveralCalls;
 import steward.cli.ShellBots;
 import steward.cli.TextShellBots;
@@ -46,10 +46,6 @@ class BrokerLoadingTest {
                 || !part.matches(".*/(artemis|netty|slf4j|activemq|jctools|jakarta|commons)[^/]*\\.jar"))
             .map(part -> Path.of(part).toAbsolutePath().toString())
             .reduce((one, other) -> one + File.pathSeparator + other).orElseThrow();
-    }
-
-    private String run(int status, boolean broker, String... call) throws IOException, InterruptedException {
-        return run(status, broker, Main.class, List.of(call));
     }
 
     private String run(int status, boolean broker, Class<?> program, List<String> call)
@@ -98,6 +94,12 @@ class BrokerLoadingTest {
             .replace("\"maximumTurns\": 200", "\"maximumTurns\": 5")
             .replace("\"answerMs\": 75", "\"answerMs\": 30000"));
         new TextShellBots(folder);
+        Cli.league(folder, "init", "TMP/parts", "--scene", "TMP/short.json").done();
+        for (String bot : List.of("a=codingame:sh 'text pod.sh' drive 0", "b=codingame:sh 'text pod.sh' stay 0")) {
+            Cli.league(folder, "add", "TMP/parts", bot).done();
+        }
+        Path settings = folder.resolve("parts/league.json");
+        Files.writeString(settings, Files.readString(settings).replace("adaptive", "round-robin"));
         loadsNoBroker(
                 List.of("match", "--scene", "short.json", "--bot", "codingame:sh 'text pod.sh' drive 0", "--bot",
                     "codingame:sh 'text pod.sh' stay 0", "--out", "match.jsonl", "--quiet"),
@@ -109,26 +111,28 @@ class BrokerLoadingTest {
                 List.of("league", "run", "night", "--games", "2", "--quiet"),
                 List.of("league", "table", "night"),
                 List.of("league", "page", "night", "--out", "night.html"),
-                List.of("league", "init", "parts", "--scene", "short.json"),
-                List.of("league", "add", "parts", "a=codingame:sh 'text pod.sh' drive 0"),
-                List.of("league", "add", "parts", "b=codingame:sh 'text pod.sh' stay 0"));
-        Path settings = folder.resolve("parts/league.json");
-        Files.writeString(settings, Files.readString(settings).replace("adaptive", "round-robin"));
-        loadsNoBroker(
                 List.of("league", "shard", "parts", "--part", "1/1", "--games", "2", "--out", "part.db"),
                 List.of("league", "merge", "parts", "part.db"));
-        int port = FreePort.next();
-        String joining = run(3, true, "worker", "--join", "no-such-host.invalid:" + port, "--token-file", "attic.token",
-            "--sandbox", "off");
-        assertTrue(joining.contains(BROKER), "a worker does: the test would see it");
-        assertTrue(read(folder.resolve("err.txt")).contains("found an unknown host"), read(folder.resolve("err.txt")));
-        String serving = run(0, true, "league", "run", "night", "--games", "4", "--quiet", "--serve",
-            "127.0.0.1:" + port);
-        assertTrue(serving.contains(BROKER));
-        try (ServerSocket taken = new ServerSocket(port, 1, InetAddress.getLoopbackAddress())) {
-            run(2, true, "league", "run", "night", "--games", "6", "--serve", "127.0.0.1:" + taken.getLocalPort());
-            assertTrue(read(folder.resolve("err.txt")).contains("nothing can listen at 127.0.0.1:" + port),
-                read(folder.resolve("err.txt")));
+        loadBroker();
+    }
+
+    /** Two that do load it, the second in vain: the test would see it. */
+    private void loadBroker() throws IOException, InterruptedException {
+        try (ServerSocket taken = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+            String address = "127.0.0.1:" + taken.getLocalPort();
+            List<String> joining = List.of("worker", "--join", "no-such-host.invalid:1", "--token-file", "attic.token",
+                "--sandbox", "off");
+            List<String> serving = List.of("league", "run", "night", "--games", "4", "--quiet", "--serve",
+                "127.0.0.1:" + FreePort.next());
+            List<String> inVain = List.of("league", "run", "night", "--games", "6", "--serve", address);
+            String said = run(0, true, SeveralCalls.class, SeveralCalls.words(List.of(joining, serving, inVain)));
+            int joined = said.indexOf(SeveralCalls.line(3, joining));
+            assertTrue(said.substring(0, Math.max(0, joined)).contains(BROKER), said);
+            assertTrue(said.substring(joined).contains(BROKER), "the part of the league, which the worker has not");
+            assertTrue(said.contains(SeveralCalls.line(0, serving)) && said.contains(SeveralCalls.line(2, inVain)), said);
+            String err = read(folder.resolve("err.txt"));
+            assertTrue(err.contains("found an unknown host"), err);
+            assertTrue(err.contains("nothing can listen at " + address), err);
         }
     }
 }

@@ -15,9 +15,13 @@ import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.bot.command.ProgramFinder;
 import steward.cli.ShellBots;
 
-/** The short form of what the Gradle task {@code machines} does at length. */
+/**
+ * The short form of what the Gradle task {@code machines} does at length. Shorter still are {@code WorkerTest}, whose
+ * connections are cut, and {@code LeagueProcessTest}, whose league is killed.
+ */
 @Tag("process")
 @Tag("slow")
+@Tag("campaign")
 @Timeout(600)
 @Execution(ExecutionMode.CONCURRENT)
 class MachinesProofTest {

@@ -37,6 +37,7 @@ import steward.league.Season;
 import steward.league.StoredGame;
 import steward.league.store.GameQueries;
 import steward.league.store.GameStore;
+import steward.machines.token.SharedBrokerKey;
 
 /** How workers end, by themselves and by a signal, and what they say where they cannot play; as processes. */
 @Tag("process")
@@ -62,10 +63,12 @@ class WorkerProcessTest {
         ShellBots.drawn(folder.resolve("short.json"));
         Files.writeString(folder.resolve("pause.sh"), "#!/bin/sh\nsleep 0.4; exec \"$@\"\n");
         TextShellBots bots = new TextShellBots(folder);
+        LeagueFolder league = new LeagueFolder(folder.resolve("night"));
         done("init", folder.resolve("night").toString(), "--scene", folder.resolve("short.json").toString());
         String paused = "sh '" + folder.resolve("pause.sh") + "' ";
         done("add", folder.resolve("night").toString(), "fast=codingame:" + paused + bots.driver());
         done("add", folder.resolve("night").toString(), "still=codingame:" + paused + bots.idler(0));
+        SharedBrokerKey.put(league);
         port = FreePort.next();
     }
 
@@ -158,26 +161,49 @@ class WorkerProcessTest {
         return process.exitValue();
     }
 
+    /** Four workers of one league: none has to wait for another. */
     @Test
-    void endsAfterSoManyGamesOrSoMuchTime() throws Exception {
-        CompletableFuture<String> league = serve(10, 0);
+    void endsAfterSoManyGamesOrSoMuchTimeOrWhenItIsIdleOrAFileSaysSo() throws Exception {
+        CompletableFuture<String> league = serve(16, 0);
         Process three = worker("three", List.of(), "--games", "3", "--threads", "2");
+        long began = System.nanoTime();
+        Process brief = worker("brief", List.of(), "--for", "3s", "--threads", "1");
+        Process told = worker("told", List.of(), "--stop-file", folder.resolve("stop").toString(), "--threads", "1");
+        Process idle = worker("idle", List.of(), "--idle", "5s", "--json", "--platform", "linux-s390x");
+        await(() -> stored("told") >= 1 || league.isDone());
+        Files.createFile(folder.resolve("stop"));
+        assertEquals(0, end(told, league), () -> read("told.err"));
         assertEquals(0, end(three, league), () -> read("three.err"));
         assertEquals("3 games played\n", read("three.out"));
-        Process brief = worker("brief", List.of(), "--for", "3s");
-        long began = System.nanoTime();
         assertEquals(0, end(brief, league), () -> read("brief.err"));
         assertTrue(System.nanoTime() - began >= TimeUnit.SECONDS.toNanos(3));
+        assertEquals(0, end(idle, league), () -> read("idle.err"));
+        assertTrue(read("idle.err").matches("(?s)\\{\"time\":\"\\d{4}-[^\"]*Z\",\"event\":\"joined 127.0.0.1:.*"),
+            read("idle.err"));
         String said = rest(league);
-        assertTrue(said.startsWith("10 games of duel\n"), said);
+        assertTrue(said.startsWith("16 games of duel\n"), said);
         assertEquals(3, stored("three"), said);
+        assertTrue(stored("told") >= 1, said);
+        assertEquals(0, stored("idle"), said);
         assertEquals(stored("brief") + (stored("brief") == 1 ? " game" : " games") + " played\n", read("brief.out"));
+    }
+
+    @Test
+    void differsWhenItIsRefused() throws Exception {
+        done("worker", "add", folder.resolve("night").toString(), "gone", "--out", token("gone").toString());
+        done("worker", "revoke", folder.resolve("night").toString(), "gone");
+        CompletableFuture<String> league = serve(1, 0);
+        Cli cli = Cli.run("worker", "--join", "127.0.0.1:" + port, "--token-file", token("gone").toString(),
+            "--sandbox", "off");
+        assertEquals(3, cli.status(), cli.err());
+        assertTrue(cli.err().contains("the league refuses the token: it is wrong or revoked"), cli.err());
+        assertTrue(rest(league).startsWith("1 game of duel\n"));
     }
 
     @Test
     void ctrlCFinishesTheGamesThatAreUnderWay() throws Exception {
         ScriptedBots.assumeInterruptible();
-        CompletableFuture<String> league = serve(12, 0);
+        CompletableFuture<String> league = serve(8, 0);
         Process worker = worker("ending", List.of(), "--threads", "2");
         await(() -> stored("ending") >= 2 || league.isDone());
         int before = stored("ending");
@@ -186,31 +212,11 @@ class WorkerProcessTest {
         assertTrue(read("ending.err").contains("the games that are under way are finished, no others begun\n"),
             read("ending.err"));
         String said = rest(league);
-        assertTrue(said.startsWith("12 games of duel\n"), said);
+        assertTrue(said.startsWith("8 games of duel\n"), said);
         int after = stored("ending");
         assertTrue(after > before, "found " + after + " games, and " + before + " when it was told to end: one was "
             + "under way, as each takes most of a second");
         assertTrue(read("ending.err").endsWith("interrupted; " + after + " games played\n"), read("ending.err"));
-    }
-
-    @Test
-    void endsWhenItIsIdleOrAFileSaysSoAndDiffersWhenItIsRefused() throws Exception {
-        CompletableFuture<String> league = serve(8, 0);
-        Process idle = worker("idle", List.of(), "--idle", "5s", "--json");
-        Process told = worker("told", List.of(), "--stop-file", folder.resolve("stop").toString());
-        await(() -> stored("told") >= 1 || league.isDone());
-        Files.createFile(folder.resolve("stop"));
-        assertEquals(0, end(told, league), () -> read("told.err"));
-        done("worker", "add", folder.resolve("night").toString(), "gone", "--out", token("gone").toString());
-        done("worker", "revoke", folder.resolve("night").toString(), "gone");
-        Cli cli = Cli.run("worker", "--join", "127.0.0.1:" + port, "--token-file", token("gone").toString(),
-            "--sandbox", "off");
-        assertEquals(3, cli.status(), cli.err());
-        assertTrue(cli.err().contains("the league refuses the token: it is wrong or revoked"), cli.err());
-        assertTrue(rest(league).startsWith("8 games of duel\n"));
-        assertEquals(0, end(idle, league), () -> read("idle.err"));
-        assertTrue(read("idle.err").matches("(?s)\\{\"time\":\"\\d{4}-[^\"]*Z\",\"event\":\"joined 127.0.0.1:.*"),
-            read("idle.err"));
     }
 
     /** The files of the worker may have 4 KiB each: beyond that the system refuses to write, as on a full disk. */
@@ -225,14 +231,13 @@ class WorkerProcessTest {
         CompletableFuture<String> league = serve(8, 1);
         Process small = worker("small", List.of("sh", "-c", "ulimit -f 8; exec \"$0\" \"$@\""));
         await(() -> read("small.err").contains("cannot be unpacked") || league.isDone());
-        Process other = worker("other", List.of());
-        String said = league.get(200, TimeUnit.SECONDS);
+        String said = rest(league);
         assertTrue(said.contains("8 games of duel\n"), said);
         assertEquals(0, stored("small"));
         assertTrue(read("small.err").matches("(?s).*steward: \\S+ fast: \\S.*: the bundle cannot be unpacked: [^\n]*\n"
             + ".*"), read("small.err"));
         assertTrue(said.contains("Z worker small cannot play a bot: fast: "), said);
-        assertTrue(small.isAlive() && other.isAlive(), "it waits for games that it can play");
+        assertTrue(small.isAlive(), "it waits for games that it can play");
         try (Stream<Path> left = Files.list(folder.resolve("bundles small"))) {
             assertFalse(left.anyMatch(path -> path.getFileName().toString().startsWith("unpacking")));
         }

@@ -186,12 +186,22 @@ class ReplayCommandTest {
     @Test
     @Tag("slow")
     void aFileCutAnywhereIsReadUpToTheCut() throws IOException {
+        assertReadUpToTheCut(1009);
+    }
+
+    @Test
+    @Tag("campaign")
+    void aFileCutAtManyPlacesIsReadUpToTheCut() throws IOException {
+        assertReadUpToTheCut(101);
+    }
+
+    private void assertReadUpToTheCut(int step) throws IOException {
         Path file = folder.resolve("cut.jsonl");
         byte[] bytes = duel.bytes();
         int last = -1;
         int header = new String(bytes, StandardCharsets.UTF_8).indexOf('\n');
         int complete = bytes.length - 1;           // all but the last line end, see the next test
-        for (int size = 1; size < complete; size += size < 40 ? 1 : 211) {
+        for (int size = 1; size < complete; size += size < 40 ? 1 : step) {
             Files.write(file, Arrays.copyOf(bytes, size));
             Cli cli = replay(file, "--verify");
             assertEquals(ExitStatus.FAILED, cli.status(), size + ": " + cli.err() + cli.out());

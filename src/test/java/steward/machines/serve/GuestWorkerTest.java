@@ -151,7 +151,7 @@ class GuestWorkerTest extends ServedLeague {
         scene("chance");
         league("many");
         WorkerToken token = token("many", "open");
-        CompletableFuture<String> run = serve("many", 2, "--threads", "0", "--for", "6s");
+        CompletableFuture<String> run = serve("many", 2, "--threads", "0", "--for", "4s");
         Worker worker = new Worker(new Worker.Options("127.0.0.1", port, token, 1, Long.MAX_VALUE, Long.MAX_VALUE,
             () -> Isolation.OFF, folder.resolve("bundles"), "1", "a machine"), Games.types(true), what -> { });
         play(worker);

@@ -46,6 +46,7 @@ import steward.machines.broker.Gate;
 import steward.machines.broker.LeagueBroker;
 import steward.machines.bundle.Bundle;
 import steward.machines.token.BrokerKey;
+import steward.machines.token.SharedBrokerKey;
 import steward.machines.token.WorkerList;
 import steward.machines.token.WorkerToken;
 import steward.machines.wire.GameJob;
@@ -125,12 +126,13 @@ class MessageSchemaTest {
         done("league", "init", league, "--scene", folder.resolve("short.json").toString());
         done("league", "add", league, "a=codingame:" + bots.driver());
         done("league", "add", league, "b=codingame:" + bots.idler(0));
+        SharedBrokerKey.put(new LeagueFolder(folder.resolve("league")));
         done("league", "worker", "add", league, "pen", "--out", folder.resolve("pen.token").toString());
         WorkerToken token = WorkerToken.read(folder.resolve("pen.token"));
         port = FreePort.next();
         Map<String, byte[]> bundles = new HashMap<>();
         CompletableFuture<Cli> run = CompletableFuture.supplyAsync(() -> Cli.run("league", "run", league, "--games",
-            "60", "--quiet", "--serve", "127.0.0.1:" + port));
+            "20", "--quiet", "--serve", "127.0.0.1:" + port));
         byte[] welcome;
         byte[] job;
         try (BrokerClient client = WorkerTest.join(port, token)) {

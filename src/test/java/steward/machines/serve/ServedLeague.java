@@ -46,6 +46,8 @@ import steward.scene.RungLaw;
 /** Leagues in a temporary folder whose games are played by workers in this JVM. */
 abstract class ServedLeague {
 
+    private static final Map<String, List<String>> ALONE = new HashMap<>();
+
     @TempDir
     Path folder;
 
@@ -72,6 +74,29 @@ abstract class ServedLeague {
         done("add", "TMP/" + name, "fast=codingame:" + bots.driver());
         done("add", "TMP/" + name, "still=codingame:" + bots.idler(0));
         done("add", "TMP/" + name, "wrong=codingame:" + bots.idler(3));
+    }
+
+    /** Games of a league on a single machine, which is played once for all tests of a JVM. */
+    List<String> alone(int games, int lag, String... more) throws IOException {
+        List<String> words = new ArrayList<>(List.of("run", "TMP/alone", "--games", Integer.toString(games),
+            "--quiet"));
+        words.addAll(List.of(more));
+        synchronized (ALONE) {
+            String key = words + ", lag " + lag;
+            if (!ALONE.containsKey(key)) {
+                make("alone");
+                lag("alone", lag);
+                done(words.toArray(new String[0]));
+                ALONE.put(key, counting("alone"));
+            }
+            return ALONE.get(key);
+        }
+    }
+
+    /** Sets how many decisions back results are known. */
+    void lag(String league, int lag) throws IOException {
+        Path settings = folder.resolve(league + "/league.json");
+        Files.writeString(settings, Files.readString(settings).replaceFirst("\"lag\": \\d+", "\"lag\": " + lag));
     }
 
     /** A new token; the first one of a league comes with the key of its broker. */

@@ -1,6 +1,7 @@
 package steward.machines.serve;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -17,8 +18,10 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import steward.league.LeagueFolder;
+import steward.league.LeagueSettings;
 import steward.machines.broker.BrokerClient;
 import steward.machines.broker.BrokerClient.BrokenException;
+import steward.machines.broker.CutProxy;
 import steward.machines.bundle.Bundle;
 import steward.machines.token.BrokerKey;
 import steward.machines.token.Invitation;
@@ -26,6 +29,7 @@ import steward.machines.token.WorkerToken;
 import steward.machines.wire.GameJob;
 import steward.machines.wire.HeaderText;
 import steward.machines.wire.WireMessage;
+import steward.machines.worker.Worker;
 import steward.scene.RungLaw;
 
 /** A league whose games workers play, in this JVM: honest ones, forging ones, and such as may not. */
@@ -34,21 +38,50 @@ import steward.scene.RungLaw;
 @Timeout(300)
 class WorkerTest extends ServedLeague {
 
+    private static final int GAMES = 60;
+
     @Test
     void theGamesAreThoseOfASingleMachine() throws Exception {
-        make("alone");
-        done("run", "TMP/alone", "--games", "100", "--quiet");
+        List<String> alone = alone(GAMES, LeagueSettings.USUAL_LAG);
         make("many");
         WorkerToken one = token("many", "one");
         WorkerToken two = token("many", "two");
-        CompletableFuture<String> run = serve("many", 100);
+        CompletableFuture<String> run = serve("many", GAMES, "--threads", "0");
         play(worker(one, 2, Long.MAX_VALUE));
         play(worker(two, 1, Long.MAX_VALUE));
         String said = run.get(200, TimeUnit.SECONDS);
 
-        assertEquals(counting("alone"), counting("many"), said);
+        assertEquals(alone, counting("many"), said);
         assertTrue(games("many").stream().anyMatch(row -> row.machine().startsWith("worker one: a machine of")), said);
         assertTrue(said.contains("worker one: 2 at a time, "), said);
+    }
+
+    /** Both are cut in the middle of a message, and join again when connections are taken again. */
+    @Test
+    void nothingIsLostOrDoubledWhenConnectionsAreCut() throws Exception {
+        List<String> alone = alone(GAMES, LeagueSettings.USUAL_LAG);
+        make("many");
+        WorkerToken one = token("many", "one");
+        WorkerToken two = token("many", "two");
+        int league = port;
+        CompletableFuture<String> run = serve("many", GAMES, "--threads", "0");
+        try (CutProxy proxy = new CutProxy(league)) {
+            client(one).close();                       // the league listens
+            port = proxy.port();
+            Worker first = worker(one, 2, Long.MAX_VALUE);
+            Worker second = worker(two, 1, Long.MAX_VALUE);
+            play(first);
+            play(second);
+            while (first.played() + second.played() < GAMES / 4) {
+                TimeUnit.MILLISECONDS.sleep(5);
+            }
+            while (proxy.cut(300) == 0) {
+                assertFalse(run.isDone(), "no connection was cut within a message");
+            }
+            assertFalse(run.isDone(), "games are left when connections are taken again");
+            String said = run.get(200, TimeUnit.SECONDS);
+            assertEquals(alone, counting("many"), said);
+        }
     }
 
     /** Of each second job it leaves out the last game, if it has several; how many it has left out. */
@@ -75,14 +108,13 @@ class WorkerTest extends ServedLeague {
 
     @Test
     void gamesOfAJobThatWereNotBegunArePlayedLater() throws Exception {
-        make("alone");
-        done("run", "TMP/alone", "--games", "60", "--quiet");
+        List<String> alone = alone(GAMES, LeagueSettings.USUAL_LAG);
         make("many");
         WorkerToken token = token("many", "lazy");
-        CompletableFuture<String> run = serve("many", 60, "--quiet");
+        CompletableFuture<String> run = serve("many", GAMES, "--quiet");
         try (BrokerClient client = client(token)) {
             int left = leaveOut(client, run);
-            assertEquals(counting("alone"), counting("many"), () -> left + " left out");
+            assertEquals(alone, counting("many"), () -> left + " left out");
         }
     }
 
@@ -120,14 +152,13 @@ class WorkerTest extends ServedLeague {
 
     @Test
     void gamesOfABotThatRunsOnNoWorkerArePlayedByTheLeague() throws Exception {
-        make("alone");
-        done("run", "TMP/alone", "--games", "100", "--quiet");
+        List<String> alone = alone(GAMES, LeagueSettings.USUAL_LAG);
         make("many");
         WorkerToken token = token("many", "bare");
-        CompletableFuture<String> run = serve("many", 100, "--threads", "1");
+        CompletableFuture<String> run = serve("many", GAMES, "--threads", "1");
         try (BrokerClient client = client(token)) {
             int games = without("still", client, run);
-            assertEquals(counting("alone"), counting("many"), () -> games + " games of the worker");
+            assertEquals(alone, counting("many"), () -> games + " games of the worker");
             assertTrue(games("many").stream().noneMatch(row -> row.machine().startsWith("worker bare")
                 && row.game().contains("still")));
             assertTrue(run.join().contains("worker bare cannot play a bot: still does not run here"), run.join());
@@ -137,12 +168,11 @@ class WorkerTest extends ServedLeague {
     /** Each has another bot that does not run there: a job must not need both. */
     @Test
     void twoWorkersThatBothLackABotPlayTheGamesThatTheyCan() throws Exception {
-        make("alone");
-        done("run", "TMP/alone", "--games", "101", "--quiet");
+        List<String> alone = alone(GAMES, LeagueSettings.USUAL_LAG);
         make("many");
         WorkerToken one = token("many", "one");
         WorkerToken two = token("many", "two");
-        CompletableFuture<String> run = serve("many", 101, "--threads", "1");
+        CompletableFuture<String> run = serve("many", GAMES, "--threads", "1");
         try (BrokerClient first = client(one); BrokerClient second = client(two)) {
             CompletableFuture<Integer> other = CompletableFuture.supplyAsync(() -> {
                 try {
@@ -152,7 +182,7 @@ class WorkerTest extends ServedLeague {
                 }
             });
             int games = without("still", first, run) + other.join();
-            assertEquals(counting("alone"), counting("many"), () -> games + " games of the workers");
+            assertEquals(alone, counting("many"), () -> games + " games of the workers");
             assertTrue(games("many").stream().noneMatch(row -> row.machine().startsWith("worker one")
                 && row.game().contains("still") || row.machine().startsWith("worker two")
                 && row.game().contains("wrong")));

@@ -8,9 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Collections;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
@@ -40,9 +38,6 @@ import steward.match.Protocol;
 @Timeout(300)
 class WorkerVerdictsTest extends ServedLeague {
 
-    /** Games of a single machine, by how many and how they are paired. */
-    private static final Map<String, List<String>> ALONE = new HashMap<>();
-
     private int lag = 64;
     private List<String> alone;
 
@@ -51,23 +46,11 @@ class WorkerVerdictsTest extends ServedLeague {
             + (name.equals("fast") == honest ? bots.driver() : bots.idler(honest && name.equals("wrong") ? 3 : 0)));
     }
 
-    /** Makes a league for workers, and plays its games on a single machine once for all tests. */
+    /** Makes a league for workers, and knows its games on a single machine. */
     private void alone(int games) throws Exception {
-        String key = games + " games, lag " + lag;
-        if (!ALONE.containsKey(key)) {
-            make("alone");
-            lag("alone");
-            done("run", "TMP/alone", "--games", Integer.toString(games), "--quiet", "--pause-after", "0");
-            ALONE.put(key, counting("alone"));
-        }
-        alone = ALONE.get(key);
+        alone = alone(games, lag, "--pause-after", "0");
         make("many");
-        lag("many");
-    }
-
-    private void lag(String league) throws Exception {
-        Path settings = folder.resolve(league + "/league.json");
-        Files.writeString(settings, Files.readString(settings).replaceFirst("\"lag\": \\d+", "\"lag\": " + lag));
+        lag("many", lag);
     }
 
     /** Plays a league beside a hostile worker, which ends with it. */
@@ -162,14 +145,14 @@ class WorkerVerdictsTest extends ServedLeague {
         add("clock", "echo \"$nextX $nextY $(($(date +%s%N) / 1000 % 100))\"");
         add("there", "case \"$0\" in *bundles*) echo \"$nextX $nextY 50\" ;; *) exit 3 ;; esac");
         WorkerToken token = token("many", "good");
-        CompletableFuture<String> run = serve("many", 60, "--threads", "1", "--pause-after", "0");
+        CompletableFuture<String> run = serve("many", 30, "--threads", "0", "--pause-after", "0");
         play(worker(token, 1, Long.MAX_VALUE));
         String said = run.get(200, TimeUnit.SECONDS);
         assertTrue(said.contains("clock plays by the clock: each time it is asked it answers otherwise: turn "), said);
         assertTrue(said.contains("there fails on the league's machine, and does not on worker good: turn 1: found a "
             + "command, expected the fault 'exited with status 3"), said);
         assertEquals(2, said.split("it is not asked again in this run", -1).length - 1, "each is said once: " + said);
-        assertTrue(said.startsWith("60 games of duel\n") || said.contains("\n60 games of duel\n"), said);
+        assertTrue(said.startsWith("30 games of duel\n") || said.contains("\n30 games of duel\n"), said);
         assertFalse(said.contains("caught") || said.contains("doubtful: clock"), said);
         assertEquals("good\n", done("worker", "list", "TMP/many"));
     }

@@ -1,15 +1,24 @@
 package steward.machines.token;
 
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.security.GeneralSecurityException;
+import java.security.KeyStore;
+import java.util.List;
 import steward.league.LeagueFolder;
 
 /**
- * A broker's key for the leagues of all tests in a JVM, made once: a start of the keytool takes most of a second. Tests
- * of the key itself let the program make it.
+ * A broker's key for the leagues of all tests in a JVM, made once: a start of the keytool takes most of a second. Its
+ * store is derived from the password in one step, not in ten thousand, as each test opens it some times. Tests of the
+ * key itself let the program make it.
  */
 public final class SharedBrokerKey {
+
+    private static final List<String> STEPS = List.of("keystore.pkcs12.macIterationCount",
+        "keystore.pkcs12.certPbeIterationCount", "keystore.pkcs12.keyPbeIterationCount");
 
     private static byte[] keys;
     private static String password;
@@ -22,14 +31,31 @@ public final class SharedBrokerKey {
         Path secret = key.store().resolveSibling("broker.password");
         if (keys == null) {
             key.make();
-            keys = Files.readAllBytes(key.store());
             password = Files.readString(secret);
-            return;
+            keys = quick(key);
         }
         PrivateFile.alone(key.store().getParent(), () -> {
-            PrivateFile.write(secret, password, false);
-            PrivateFile.write(key.store(), keys, false);
+            PrivateFile.write(secret, password, true);
+            PrivateFile.write(key.store(), keys, true);
             return null;
         });
+    }
+
+    private static byte[] quick(BrokerKey key) throws IOException {
+        STEPS.forEach(steps -> System.setProperty(steps, "1"));
+        try (InputStream in = Files.newInputStream(key.store())) {
+            char[] own = key.password().toCharArray();
+            KeyStore store = KeyStore.getInstance("PKCS12");
+            store.load(in, own);
+            String alias = store.aliases().nextElement();
+            store.setKeyEntry(alias, store.getKey(alias, own), own, store.getCertificateChain(alias));
+            ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+            store.store(bytes, own);
+            return bytes.toByteArray();
+        } catch (GeneralSecurityException problem) {
+            throw new IOException(problem);
+        } finally {
+            STEPS.forEach(System::clearProperty);
+        }
     }
 }

@@ -76,21 +76,9 @@ class TokenTest {
         assertEquals(1, WorkerList.read(league).workers().size());
     }
 
-    @Test
-    void aCertificateIsRenewedUnderTheSameKey() {
-        BrokerKey key = new BrokerKey(new LeagueFolder(folder));
-        key.make();
-        String fingerprint = key.fingerprint();
-        var before = key.certificate();
-        key.renew();
-        assertEquals(fingerprint, key.fingerprint());
-        assertNotEquals(before, key.certificate());
-        assertTrue(fingerprint.matches("[0-9a-f]{64}"));
-    }
-
     /** As earlier versions made it, with the password that stood in the sources, readable by all. */
     @Test
-    void aStoreOfAnEarlierVersionIsLockedAnewAndKeepsItsKey() throws Exception {
+    void aStoreOfAnEarlierVersionIsLockedAnewKeepsItsKeyAndIsRenewed() throws Exception {
         LeagueFolder league = new LeagueFolder(folder);
         WorkerList.add(league, "a", folder.resolve("a.token"));
         BrokerKey key = new BrokerKey(league);
@@ -119,8 +107,11 @@ class TokenTest {
                 keys.load(in, former);
             }
         });
+        String fingerprint = key.fingerprint();
+        assertTrue(fingerprint.matches("[0-9a-f]{64}"));
         key.renew();
         assertNotEquals(certificate, key.certificate());
+        assertEquals(fingerprint, key.fingerprint());
         Files.delete(secret);
         assertTrue(assertThrows(InputException.class, key::make).getMessage().contains("found no such file"));
     }

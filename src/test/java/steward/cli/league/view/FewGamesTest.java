@@ -14,6 +14,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.regex.Pattern;
 import java.util.stream.IntStream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import steward.cli.Cli;
@@ -102,7 +103,17 @@ class FewGamesTest {
 
     @Test
     void theCommandsSayNothingOfWhatIsNotKnown() {
-        for (int games : new int[] {1, 2, 3, 4}) {
+        assertTheCommandsSayNothingOfWhatIsNotKnown(1, 2);
+    }
+
+    @Test
+    @Tag("campaign")
+    void norOfWhatIsNotKnownAfterAFewMore() {
+        assertTheCommandsSayNothingOfWhatIsNotKnown(3, 4, 5, 6);
+    }
+
+    private void assertTheCommandsSayNothingOfWhatIsNotKnown(int... counts) {
+        for (int games : counts) {
             String league = folder.resolve("league" + games).toString();
             done("init", league, "--scene", "duel", "--seed", "1");
             done("generate", league, "--games", Integer.toString(games), "--bots", "4");
