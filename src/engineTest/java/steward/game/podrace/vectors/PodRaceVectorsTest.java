@@ -60,11 +60,13 @@ class PodRaceVectorsTest {
     }
 
     @Test
+    @Tag("process")
     void theSimulatorPlaysTheSameTurns(TestReporter report) throws IOException {
         theSimulatorPlays(report, everyThirdFile());
     }
 
     @Test
+    @Tag("process")
     @Tag("campaign")
     void theSimulatorPlaysAllTurns(TestReporter report) throws IOException {
         theSimulatorPlays(report, files());
