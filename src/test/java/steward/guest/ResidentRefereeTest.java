@@ -62,7 +62,7 @@ class ResidentRefereeTest {
         return summaries;
     }
 
-    /** More than the loaders that may be alive at once: those of earlier games are gone. */
+    /** Fifty games are more than the loaders that may be alive at once: earlier ones are gone. */
     @Test
     void manyGamesArePlayedByOneJvmEachWithFreshClasses() {
         playByOneJvm(50);

@@ -23,9 +23,9 @@ import steward.cli.streams.Streams;
  * if anything is left or does not verify.
  *
  * <p>{@code --times N} (200) is how often each signal is sent, {@code --seed S} (17) chooses the moments, and
- * {@code --signals KILL,TERM} some of the signals; {@code --short} sends each once, the first at the strictest level and
- * the next at others, by turns while it surely plays and from the start on. SIGINT is
- * skipped where this process, and so what it starts, ignores it: a shell starts what runs in the background so.
+ * {@code --signals KILL,TERM} some of the signals. {@code --short} sends each signal once, the first at the strictest
+ * level and the next at others, by turns while it surely plays and from the start on. SIGINT is skipped where this
+ * process, and so what it starts, ignores it: a shell starts what runs in the background so.
  */
 public final class KilledSeries {
 

@@ -49,7 +49,7 @@ class BotHoldTest {
         return new BotProcess("hog", new Launch(List.of(program(), word), isolation, List.of()), 1000);
     }
 
-    /** Compiled by the first test. */
+    /** Path of the program, which the first test compiles. */
     private static String program() throws IOException, InterruptedException {
         assumeTrue(ProgramFinder.find("cc") != null, "skipped: there is no C compiler");
         Path program = folder.resolve("hog");

@@ -27,8 +27,8 @@ import steward.match.TestScenes;
 import steward.match.TimeControl;
 
 /**
- * Bots as contestants write them, in three languages, each in a few matches against a bot that speaks JSON, in campaigns
- * in 20: the upper leagues with two pods, the lower ones with one, from both sides.
+ * Bots as contestants write them, in three languages, each in matches against a bot that speaks JSON: the upper leagues
+ * with two pods, the lower ones with one, from both sides.
  */
 @Execution(ExecutionMode.CONCURRENT)
 @Tag("process")
