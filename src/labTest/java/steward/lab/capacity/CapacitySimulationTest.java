@@ -13,7 +13,6 @@ import steward.lab.capacity.LeagueCosts.Part;
 /** The simulation against what is known of queues without it. */
 class CapacitySimulationTest {
 
-    private static final int MANY = 20_000;
     private static final long SEED = 5;
 
     /** Only one part takes time. */
@@ -24,18 +23,27 @@ class CapacitySimulationTest {
     /**
      * Very many workers, each with few games, are a stream of Poisson, and one processor with a fixed time s for each
      * is the queue M/D/1: a result is in the process for s + rho s / (2 (1 - rho)) on average, by the formula of
-     * Pollaczek and Khinchine. With N workers the stream is thinner by the share that waits, below 0.1% here. The mean
-     * of 400,000 games has a standard error of about 1% at rho = 0.8, where waits of games that follow each other are
-     * alike over some 1 / (1 - rho)^2 = 25 games: sqrt(2 * 25 / 400,000) = 1.1%.
+     * Pollaczek and Khinchine. With N workers the stream is thinner by the share that waits, below 0.1% here. Waits of
+     * games that follow each other are alike over some 1 / (1 - rho)^2 games, so the mean of n games has a standard
+     * error of about sqrt(2 / n) / (1 - rho): 1.1% of 400,000 at rho = 0.8, 0.9% of 100,000 at rho = 0.5.
      */
     @Test
-    @Tag("slow")
     void manyWorkersAndOneProcessorAreTheQueueMD1() {
+        assertQueueMD1(2000, 100_000, 0.5);
+    }
+
+    @Test
+    @Tag("campaign")
+    void veryManyWorkersAndOneProcessorAreTheQueueMD1AtAnyLoad() {
+        assertQueueMD1(20_000, 400_000, 0.2, 0.5, 0.8);
+    }
+
+    private static void assertQueueMD1(int workers, int games, double... loads) {
         double micros = 1000;
-        for (double rho : new double[] {0.2, 0.5, 0.8}) {
+        for (double rho : loads) {
             double perSecond = rho * 1e6 / micros;
-            Load load = CapacitySimulation.of(only(micros), new Setting(1, MANY, MANY / perSecond * 1e9, 2 * MANY),
-                400_000, SEED);
+            Load load = CapacitySimulation.of(only(micros),
+                new Setting(1, workers, workers / perSecond * 1e9, 2 * workers), games, SEED);
             double expected = (micros + rho * micros / (2 * (1 - rho))) / 1e3;
             assertEquals(expected, load.delayMs(), 0.04 * expected, () -> "seed " + SEED + ", rho " + rho);
             assertEquals(rho, load.processors(), 0.01, () -> "seed " + SEED);
