@@ -9,6 +9,7 @@ import org.junit.jupiter.api.Test;
 import steward.lab.capacity.CapacitySimulation.Load;
 import steward.lab.capacity.CapacitySimulation.Setting;
 import steward.lab.capacity.LeagueCosts.Part;
+import steward.lab.capacity.SaturationTable.Row;
 
 /** The simulation against what is known of queues without it. */
 class CapacitySimulationTest {
@@ -85,7 +86,7 @@ class CapacitySimulationTest {
     void whatIsSimulatedStaysWithinItsBound() {
         LeagueCosts costs = new LeagueCosts(1100, 70, 650, 0, 0, 420, 280);
         for (int workers : new int[] {50, 200, 1000}) {
-            SaturationTable.Row row = SaturationTable.Row.of(costs, 2, workers, 20, 2500);
+            Row row = Row.of(costs, 2, workers, 20, 2500);
             double most = costs.most(Part.PROCESSORS, 2);
             assertEquals(most, row.load().perSecond(), 0.002 * most, () -> workers + " workers");
         }
@@ -100,7 +101,7 @@ class CapacitySimulationTest {
     void aQueueThatStillGrowsIsNotCounted() {
         LeagueCosts costs = new LeagueCosts(190, 22, 405, 3616, 0.05, 37, 67);
         for (int processors : new int[] {16, 32}) {
-            SaturationTable.Row row = SaturationTable.Row.of(costs, processors, 1000, 20, 2500);
+            Row row = Row.of(costs, processors, 1000, 20, 2500);
             double most = costs.most(Part.STORE, processors);
             assertEquals(most, row.load().perSecond(), 0.004 * most, () -> processors + " processors");
             assertEquals(most, row.load().stored(), 0.004 * most, () -> processors + " processors");
@@ -138,7 +139,9 @@ class CapacitySimulationTest {
     @Test
     void theSentenceNamesThePartOfTheFigures() {
         LeagueCosts costs = new LeagueCosts(300, 100, 400, 2000, 0.05, 50, 700);
-        SaturationTable table = SaturationTable.of(costs, 2, 20, 200, 2500, () -> { });
+        Row row = Row.of(costs, 2, 20, 200, 2500);
+        SaturationTable table = new SaturationTable(costs, 2, List.of(row), row,
+            List.of(Row.of(costs, 32, 20, 200, 2500)));
         List<String> lines = CapacityText.simulation(table);
         assertTrue(lines.contains("First to have no time left: the processors, at 1,212 games/s, which are 7 workers "
             + "that play 200 games/s each."), lines::toString);          // 2 / 1650 us
