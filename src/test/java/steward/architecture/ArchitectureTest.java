@@ -1,10 +1,10 @@
 package steward.architecture;
 
+import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAPackage;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.tngtech.archunit.core.domain.JavaClasses;
-import com.tngtech.archunit.core.importer.ClassFileImporter;
 import com.tngtech.archunit.lang.ArchRule;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -70,7 +70,7 @@ class ArchitectureTest {
     @BeforeAll
     static void importClasses() {
         main = HouseClasses.all();
-        planted = new ClassFileImporter().importPackages("steward.architecture.fixture");
+        planted = HouseClasses.everything().that(resideInAPackage("steward.architecture.fixture.."));
     }
 
     @ParameterizedTest

@@ -12,7 +12,6 @@ import com.tngtech.archunit.core.domain.JavaMember;
 import com.tngtech.archunit.core.domain.JavaMethod;
 import com.tngtech.archunit.core.domain.Source;
 import com.tngtech.archunit.core.domain.properties.HasAnnotations;
-import com.tngtech.archunit.core.importer.ClassFileImporter;
 import java.io.IOException;
 import java.util.ArrayDeque;
 import java.util.Deque;
@@ -49,7 +48,7 @@ class TagsTest {
 
     @BeforeAll
     static void importClasses() {
-        all = new ClassFileImporter().importPackages("steward");
+        all = HouseClasses.everything();
         starters = new HashSet<>();
         List<JavaClass> program = all.stream().filter(type -> !isOfTests(type)).toList();
         boolean grows = true;

@@ -24,12 +24,13 @@ import steward.match.Protocol;
 /**
  * Files and answers that are broken in ways nobody has thought of, see {@link BrokenInputs}.
  *
- * <p>{@code -Dsteward.inputs=N} tries so many of each kind, {@code -Dsteward.seed=S} others. {@link Fuzz} tries far
- * more.
+ * <p>{@code -Dsteward.inputs=N} tries so many of each kind, {@code -Dsteward.seed=S} others. Campaigns try more, and
+ * {@link Fuzz} far more.
  */
 class BrokenInputTest {
 
-    private static final int INPUTS = Integer.getInteger("steward.inputs", 60);
+    private static final int INPUTS = Integer.getInteger("steward.inputs", 10);
+    private static final int MANY = Math.max(60, INPUTS);
     private static final long SEED = Long.getLong("steward.seed", 12);
 
     @TempDir
@@ -43,10 +44,22 @@ class BrokenInputTest {
     @MethodSource("kinds")
     @Timeout(7200)
     void endsWithAStatusAndOneMessage(Kind kind) throws IOException {
+        tryBroken(kind, INPUTS);
+    }
+
+    @ParameterizedTest
+    @MethodSource("kinds")
+    @Timeout(7200)
+    @Tag("campaign")
+    void ofManyEachEndsWithAStatusAndOneMessage(Kind kind) throws IOException {
+        tryBroken(kind, MANY);
+    }
+
+    private void tryBroken(Kind kind, int count) throws IOException {
         BrokenInputs inputs = new BrokenInputs(folder, SEED);
         inputs.prepare(kind);
         int refused = 0;
-        for (int number = 0; number < INPUTS; number++) {
+        for (int number = 0; number < count; number++) {
             byte[] broken = inputs.broken(kind, number);
             try {
                 refused += inputs.check(kind, broken) ? 1 : 0;
@@ -117,37 +130,68 @@ class BrokenInputTest {
 
     @Test
     void anAnswerInJson() throws InterruptedException {
-        answers(Protocol.JSON, "{\"pods\":[{\"x\":1,\"y\":2.5,\"thrust\":100}],\"message\":\"hello\"}");
-        answers(Protocol.JSON, "{\"pods\":[{\"x\":1,\"y\":2,\"shield\":true}]}");
+        answersInJson(INPUTS);
+    }
+
+    @Test
+    @Tag("campaign")
+    void manyAnswersInJson() throws InterruptedException {
+        answersInJson(MANY);
+    }
+
+    private void answersInJson(int count) throws InterruptedException {
+        answers(count, Protocol.JSON, "{\"pods\":[{\"x\":1,\"y\":2.5,\"thrust\":100}],\"message\":\"hello\"}");
+        answers(count, Protocol.JSON, "{\"pods\":[{\"x\":1,\"y\":2,\"shield\":true}]}");
     }
 
     @Test
     void anAnswerInWords() throws InterruptedException {
-        answers(Protocol.CODINGAME, "1000 2000 100 hello");
-        answers(Protocol.CODINGAME, "1000 -20 SHIELD");
+        answersInWords(INPUTS);
+    }
+
+    @Test
+    @Tag("campaign")
+    void manyAnswersInWords() throws InterruptedException {
+        answersInWords(MANY);
+    }
+
+    private void answersInWords(int count) throws InterruptedException {
+        answers(count, Protocol.CODINGAME, "1000 2000 100 hello");
+        answers(count, Protocol.CODINGAME, "1000 -20 SHIELD");
     }
 
     @Test
     @Tag("process")                                     // whether a bundle can be started is tried
     void whatArrivesFromOtherMachines() throws IOException {
+        tryArrivals(10 * INPUTS);
+    }
+
+    @Test
+    @Tag("process")
+    @Tag("campaign")
+    void muchArrivesFromOtherMachines() throws IOException {
+        tryArrivals(10 * MANY);
+    }
+
+    private void tryArrivals(int count) throws IOException {
         IncomingBytes incoming = new IncomingBytes(Files.createDirectory(folder.resolve("incoming")), SEED);
         for (IntPredicate target : List.<IntPredicate>of(incoming::word, incoming::league, incoming::job,
                 incoming::bundle)) {
             int refused = 0;
-            for (int number = 0; number < 10 * INPUTS; number++) {
+            for (int number = 0; number < count; number++) {
                 try {
                     refused += target.test(number) ? 1 : 0;
                 } catch (AssertionError | RuntimeException problem) {
                     fail("steward.seed " + SEED + ", input " + number + ": " + problem.getMessage(), problem);
                 }
             }
-            assertTrue(refused > 0 && refused < 10 * INPUTS, "some are refused and some are not: " + refused);
+            assertTrue(refused > 0 && refused < count, "some are refused and some are not: " + refused);
         }
     }
 
-    private void answers(Protocol protocol, String original) throws InterruptedException {
+    private void answers(int count, Protocol protocol, String original) throws InterruptedException {
         int faults = 0;
-        for (int number = 0; number < 10 * INPUTS; number++) {
+        for (int number = 0; number < 10 * count; number++) {
             faults += new BrokenInputs(folder, SEED).answer(protocol, original, number) ? 1 : 0;
         }
         assertTrue(faults > 0, "no answer was refused");
@@ -155,8 +199,18 @@ class BrokenInputTest {
 
     @Test
     void aCommandOfABot() {
+        tryCommands(10 * INPUTS);
+    }
+
+    @Test
+    @Tag("campaign")
+    void manyCommandsOfABot() {
+        tryCommands(10 * MANY);
+    }
+
+    private void tryCommands(int count) {
         int refused = 0;
-        for (int number = 0; number < 10 * INPUTS; number++) {
+        for (int number = 0; number < count; number++) {
             try {
                 refused += new BrokenInputs(folder, SEED).command(Fuzz.COMMAND, number) ? 1 : 0;
             } catch (AssertionError | RuntimeException problem) {

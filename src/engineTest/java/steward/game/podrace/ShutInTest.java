@@ -197,21 +197,21 @@ class ShutInTest {
 
     @Test
     void itAgreesWithAWalk() {
-        agreesWithAWalk(12);
+        agreesWithAWalk(6, 1);
     }
 
     @Test
     @Tag("campaign")
     void itAgreesWithAWalkInManyRounds() {
-        agreesWithAWalk(120);
+        agreesWithAWalk(120, 31);
     }
 
     /**
      * Random bumpers and segments: where a walk on a grid of 50 u comes to a checkpoint there is no warning; where it
      * does not either, although obstacles are smaller by 50 u more than positions are rounded, there is one.
      */
-    private static void agreesWithAWalk(int rounds) {
-        SplitMix64 random = new SplitMix64(31);
+    private static void agreesWithAWalk(int rounds, long seed) {
+        SplitMix64 random = new SplitMix64(seed);
         int[] verdicts = new int[2];
         for (int round = 0; round < rounds; round++) {
             List<double[]> obstacles = new ArrayList<>();

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import steward.numerics.SplitMix64;
@@ -73,18 +74,31 @@ class PilesTest {
         pile(place, 2, 1);
     }
 
-    private static void pile(Place place, double ratio, double busy) {
+    @ParameterizedTest
+    @EnumSource
+    @Tag("campaign")
+    void allRestByEveryArithmetic(Place place) {
         for (Arithmetic arithmetic : Arithmetic.values()) {
-            SplitMix64 random = new SplitMix64(place.ordinal());
-            for (int count : new int[] {3, 9, 24}) {
-                for (double restitution : RESTITUTIONS) {
-                    Wall[] walls = place.walls(restitution);
-                    PhysicsParts parts = new PhysicsParts(Scenes.WITH_RESTITUTION, arithmetic, new Contacts(1),
-                        List.of(walls), null, true);
-                    Bodies bodies = bodies(random, count, ratio, restitution, walls);
-                    String what = arithmetic + ", " + count + " bodies, e = " + restitution;
-                    press(bodies, random, place, busy, walls, new EventAdvance(parts), new QueueAdvance(parts), what);
-                }
+            pile(arithmetic, place, 1, 0);
+            pile(arithmetic, place, 8, 0);
+            pile(arithmetic, place, 2, 1);
+        }
+    }
+
+    private static void pile(Place place, double ratio, double busy) {
+        pile(Arithmetic.DOUBLE, place, ratio, busy);
+    }
+
+    private static void pile(Arithmetic arithmetic, Place place, double ratio, double busy) {
+        SplitMix64 random = new SplitMix64(place.ordinal());
+        for (int count : new int[] {3, 9, 24}) {
+            for (double restitution : RESTITUTIONS) {
+                Wall[] walls = place.walls(restitution);
+                PhysicsParts parts = new PhysicsParts(Scenes.WITH_RESTITUTION, arithmetic, new Contacts(1),
+                    List.of(walls), null, true);
+                Bodies bodies = bodies(random, count, ratio, restitution, walls);
+                String what = arithmetic + ", " + count + " bodies, e = " + restitution;
+                press(bodies, random, place, busy, walls, new EventAdvance(parts), new QueueAdvance(parts), what);
             }
         }
     }

@@ -114,7 +114,7 @@ public final class CapacityText {
         return lines;
     }
 
-    private static String row(Row row) {
+    static String row(Row row) {
         return "| " + number(row.workers()) + " | " + number(row.offered()) + " | " + number(row.load().perSecond())
             + " | " + percent(row.load().processors()) + " | " + percent(row.load().messages()) + " | "
             + percent(row.load().schedule()) + " | " + percent(row.load().store()) + " | "

@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.function.LongSupplier;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Isolated;
 
@@ -48,6 +49,7 @@ class MeterTest {
 
     /** 100,000 bytes a unit, by this thread or by another one that lives on; by the wall clock they are not counted. */
     @Test
+    @Tag("slow")
     void bytesAreCountedInWhicheverThreadAllocates() throws Exception {
         ExecutorService other = Executors.newSingleThreadExecutor();
         try {
@@ -138,6 +140,7 @@ class MeterTest {
 
     /** Work that meets the interrupt itself says so in its own way, and leaves the thread interrupted. */
     @Test
+    @Tag("slow")
     void workThatIsBrokenOffByTheInterruptIsNoOtherProblem() {
         Contender writer = new Contender("writer", () -> {
             if (Thread.currentThread().isInterrupted()) {

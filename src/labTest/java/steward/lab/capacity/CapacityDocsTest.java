@@ -11,6 +11,9 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import steward.lab.capacity.SaturationTable.Row;
 import steward.machines.serve.RemoteGames;
 
 /** The manual's figures of how many workers a league can serve follow from the prices that it prints. */
@@ -35,14 +38,29 @@ class CapacityDocsTest {
         return figure(text, "(?m)^\\| " + Pattern.quote(CapacityText.PRICES.get(row)) + "[^|]*\\| ([0-9,]+) \\|$");
     }
 
+    private static LeagueCosts costs(String text) {
+        return new LeagueCosts(price(text, 0), price(text, 1), price(text, 2), price(text, 3),
+            figure(text, "in ([0-9.]+)% of the games") / 100, price(text, 4), price(text, 5));
+    }
+
+    private static int processors(String text) {
+        return (int) figure(text, "a machine with ([0-9]+) processors");
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {10, 200})
+    void aRowFollowsFromThePrices(int workers) throws IOException {
+        String text = printed();
+        String row = CapacityText.row(Row.of(costs(text), processors(text), workers, PER_SECOND, RemoteGames.MOST));
+        assertTrue(text.contains("\n" + row + "\n"), () -> "found\n" + text + "\nexpected\n" + row);
+    }
+
     @Test
-    @Tag("slow")
+    @Tag("campaign")
     void theTablesFollowFromThePrices() throws IOException {
         String text = printed();
-        LeagueCosts costs = new LeagueCosts(price(text, 0), price(text, 1), price(text, 2), price(text, 3),
-            figure(text, "in ([0-9.]+)% of the games") / 100, price(text, 4), price(text, 5));
-        int processors = (int) figure(text, "a machine with ([0-9]+) processors");
-        List<String> lines = CapacityText.simulation(SaturationTable.of(costs, processors, WORKERS, PER_SECOND,
+        LeagueCosts costs = costs(text);
+        List<String> lines = CapacityText.simulation(SaturationTable.of(costs, processors(text), WORKERS, PER_SECOND,
             RemoteGames.MOST, () -> { }));
         String expected = String.join("\n", lines);
         assertTrue(text.contains(expected), () -> "found\n" + text + "\nexpected\n" + expected);

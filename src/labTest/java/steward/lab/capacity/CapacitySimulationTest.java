@@ -9,11 +9,11 @@ import org.junit.jupiter.api.Test;
 import steward.lab.capacity.CapacitySimulation.Load;
 import steward.lab.capacity.CapacitySimulation.Setting;
 import steward.lab.capacity.LeagueCosts.Part;
+import steward.lab.capacity.SaturationTable.Row;
 
 /** The simulation against what is known of queues without it. */
 class CapacitySimulationTest {
 
-    private static final int MANY = 20_000;
     private static final long SEED = 5;
 
     /** Only one part takes time. */
@@ -24,18 +24,27 @@ class CapacitySimulationTest {
     /**
      * Very many workers, each with few games, are a stream of Poisson, and one processor with a fixed time s for each
      * is the queue M/D/1: a result is in the process for s + rho s / (2 (1 - rho)) on average, by the formula of
-     * Pollaczek and Khinchine. With N workers the stream is thinner by the share that waits, below 0.1% here. The mean
-     * of 400,000 games has a standard error of about 1% at rho = 0.8, where waits of games that follow each other are
-     * alike over some 1 / (1 - rho)^2 = 25 games: sqrt(2 * 25 / 400,000) = 1.1%.
+     * Pollaczek and Khinchine. With N workers the stream is thinner by the share that waits, below 0.1% here. Waits of
+     * games that follow each other are alike over some 1 / (1 - rho)^2 games, so the mean of n games has a standard
+     * error of about sqrt(2 / n) / (1 - rho): 1.1% of 400,000 at rho = 0.8, 0.9% of 100,000 at rho = 0.5.
      */
     @Test
-    @Tag("slow")
     void manyWorkersAndOneProcessorAreTheQueueMD1() {
+        assertQueueMD1(2000, 100_000, 0.5);
+    }
+
+    @Test
+    @Tag("campaign")
+    void veryManyWorkersAndOneProcessorAreTheQueueMD1AtAnyLoad() {
+        assertQueueMD1(20_000, 400_000, 0.2, 0.5, 0.8);
+    }
+
+    private static void assertQueueMD1(int workers, int games, double... loads) {
         double micros = 1000;
-        for (double rho : new double[] {0.2, 0.5, 0.8}) {
+        for (double rho : loads) {
             double perSecond = rho * 1e6 / micros;
-            Load load = CapacitySimulation.of(only(micros), new Setting(1, MANY, MANY / perSecond * 1e9, 2 * MANY),
-                400_000, SEED);
+            Load load = CapacitySimulation.of(only(micros),
+                new Setting(1, workers, workers / perSecond * 1e9, 2 * workers), games, SEED);
             double expected = (micros + rho * micros / (2 * (1 - rho))) / 1e3;
             assertEquals(expected, load.delayMs(), 0.04 * expected, () -> "seed " + SEED + ", rho " + rho);
             assertEquals(rho, load.processors(), 0.01, () -> "seed " + SEED);
@@ -77,7 +86,7 @@ class CapacitySimulationTest {
     void whatIsSimulatedStaysWithinItsBound() {
         LeagueCosts costs = new LeagueCosts(1100, 70, 650, 0, 0, 420, 280);
         for (int workers : new int[] {50, 200, 1000}) {
-            SaturationTable.Row row = SaturationTable.Row.of(costs, 2, workers, 20, 2500);
+            Row row = Row.of(costs, 2, workers, 20, 2500);
             double most = costs.most(Part.PROCESSORS, 2);
             assertEquals(most, row.load().perSecond(), 0.002 * most, () -> workers + " workers");
         }
@@ -92,7 +101,7 @@ class CapacitySimulationTest {
     void aQueueThatStillGrowsIsNotCounted() {
         LeagueCosts costs = new LeagueCosts(190, 22, 405, 3616, 0.05, 37, 67);
         for (int processors : new int[] {16, 32}) {
-            SaturationTable.Row row = SaturationTable.Row.of(costs, processors, 1000, 20, 2500);
+            Row row = Row.of(costs, processors, 1000, 20, 2500);
             double most = costs.most(Part.STORE, processors);
             assertEquals(most, row.load().perSecond(), 0.004 * most, () -> processors + " processors");
             assertEquals(most, row.load().stored(), 0.004 * most, () -> processors + " processors");
@@ -130,7 +139,9 @@ class CapacitySimulationTest {
     @Test
     void theSentenceNamesThePartOfTheFigures() {
         LeagueCosts costs = new LeagueCosts(300, 100, 400, 2000, 0.05, 50, 700);
-        SaturationTable table = SaturationTable.of(costs, 2, 20, 200, 2500, () -> { });
+        Row row = Row.of(costs, 2, 20, 200, 2500);
+        SaturationTable table = new SaturationTable(costs, 2, List.of(row), row,
+            List.of(Row.of(costs, 32, 20, 200, 2500)));
         List<String> lines = CapacityText.simulation(table);
         assertTrue(lines.contains("First to have no time left: the processors, at 1,212 games/s, which are 7 workers "
             + "that play 200 games/s each."), lines::toString);          // 2 / 1650 us

@@ -34,7 +34,19 @@ class MeasuredLeagueTest {
             number -> "builtin:regular 3 0." + number);
     }
 
+    /** So short that the schedule and the connections may take less than the clock of the threads can tell. */
     @Test
+    void aServedLeagueIsMeasured() throws Exception {
+        Sample served = new MeasuredLeague(bots(), folder).measure(true, new MeasuredLeague.Effort(20, 0.2, 1, 2));
+        assertTrue(served.perSecond() > 0 && served.perSecond() < 60, served::toString);
+        assertTrue(served.kinds().get(Kind.GAMES) > 0 && served.kinds().get(Kind.WORKER_GAMES) > 0, served::toString);
+        CheckPrices prices = CheckPrices.measure(bots(), 0.1);
+        assertTrue(prices.again() > prices.check(), "whoever asks bots again plays the game again first: " + prices);
+        assertTrue(Capacity.costs(served, prices).total() > prices.check(), prices::toString);
+    }
+
+    @Test
+    @Tag("campaign")
     void eachKindOfThreadHasItsShare() throws Exception {
         MeasuredLeague league = new MeasuredLeague(bots(), folder);
         MeasuredLeague.Effort effort = new MeasuredLeague.Effort(20, 2, 2, 2);

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -38,9 +39,20 @@ class OracleBroadPhaseTest {
      * @param touch the share of the lattice's step that a disc's diameter takes; 1 touches, above it overlaps
      */
     @ParameterizedTest
-    @CsvSource({"1000, 0, 0.5", "1000, 0, 0.999999999999", "1000, 0, 1", "1000, 0, 1.01", "1e-7, 0, 0.9",
-        "1e7, 0, 1", "1, 1e6, 0.9", "1, -1e9, 1", "1e40, 3, 1", "1e-80, 0, 0.9"})
+    @CsvSource({"1000, 0, 1", "1, 1e6, 0.9", "1e-80, 0, 0.9"})
     void boundsChangeNoDigit(double size, double from, double touch) {
+        compare(size, from, touch);
+    }
+
+    @ParameterizedTest
+    @Tag("campaign")
+    @CsvSource({"1000, 0, 0.5", "1000, 0, 0.999999999999", "1000, 0, 1.01", "1e-7, 0, 0.9", "1e7, 0, 1",
+        "1, -1e9, 1", "1e40, 3, 1"})
+    void boundsOfOtherSizesChangeNoDigit(double size, double from, double touch) {
+        compare(size, from, touch);
+    }
+
+    private static void compare(double size, double from, double touch) {
         for (int seed = 1; seed <= 4; seed++) {
             SplitMix64 random = new SplitMix64(seed);
             Bodies bodies = crowd(random, size, from * size, touch);

@@ -53,7 +53,7 @@ class SelfCheckTest {
     @Test
     @Tag("slow")
     void fixedBarsHoldHoweverBotsArePaired() throws InterruptedException {
-        fixedBarsHoldHoweverPaired(LEAGUES / 5);
+        fixedBarsHoldHoweverPaired(LEAGUES / 10);
     }
 
     @Test
@@ -155,13 +155,22 @@ class SelfCheckTest {
     }
 
     @Test
-    @Tag("slow")
     void anytimeBarsHoldAtAllLooks() throws InterruptedException {
+        anytimeBarsHold(LEAGUES / 8);
+    }
+
+    @Test
+    @Tag("campaign")
+    void inManyLeaguesAnytimeBarsHoldAtAllLooks() throws InterruptedException {
+        anytimeBarsHold(LEAGUES / 2);
+    }
+
+    private void anytimeBarsHold(long leagues) throws InterruptedException {
         for (MadeUpLeague league : List.of(
             MadeUpLeague.pairs("two", new double[] {480, 0}, 0, 0, 0, 0),
             MadeUpLeague.pairs("trio", MadeUpLeague.spaced(3, 0), 0.1, 0, 60, 150),
             MadeUpLeague.alone("alone", MadeUpLeague.spaced(3, 60)))) {
-            Coverage found = new AnytimeCheck(league, 150).run(2, LEAGUES / 2, 5);
+            Coverage found = new AnytimeCheck(league, 150).run(2, leagues, 5);
             assertTrue(found.least() >= 0.95, found::toString);
         }
     }
@@ -181,12 +190,22 @@ class SelfCheckTest {
     @Test
     @Tag("slow")
     void sequentialTestsErrAsRarelyAsTheySay() throws InterruptedException {
+        sequentialTestsErr(LEAGUES / 4);
+    }
+
+    @Test
+    @Tag("campaign")
+    void inManyRunsSequentialTestsErrAsRarelyAsTheySay() throws InterruptedException {
+        sequentialTestsErr(LEAGUES);
+    }
+
+    private void sequentialTestsErr(long runs) throws InterruptedException {
         for (Gsprt.Model model : Gsprt.Model.values()) {
             Gsprt test = new Gsprt(0, 40, 0.05, 0.05, model);
             for (double at : new double[] {0, 40}) {
-                SprtCheck.Outcome found = new SprtCheck(test, at, 0.5, 100, 0).run(2, LEAGUES, 5);
+                SprtCheck.Outcome found = new SprtCheck(test, at, 0.5, 100, 0).run(2, runs, 5);
                 double wrong = at == 0 ? found.accepted() : 1 - found.accepted();
-                assertTrue(wrong <= 0.05 + FOUR_DEVIATIONS, found::toString);
+                assertTrue(wrong <= 0.05 + fourDeviations(runs), found::toString);
                 assertEquals(1, found.mean() / found.theory().observations(), 0.1, found::toString);
                 assertTrue(found.held() >= 0.95, found::toString);
             }
@@ -222,11 +241,12 @@ class SelfCheckTest {
     }
 
     @Test
+    @Tag("slow")
     void threadsDoNotChangeTheTable() throws InterruptedException {
         List<String> one = new ArrayList<>();
         List<String> other = new ArrayList<>();
-        new SelfCheck(60, 1, one::add).print("fixed");
-        new SelfCheck(60, 3, other::add).print("fixed");
+        new SelfCheck(10, 1, one::add).print("fixed");
+        new SelfCheck(10, 3, other::add).print("fixed");
         assertEquals(one, other);
         assertTrue(one.size() > 60, "it has its rows");
         new SelfCheck(2, 1, one::add).print("pairings");

@@ -9,6 +9,7 @@ import java.lang.management.ManagementFactory;
 import java.lang.reflect.Field;
 import java.util.Set;
 import java.util.function.BooleanSupplier;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestReporter;
 import org.junit.jupiter.api.parallel.Isolated;
@@ -31,9 +32,19 @@ class PodRaceBatchTest {
 
     @Test
     void everyGameIsThatOfASimulator(TestReporter report) {
-        report.publishEntry("seed " + SEED + ", " + ROUNDS * 4L * GAMES + " turns in batches");
+        compareGames(Math.max(2, ROUNDS / 6), report);
+    }
+
+    @Test
+    @Tag("campaign")
+    void inManyRoundsEveryGameIsThatOfASimulator(TestReporter report) {
+        compareGames(ROUNDS, report);
+    }
+
+    private void compareGames(int rounds, TestReporter report) {
+        report.publishEntry("seed " + SEED + ", " + rounds * 4L * GAMES + " turns in batches");
         PodRaceSimulator found = new PodRaceSimulator(map);
-        for (int round = 0; round < ROUNDS; round++) {
+        for (int round = 0; round < rounds; round++) {
             fill(round % 2 == 0);
             for (int turn = 0; turn < 4; turn++) {
                 for (int game = 0; game < GAMES; game++) {

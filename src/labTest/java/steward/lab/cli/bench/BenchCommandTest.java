@@ -49,7 +49,7 @@ class BenchCommandTest {
      * part.
      */
     @Test
-    @Tag("slow")
+    @Tag("campaign")
     void podTurnsAreMeasuredInEveryWay() throws IOException {
         Cli cli = Cli.run("bench", "--quick", "--only", "pods", "--threads", "2", "--out",
             folder.resolve("pods").toString());
