@@ -110,6 +110,11 @@ public final class JsonNumbers {
     /** A field with a finite number, or null for NaN. */
     public static void writeOrNull(JsonGenerator out, String name, double value) {
         out.writeName(name);
+        writeOrNull(out, value);
+    }
+
+    /** A finite number, or null for NaN. */
+    public static void writeOrNull(JsonGenerator out, double value) {
         if (Double.isNaN(value)) {
             out.writeNull();
         } else {

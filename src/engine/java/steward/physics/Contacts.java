@@ -1,5 +1,7 @@
 package steward.physics;
 
+import java.util.Arrays;
+
 /**
  * Meanings of contacts, per pair of kinds of bodies and per kind against walls. Symmetric; immutable except for the
  * {@code set} methods, which are for building it.
@@ -115,11 +117,6 @@ public final class Contacts {
     }
 
     private static boolean contains(Meaning[] table, Meaning meaning) {
-        for (Meaning entry : table) {
-            if (entry == meaning) {
-                return true;
-            }
-        }
-        return false;
+        return Arrays.asList(table).contains(meaning);
     }
 }

@@ -2,6 +2,7 @@ package steward.physics;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.ObjIntConsumer;
 
 /**
  * The rules for speeds and positions at the end of a turn: steps in the order in which they apply, each to every body.
@@ -28,7 +29,7 @@ public class Motion {
     public enum Step {
 
         /** Bodies lose their {@link Bodies#drag} share of speed. */
-        DRAG(Of.DRAG, "drag") {
+        DRAG(Of.DRAG, "drag", null) {
             @Override
             void apply(Bodies bodies) {
                 for (int i = 0; i < bodies.size(); i++) {
@@ -40,65 +41,31 @@ public class Motion {
         },
 
         /** Velocity components are cut toward zero to whole numbers (-0.0 becomes 0.0). */
-        TRUNCATE_VELOCITY(Of.VELOCITY, "truncate") {
-            @Override
-            void apply(Bodies bodies) {
-                truncate(bodies.vx, bodies.size());
-                truncate(bodies.vy, bodies.size());
-            }
-        },
+        TRUNCATE_VELOCITY(Of.VELOCITY, "truncate", Motion::truncate),
 
         /** Velocity components become the nearest whole numbers, halves away from zero. */
-        ROUND_VELOCITY(Of.VELOCITY, "round-half-away") {
-            @Override
-            void apply(Bodies bodies) {
-                roundAway(bodies.vx, bodies.size());
-                roundAway(bodies.vy, bodies.size());
-            }
-        },
+        ROUND_VELOCITY(Of.VELOCITY, "round-half-away", Motion::roundAway),
 
         /** Velocity components within 1e-5 of a whole number become that one, others are cut toward zero. */
-        SNAP_VELOCITY(Of.VELOCITY, "truncate-snap") {
-            @Override
-            void apply(Bodies bodies) {
-                snap(bodies.vx, bodies.size());
-                snap(bodies.vy, bodies.size());
-            }
-        },
+        SNAP_VELOCITY(Of.VELOCITY, "truncate-snap", Motion::snap),
 
         /** Coordinates become floor(x + 0.5): halves are rounded up. */
-        ROUND_POSITION(Of.POSITION, "round") {
-            @Override
-            void apply(Bodies bodies) {
-                round(bodies.x, bodies.size());
-                round(bodies.y, bodies.size());
-            }
-        },
+        ROUND_POSITION(Of.POSITION, "round", Motion::round),
 
         /** Coordinates become the nearest whole numbers, halves away from zero. */
-        ROUND_POSITION_AWAY(Of.POSITION, "round-half-away") {
-            @Override
-            void apply(Bodies bodies) {
-                roundAway(bodies.x, bodies.size());
-                roundAway(bodies.y, bodies.size());
-            }
-        },
+        ROUND_POSITION_AWAY(Of.POSITION, "round-half-away", Motion::roundAway),
 
         /** Coordinates within 1e-5 of a whole number become that one, others are cut toward zero. */
-        SNAP_POSITION(Of.POSITION, "truncate-snap") {
-            @Override
-            void apply(Bodies bodies) {
-                snap(bodies.x, bodies.size());
-                snap(bodies.y, bodies.size());
-            }
-        };
+        SNAP_POSITION(Of.POSITION, "truncate-snap", Motion::snap);
 
         private final Of about;
         private final String text;
+        private final ObjIntConsumer<double[]> rounding;
 
-        Step(Of about, String text) {
+        Step(Of about, String text, ObjIntConsumer<double[]> rounding) {
             this.about = about;
             this.text = text;
+            this.rounding = rounding;
         }
 
         public Of about() {
@@ -110,7 +77,10 @@ public class Motion {
             return text;
         }
 
-        abstract void apply(Bodies bodies);
+        void apply(Bodies bodies) {
+            rounding.accept(about == Of.VELOCITY ? bodies.vx : bodies.x, bodies.size());
+            rounding.accept(about == Of.VELOCITY ? bodies.vy : bodies.y, bodies.size());
+        }
     }
 
     private final List<Step> steps;

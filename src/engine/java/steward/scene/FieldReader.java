@@ -77,14 +77,8 @@ final class FieldReader {
     }
 
     private static List<Bumper> bumpers(Block block) {
-        List<Bumper> bumpers = new ArrayList<>();
-        if (block.has("bumpers")) {
-            for (Block bumper : block.blocks("bumpers")) {
-                bumpers.add(new Bumper(finite(bumper, "x"), finite(bumper, "y"), bumper.positive("radius"),
-                    restitution(bumper)));
-            }
-        }
-        return bumpers;
+        return !block.has("bumpers") ? List.of() : block.blocks("bumpers").stream().map(bumper -> new Bumper(
+            finite(bumper, "x"), finite(bumper, "y"), bumper.positive("radius"), restitution(bumper))).toList();
     }
 
     private static double finite(Block block, String name) {

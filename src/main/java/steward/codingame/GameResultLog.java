@@ -65,10 +65,7 @@ public final class GameResultLog implements MatchListener {
 
     private record Tooltip(String text, int turn) { }
 
-    /**
-     * True if a file holds a game result, ours or another referee's: a JSON object with the fields {@code errors} and
-     * {@code outputs}. It is read as far as is needed.
-     */
+    /** True if a file holds a game result, ours or another's: an object with {@code errors} and {@code outputs}. */
     public static boolean isIn(Path file) {
         Set<String> missing = new HashSet<>(Set.of(ERRORS, OUTPUTS));
         try (InputStream bytes = Files.newInputStream(file);

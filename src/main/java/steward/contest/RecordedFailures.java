@@ -1,5 +1,6 @@
 package steward.contest;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
@@ -78,11 +79,7 @@ public final class RecordedFailures {
     private static Isolation isolation(JsonLine header) {
         JsonLine times = header.has("times") ? new JsonLine(header.where() + ": times", header.object("times")) : null;
         String word = times == null || !times.has("sandbox") ? "" : times.text("sandbox");
-        for (SandboxLevel level : SandboxLevel.values()) {
-            if (level.word().equals(word)) {
-                return Isolation.at(level);
-            }
-        }
-        return null;
+        return Arrays.stream(SandboxLevel.values()).filter(level -> level.word().equals(word)).findFirst()
+            .map(Isolation::at).orElse(null);
     }
 }

@@ -4,10 +4,7 @@ import java.util.List;
 import java.util.TreeMap;
 import steward.match.MatchResult;
 
-/**
- * The games of a series that are over, and their sums. May be read by any thread while games are played; no result
- * depends on the order in which games ended.
- */
+/** The games of a series that are over, and their sums, for any thread; the order in which they end is no matter. */
 public final class Standings {
 
     private final Contest contest;

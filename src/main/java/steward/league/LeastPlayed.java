@@ -1,15 +1,13 @@
 package steward.league;
 
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeSet;
 import java.util.function.Predicate;
 
-/**
- * Chooses the group of bots that has been chosen least, the first of several in {@link RoundOrder}: a round robin, in
- * which a bot that comes later catches up. Uses no results.
- */
+/** Chooses the group chosen least, of several the first in {@link RoundOrder}: latecomers catch up. Uses no results. */
 final class LeastPlayed implements Pairing {
 
     private final List<int[]> groups;
@@ -31,21 +29,12 @@ final class LeastPlayed implements Pairing {
     }
 
     private static String key(int... versions) {
-        StringBuilder key = new StringBuilder();
-        for (int version : versions) {
-            key.append(version).append(' ');
-        }
-        return key.toString();
+        return Arrays.toString(versions);
     }
 
     @Override
     public int[] choose(Predicate<int[]> wanted) {
-        for (int place : order) {
-            if (wanted.test(groups.get(place))) {
-                return groups.get(place).clone();
-            }
-        }
-        return null;
+        return order.stream().map(groups::get).filter(wanted).findFirst().map(int[]::clone).orElse(null);
     }
 
     @Override

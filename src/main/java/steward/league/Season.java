@@ -8,12 +8,12 @@ import steward.scene.SceneKey;
 /**
  * Common conditions of all games of a season, so that they can be compared: the scene, the time limits, the rules.
  *
- * @param sceneName          the scene's name
- * @param sceneKey           of all in the scene that decides what happens
- * @param limits             the time limits and what they are limits of
- * @param rules              the key of its rung's law, its rung, the word of its angles, and the digest of the game's jar where
- * t has one
- * @param players            of a game
+ * @param sceneName the scene's name
+ * @param sceneKey  of all in the scene that decides what happens
+ * @param limits    the time limits and what they are limits of
+ * @param rules     the key of its rung's law, its rung, the word of its angles, and the digest of the game's jar where
+ *                  it has one
+ * @param players   of a game
  * @param lowerScoreIsBetter where each plays alone: whether the lower of two scores on a map is the better one
  */
 public record Season(String key, String sceneName, String sceneKey, String limits, String rules, int players,

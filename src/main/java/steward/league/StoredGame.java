@@ -12,20 +12,20 @@ import steward.contest.GameFacts;
 /**
  * One game as it is stored: an observation that any rating can be computed from.
  *
- * @param id         its number in the league; 0 before it is stored
- * @param name       see {@link GameName}
- * @param decision   which decision of the schedule it belongs to, or -1 for none
- * @param attempt    counted from 1: of a game that was played again, all are stored
- * @param counts     whether it counts as played: neither was it played again, nor is it without a result, nor did a bot
- * ld
- * @param turns      how many were played
- * @param problem    why there is no result, or none that counts; or {@code null}
- * @param played     when it ended, in milliseconds since 1970
- * @param machine    on what it was played
- * @param replay     its file in the folder of replays, or {@code null}
+ * @param id       its number in the league; 0 before it is stored
+ * @param name     see {@link GameName}
+ * @param decision which decision of the schedule it belongs to, or -1 for none
+ * @param attempt  counted from 1: of a game that was played again, all are stored
+ * @param counts   whether it counts as played: neither was it played again, nor is it without a result, nor did a bot
+ *                 burn in it that cannot be held
+ * @param turns    how many were played
+ * @param problem  why there is no result, or none that counts; or {@code null}
+ * @param played   when it ended, in milliseconds since 1970
+ * @param machine  on what it was played
+ * @param replay   its file in the folder of replays, or {@code null}
  * @param transcript
  *                 digest of all commands and states, see {@link GameFacts}; 0 if it is not known
- * @param seats      one for each player, in order
+ * @param seats    one for each player, in order
  */
 public record StoredGame(long id, byte[] name, int decision, long seed, int attempt, boolean counts, int turns,
                          String problem, long played, String machine, String replay, long transcript,

@@ -254,11 +254,7 @@ public final class ReplayLines {
         }
         out.writeArrayPropertyStart(text.name);
         for (int player = 0; player < turn.players(); player++) {
-            if (text.of(turn, player) == null) {
-                out.writeNull();
-            } else {
-                out.writeString(text.of(turn, player));
-            }
+            out.writeString(text.of(turn, player));
         }
         out.writeEndArray();
     }

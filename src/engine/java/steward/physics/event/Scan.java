@@ -10,10 +10,10 @@ import steward.physics.time.PairTime;
 import steward.physics.time.WallTime;
 
 /** A search for impacts in the rest of a turn. A scene gets the scans for the parts that it has, and no others. */
-abstract sealed class Scan {
+sealed interface Scan {
 
     /** Offers every impact from {@code now} to the end of the turn. */
-    abstract void find(Bodies bodies, double now, ImpactQueue queue);
+    void find(Bodies bodies, double now, ImpactQueue queue);
 
     /** The scans that a scene needs: pairs, and walls if there are any. */
     static Scan[] of(PhysicsParts parts, PairTime time) {
@@ -37,16 +37,10 @@ abstract sealed class Scan {
         return scans.toArray(new Scan[0]);
     }
 
-    static final class AscendingPairs extends Scan {
-
-        private final PairTime time;
-
-        AscendingPairs(PairTime time) {
-            this.time = time;
-        }
+    record AscendingPairs(PairTime time) implements Scan {
 
         @Override
-        void find(Bodies bodies, double now, ImpactQueue queue) {
+        public void find(Bodies bodies, double now, ImpactQueue queue) {
             int size = bodies.size();
             for (int i = 0; i < size - 1; i++) {
                 for (int j = i + 1; j < size; j++) {
@@ -56,16 +50,10 @@ abstract sealed class Scan {
         }
     }
 
-    static final class DescendingPairs extends Scan {
-
-        private final PairTime time;
-
-        DescendingPairs(PairTime time) {
-            this.time = time;
-        }
+    record DescendingPairs(PairTime time) implements Scan {
 
         @Override
-        void find(Bodies bodies, double now, ImpactQueue queue) {
+        public void find(Bodies bodies, double now, ImpactQueue queue) {
             for (int i = bodies.size() - 1; i > 0; i--) {
                 for (int j = i - 1; j >= 0; j--) {
                     offer(bodies, i, j, time, now, queue);
@@ -75,20 +63,10 @@ abstract sealed class Scan {
     }
 
     /** Leaves out pairs that ignore each other, pass through each other, or both have infinite mass. */
-    static final class SelectedPairs extends Scan {
-
-        private final PairTime time;
-        private final PairSelection selection;
-        private final boolean descending;
-
-        SelectedPairs(PairTime time, PairSelection selection, boolean descending) {
-            this.time = time;
-            this.selection = selection;
-            this.descending = descending;
-        }
+    record SelectedPairs(PairTime time, PairSelection selection, boolean descending) implements Scan {
 
         @Override
-        void find(Bodies bodies, double now, ImpactQueue queue) {
+        public void find(Bodies bodies, double now, ImpactQueue queue) {
             int size = bodies.size();
             for (int first = 0; first < size - 1; first++) {
                 int i = descending ? size - 1 - first : first;
@@ -103,22 +81,11 @@ abstract sealed class Scan {
         }
     }
 
-    /** Every body against every wall. */
-    static final class Walls extends Scan {
-
-        private final WallTime time;
-        private final int count;
-        private final PairSelection selection;
-
-        /** @param selection {@code null} when every body bounces off walls */
-        Walls(WallTime time, int count, PairSelection selection) {
-            this.time = time;
-            this.count = count;
-            this.selection = selection;
-        }
+    /** Every body against every wall. @param selection {@code null} when every body bounces off walls */
+    record Walls(WallTime time, int count, PairSelection selection) implements Scan {
 
         @Override
-        void find(Bodies bodies, double now, ImpactQueue queue) {
+        public void find(Bodies bodies, double now, ImpactQueue queue) {
             double left = 1 - now;
             for (int i = 0; i < bodies.size(); i++) {
                 if (selection == null ? bodies.inverseMass[i] == 0 : !selection.canReactWithWalls(bodies, i)) {

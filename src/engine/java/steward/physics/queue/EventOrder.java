@@ -6,13 +6,7 @@ import steward.physics.event.ImpactQueue;
  * Breaks ties between events whose times are equal as doubles: first by the low parts; then cell crossings come first,
  * and of impacts the lowest pair, bodies before walls.
  */
-final class EventOrder implements EventBuckets.Order {
-
-    private final Crowd crowd;
-
-    EventOrder(Crowd crowd) {
-        this.crowd = crowd;
-    }
+record EventOrder(Crowd crowd) implements EventBuckets.Order {
 
     @Override
     public boolean isBefore(int i, int j) {

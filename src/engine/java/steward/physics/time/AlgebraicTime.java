@@ -20,21 +20,9 @@ import steward.physics.Wall;
  */
 
 /** Exact time of an impact, a number of degree two: equality and order without rounding. Allocates. */
-final class AlgebraicTime implements Comparable<AlgebraicTime> {
+record AlgebraicTime(Dyadic p, Dyadic q, Dyadic r, Dyadic s) implements Comparable<AlgebraicTime> {
 
     private static final Dyadic ONE = Dyadic.of(1);
-
-    private final Dyadic p;
-    private final Dyadic q;
-    private final Dyadic r;
-    private final Dyadic s;
-
-    private AlgebraicTime(Dyadic p, Dyadic q, Dyadic r, Dyadic s) {
-        this.p = p;
-        this.q = q;
-        this.r = r;
-        this.s = s;
-    }
 
     /** The sum of two doubles. */
     static AlgebraicTime of(double high, double low) {

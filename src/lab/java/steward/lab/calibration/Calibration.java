@@ -11,6 +11,7 @@ import java.util.StringJoiner;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.LongFunction;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import steward.game.GameSetup;
@@ -277,10 +278,8 @@ public final class Calibration {
     public String text(Figures figures, String date, String machine) {
         StringJoiner rungs = new StringJoiner(",\n    ", "[\n    ", "\n  ]");
         for (AccuracyFigures.OfRung rung : figures.rungs) {
-            StringJoiner errors = new StringJoiner(", ", "{ ", " }");
-            for (int k = 0; k < rung.errors().size(); k++) {
-                errors.add("\"" + AccuracyFigures.SHARES.get(k) + "\": " + number(rung.errors().get(k)));
-            }
+            String errors = IntStream.range(0, rung.errors().size()).mapToObj(k -> "\"" + AccuracyFigures.SHARES.get(k)
+                + "\": " + number(rung.errors().get(k))).collect(Collectors.joining(", ", "{ ", " }"));
             rungs.add("{ \"rung\": \"" + rung.rung() + "\", \"physics\": \"" + rung.physics() + "\",\n      \"cost\": "
                 + number(rung.cost()) + ", \"work\": " + number(rung.work()) + ", \"largestError\": "
                 + number(rung.largest()) + ",\n      \"positionErrors\": " + errors + " }");

@@ -3,6 +3,7 @@ package steward.lab.oracle;
 import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
 import steward.physics.Bodies;
 import steward.physics.Contacts;
 import steward.physics.Contacts.Meaning;
@@ -29,9 +30,7 @@ final class OracleContacts {
         contacts = parts.contacts();
         reaction = parts.reaction();
         rounded = start.copy();
-        for (int k = 0; k < start.size(); k++) {
-            startIds.add(start.id(k));
-        }
+        IntStream.range(0, start.size()).map(start::id).forEach(startIds::add);
     }
 
     boolean meet(int a, int b) {

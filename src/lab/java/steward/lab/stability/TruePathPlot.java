@@ -17,7 +17,7 @@ import steward.lab.stability.crowds.TruePathCase;
 import steward.lab.stability.crowds.TruePathCase.Figure;
 
 /** Draws how long a path is true, by the rung and the number of bodies. */
-final class TruePathPlot implements Drawing {
+record TruePathPlot(List<StabilityRow> rows) implements Drawing {
 
     /** The picture for light and for dark pages. */
     static final String PNG = "true-path.png";
@@ -33,12 +33,6 @@ final class TruePathPlot implements Drawing {
     private static final double LABELS = 1.06;
     private static final double FILLED = 0.9;
     private static final double ABOVE = 1.15;
-
-    private final List<StabilityRow> rows;
-
-    private TruePathPlot(List<StabilityRow> rows) {
-        this.rows = rows;
-    }
 
     /** The rows of the case among others. */
     static List<StabilityRow> of(List<StabilityRow> all) {

@@ -63,11 +63,7 @@ public final class SelfCheck {
     }
 
     private void row(Object... cells) {
-        StringBuilder line = new StringBuilder("|");
-        for (Object cell : cells) {
-            line.append(' ').append(cell).append(" |");
-        }
-        out.accept(line.toString());
+        out.accept(Arrays.stream(cells).map(String::valueOf).collect(Collectors.joining(" | ", "| ", " |")));
     }
 
     private static String number(String format, double value) {

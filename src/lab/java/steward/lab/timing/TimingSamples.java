@@ -50,10 +50,7 @@ public final class TimingSamples {
         return Arrays.stream(nanos[job]).mapToDouble(Median::of).toArray();
     }
 
-    /**
-     * Bytes that a turn allocates, in the round with the fewest: the JVM's own work (a growing buffer) is no cost of a
-     * turn. NaN where the JVM does not tell.
-     */
+    /** Bytes that a turn allocates in the round with the fewest, without the JVM's own; NaN if it is not told. */
     public double bytes(int job) {
         return bytes[job];
     }

@@ -124,12 +124,7 @@ public record BotCommand(String name, Prefix prefix, List<String> words) {
     }
 
     private static Prefix writtenPrefix(String text) {
-        for (Prefix each : Prefix.values()) {
-            if (text.startsWith(each.written())) {
-                return each;
-            }
-        }
-        return null;
+        return Arrays.stream(Prefix.values()).filter(each -> text.startsWith(each.written())).findFirst().orElse(null);
     }
 
     private static List<String> split(String text, int start) {

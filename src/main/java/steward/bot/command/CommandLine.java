@@ -2,6 +2,7 @@ package steward.bot.command;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Collectors;
 
 /**
  * Splits a command line into words by the quoting rules of the POSIX shell, and joins words back into one line.
@@ -41,14 +42,7 @@ public final class CommandLine {
 
     /** One line that {@link #split} takes apart into the same words; readable, and fit to paste into a shell. */
     public static String quote(List<String> words) {
-        StringBuilder line = new StringBuilder();
-        for (String each : words) {
-            if (line.length() > 0) {
-                line.append(' ');
-            }
-            line.append(quote(each));
-        }
-        return line.toString();
+        return words.stream().map(CommandLine::quote).collect(Collectors.joining(" "));
     }
 
     private static String quote(String word) {

@@ -31,12 +31,7 @@ final class MatchJson {
             out.writeStringProperty("sandbox", contest.sandbox());
             out.writeNumberProperty("turns", result.turns());
             out.writeStringProperty("ending", result.ending());
-            out.writeName("winner");
-            if (result.winner() >= 0) {
-                out.writeNumber(result.winner());
-            } else {
-                out.writeNull();
-            }
+            JsonNumbers.writeOrNull(out, "winner", result.winner() < 0 ? Double.NaN : result.winner());
             out.writeBooleanProperty("allFailed", result.allFailed());
             JsonObject.writeAll(out, "players", result.players().size(), k -> {
                 int player = k;
@@ -55,14 +50,7 @@ final class MatchJson {
         JsonNumbers.write(out, "score", player.score());
         out.writeStringProperty("out", player.out());
         out.writeStringProperty("fault", player.fault());
-        out.writeName("failure");
-        if (failure == null) {
-            out.writeNull();
-        } else {
-            out.writeStartObject();
-            FailureJson.write(out, failure);
-            out.writeEndObject();
-        }
+        FailureJson.writeField(out, failure);
         out.writeObjectPropertyStart("answerMs");
         JsonNumbers.write(out, "average", player.averageNanos() / NANOS_PER_MS);
         JsonNumbers.write(out, "worst", player.worstNanos() / NANOS_PER_MS);
@@ -76,11 +64,7 @@ final class MatchJson {
 
     /** A turn counted from 1; null for 0. */
     static void writeTurn(JsonGenerator out, int turn) {
-        if (turn == 0) {
-            out.writeNull();
-        } else {
-            out.writeNumber(turn);
-        }
+        JsonNumbers.writeOrNull(out, turn == 0 ? Double.NaN : turn);
     }
 
     /** Writes the data that bots reported on stderr. */

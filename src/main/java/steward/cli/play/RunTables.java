@@ -6,8 +6,10 @@ import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.Collectors;
 import steward.cli.shared.Games;
 import steward.files.InputException;
 import steward.files.OutputFiles;
@@ -161,11 +163,7 @@ final class RunTables implements MatchListener, AutoCloseable {
 
     /** The rest of a row, with a comma before each number. */
     private static String cells(double... values) {
-        StringBuilder text = new StringBuilder();
-        for (double value : values) {
-            text.append(',').append(number(value));
-        }
-        return text.append('\n').toString();
+        return Arrays.stream(values).mapToObj(value -> "," + number(value)).collect(Collectors.joining("", "", "\n"));
     }
 
     private static String number(double value) {

@@ -9,6 +9,7 @@ import steward.cli.shared.Games;
 import steward.cli.streams.Json;
 import steward.cli.streams.Streams;
 import steward.contest.RecordedFailures;
+import steward.json.JsonNumbers;
 import steward.json.JsonObject;
 import steward.match.MatchResult;
 import steward.replay.RecordedTurn;
@@ -47,12 +48,7 @@ record ReplayJson(Streams streams, ReplayReader replay) {
         out.writeNumberProperty("turns", turns);
         out.writeNumberProperty("impacts", impacts);
         out.writeStringProperty("ending", result == null ? null : result.ending());
-        out.writeName("winner");
-        if (result == null || result.winner() < 0) {
-            out.writeNull();
-        } else {
-            out.writeNumber(result.winner());
-        }
+        JsonNumbers.writeOrNull(out, "winner", result == null || result.winner() < 0 ? Double.NaN : result.winner());
         JsonObject.writeAll(out, "players", header.names().size(), player -> {
             out.writeStringProperty("name", header.names().get(player));
             out.writeStringProperty("bot", header.bots().get(player));

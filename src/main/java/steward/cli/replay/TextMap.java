@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Collectors;
 import steward.cli.streams.Json;
 import steward.replay.RecordedTurn;
 import steward.replay.ReplayReader;
@@ -116,12 +117,8 @@ public final class TextMap {
     }
 
     private static int ownerOf(Map<String, Object> drawing, int id) {
-        for (Map<?, ?> body : Json.objects(drawing.get("bodies"))) {
-            if (Json.number(body.get("id")) == id && body.containsKey("owner")) {
-                return (int) Json.number(body.get("owner"));
-            }
-        }
-        return -1;
+        return Json.objects(drawing.get("bodies")).stream().filter(body -> Json.number(body.get("id")) == id
+            && body.containsKey("owner")).mapToInt(body -> (int) Json.number(body.get("owner"))).findFirst().orElse(-1);
     }
 
     private void put(double x, double y, char c) {
@@ -153,11 +150,8 @@ public final class TextMap {
 
     private String framed() {
         String edge = "+" + "-".repeat(cells[0].length) + "+\n";
-        StringBuilder text = new StringBuilder(edge);
-        for (char[] row : cells) {
-            text.append('|').append(row).append("|\n");
-        }
-        return text.append(edge).toString();
+        return Arrays.stream(cells).map(row -> "|" + new String(row) + "|\n")
+            .collect(Collectors.joining("", edge, edge));
     }
 
     private static String legend(ReplayReader replay, Map<String, Object> drawing, Map<Integer, Character> letters) {

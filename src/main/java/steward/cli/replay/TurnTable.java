@@ -4,6 +4,7 @@ import java.io.PrintStream;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Collectors;
 import steward.cli.shared.Games;
 import steward.cli.shared.MatchText;
 import steward.cli.streams.Json;
@@ -126,11 +127,8 @@ final class TurnTable {
     }
 
     private String head() {
-        StringBuilder line = new StringBuilder("turn  body");
-        for (String column : columns) {
-            line.append(' ').append(TextFormat.right(HeadingText.title(column), width(column)));
-        }
-        return line.toString();
+        return "turn  body" + columns.stream().map(column -> " "
+            + TextFormat.right(HeadingText.title(column), width(column))).collect(Collectors.joining());
     }
 
     private static List<Map<?, ?>> bodies(Map<String, Object> outcome) {

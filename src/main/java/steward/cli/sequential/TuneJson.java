@@ -12,12 +12,7 @@ final class TuneJson {
     /** @param found whether there were steps enough for a result; without it {@code bot} is null */
     static void write(JsonGenerator out, TunedCommand command, Spsa search, boolean found) {
         out.writeNumberProperty("steps", search.step());
-        out.writeName("bot");
-        if (found) {
-            out.writeString(command.with(search.result()));
-        } else {
-            out.writeNull();
-        }
+        out.writeStringProperty("bot", found ? command.with(search.result()) : null);
         JsonObject.writeAll(out, "parameters", command.parameters().size(), k -> {
             Parameter parameter = command.parameters().get(k);
             out.writeStringProperty("name", parameter.name());

@@ -22,6 +22,18 @@ public final class FailureJson {
         writeTime(out, "time", failure.time());
     }
 
+    /** The field {@code failure}, an object or null. */
+    public static void writeField(JsonGenerator out, Failure failure) {
+        out.writeName("failure");
+        if (failure == null) {
+            out.writeNull();
+            return;
+        }
+        out.writeStartObject();
+        write(out, failure);
+        out.writeEndObject();
+    }
+
     /** Where the time of a late answer went, in milliseconds; null for what the system does not show. */
     public static void writeTime(JsonGenerator out, String name, TimeSpent time) {
         out.writeName(name);

@@ -3,6 +3,7 @@ package steward.cli.shared;
 import java.io.PrintStream;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.Collectors;
 import steward.bot.command.CommandLine;
 import steward.cli.streams.Colour;
 import steward.contest.Failure;
@@ -43,12 +44,8 @@ public final class MatchText {
 
     /** Returns {@link #headline(String, long, MatchResult)} with the failures of bots on the same line. */
     public static String headline(String scene, long seed, MatchResult result, List<Failure> failures) {
-        StringBuilder line = new StringBuilder(headline(scene, seed, result));
-        for (Failure failure : failures) {
-            line.append("; ").append(TextFormat.plain(FailureText.line(result.players().get(failure.player()).name(),
-                failure)));
-        }
-        return line.toString();
+        return headline(scene, seed, result) + failures.stream().map(failure -> "; " + TextFormat.plain(
+            FailureText.line(result.players().get(failure.player()).name(), failure))).collect(Collectors.joining());
     }
 
     /** Prints everything about the result, and more about the players that failed. */

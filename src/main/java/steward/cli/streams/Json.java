@@ -130,15 +130,8 @@ public final class Json {
 
     /** The objects of an array; empty if it is missing. */
     public static List<Map<?, ?>> objects(Object array) {
-        List<Map<?, ?>> objects = new ArrayList<>();
-        if (array instanceof List<?> list) {
-            for (Object each : list) {
-                if (each instanceof Map<?, ?> object) {
-                    objects.add(object);
-                }
-            }
-        }
-        return objects;
+        return !(array instanceof List<?> list) ? List.of() : list.stream().filter(each -> each instanceof Map)
+            .<Map<?, ?>>map(each -> (Map<?, ?>) each).toList();
     }
 
     /** A number, or NaN if there is none. */

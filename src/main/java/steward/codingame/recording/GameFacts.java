@@ -44,14 +44,8 @@ record GameFacts(List<String> names, long seed, Map<String, String> data, List<M
         }
         Map<String, String> game = new TreeMap<>();
         put(game, "game", result.path("gameId"));
-        List<Double> scores = new ArrayList<>();
-        for (JsonNode score : result.path("scores")) {
-            if (score.isNumber()) {
-                scores.add(score.asDouble());
-            }
-        }
         return new GameFacts(names, ShownSeed.of(result.path("refereeInput").asString("")).orElse(0), game, data,
-            scores.stream().mapToDouble(score -> score).toArray());
+            result.path("scores").valueStream().filter(JsonNode::isNumber).mapToDouble(JsonNode::asDouble).toArray());
     }
 
     private static void put(Map<String, String> data, String name, JsonNode value) {

@@ -23,19 +23,8 @@ import tools.jackson.databind.JsonNode;
  * "stdout":[..]}}. The answers are played by our referee, and every line that the server has sent is compared with ours
  * while the replay is written. Which game it is, and on which map, its first lines say to the games that are known.
  */
-final class LineRecordingImport implements RecordingImport {
-
-    private final List<String> sent;
-    private final List<String> answers;
-    private final GameSetup setup;
-    private final String source;
-
-    private LineRecordingImport(List<String> sent, List<String> answers, GameSetup setup, String source) {
-        this.sent = sent;
-        this.answers = answers;
-        this.setup = setup;
-        this.source = source;
-    }
+record LineRecordingImport(List<String> sent, List<String> answers, GameSetup setup, String source)
+    implements RecordingImport {
 
     static LineRecordingImport of(JsonNode recording, String source, GameTypes types) {
         List<String> sent = lines(recording, "stdin", source);

@@ -37,9 +37,7 @@ final class ServerGameImport implements RecordingImport {
                 + setup.scene().players() + " of " + setup.scene().gameId());
         }
         turns = frames.turns(players);
-        for (ServerFrames.Turn turn : turns) {
-            shown.add(turn.view());
-        }
+        turns.forEach(turn -> shown.add(turn.view()));
         ranks = frames.ranks(players);
         scores = frames.scores(players);
         facts = frames.facts(players);

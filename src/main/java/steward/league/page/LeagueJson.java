@@ -2,7 +2,9 @@ package steward.league.page;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.BiConsumer;
 import java.util.function.Function;
+import java.util.stream.IntStream;
 import steward.json.JsonNumbers;
 import steward.json.JsonObject;
 import steward.league.Season;
@@ -35,20 +37,8 @@ public final class LeagueJson {
         out.writeNumberProperty("again", table.results().playedAgain());
         out.writeNumberProperty("without", table.results().withoutResult());
         JsonObject.writeAll(out, "bots", table.rows(), row -> bot(out, row));
-        JsonObject.writeEach(out, "cross", table.rows().size(), row -> {
-            out.writeStartArray();
-            for (int column = 0; column < table.rows().size(); column++) {
-                cell(out, table, row, column);
-            }
-            out.writeEndArray();
-        });
-        JsonObject.writeEach(out, "differences", table.rows().size(), row -> {
-            out.writeStartArray();
-            for (int column = 0; column < table.rows().size(); column++) {
-                difference(out, table, row, column);
-            }
-            out.writeEndArray();
-        });
+        square(out, "cross", table, (row, column) -> cell(out, table, row, column));
+        square(out, "differences", table, (row, column) -> difference(out, table, row, column));
         JsonObject.writeEach(out, "surprises", table.surprises(), each -> {
             out.writeStartArray();
             out.writeNumber(each.row());
@@ -61,6 +51,15 @@ public final class LeagueJson {
         if (!workers.isEmpty()) {
             JsonObject.writeAll(out, "workers", workers, worker -> worker(out, worker));
         }
+    }
+
+    private static void square(JsonGenerator out, String name, LeagueTable table,
+                               BiConsumer<Integer, Integer> cell) {
+        JsonObject.writeEach(out, name, table.rows().size(), row -> {
+            out.writeStartArray();
+            IntStream.range(0, table.rows().size()).forEach(column -> cell.accept(row, column));
+            out.writeEndArray();
+        });
     }
 
     private static void worker(JsonGenerator out, WorkerRow worker) {
@@ -91,19 +90,11 @@ public final class LeagueJson {
         JsonNumbers.write(out, difference.elo());
         for (double bar : new double[] {difference.isOneSided() ? Difference.MOST_BAR : difference.bar(),
             difference.anytimeBar()}) {
-            if (Difference.isKnown(bar)) {
-                JsonNumbers.write(out, bar);
-            } else {
-                out.writeNull();
-            }
+            JsonNumbers.writeOrNull(out, known(bar));
         }
         JsonNumbers.write(out, (difference.isOneSided() || Double.isInfinite(difference.variance())
             ? table.difference(row, column) : difference).superiority());
-        if (difference.isOneSided()) {
-            JsonNumbers.write(out, difference.boundElo());
-        } else {
-            out.writeNull();
-        }
+        JsonNumbers.writeOrNull(out, difference.isOneSided() ? difference.boundElo() : Double.NaN);
         out.writeEndArray();
     }
 
@@ -174,11 +165,7 @@ public final class LeagueJson {
     private static void numbers(JsonGenerator out, String name, double... values) {
         out.writeArrayPropertyStart(name);
         for (double value : values) {
-            if (Double.isNaN(value)) {
-                out.writeNull();
-            } else {
-                JsonNumbers.write(out, Math.rint(value * 10) / 10);
-            }
+            JsonNumbers.writeOrNull(out, Math.rint(value * 10) / 10);
         }
         out.writeEndArray();
     }

@@ -28,17 +28,17 @@ public record LeagueTable(List<Row> rows, Results results, Ratings ratings) {
     /**
      * A row.
      *
-     * @param rank    from 1; equal ratings share one
-     * @param best    the best rank that the games leave it, with 95%
-     * @param rating  in Elo, 0 is the mean by games
-     * @param bar     half the width of its 95% bar at a number of games that was fixed before
-     * @param bound   where the bar has one side, since the bot has won or lost nearly everything: its end; otherwise NaN
+     * @param rank   from 1; equal ratings share one
+     * @param best   the best rank that the games leave it, with 95%
+     * @param rating in Elo, 0 is the mean by games
+     * @param bar    half the width of its 95% bar at a number of games that was fixed before
+     * @param bound  where the bar has one side, since the bot has won or lost nearly everything: its end; otherwise NaN
      * @param anytime half the width of its 95% bar that holds at all looks at once
-     * @param points  share of the points, 0..1; NaN without games
-     * @param wins    games won, in whole games of two
-     * @param draws   games drawn, likewise
-     * @param losses  games lost, likewise
-     * @param sums    games, score, faults, answer times
+     * @param points share of the points, 0..1; NaN without games
+     * @param wins   games won, in whole games of two
+     * @param draws  games drawn, likewise
+     * @param losses games lost, likewise
+     * @param sums   games, score, faults, answer times
      */
     public record Row(int rank, int best, int worst, Entry entry, double rating, double bar, double bound,
                       double anytime, double points, double wins, double draws, double losses, BotSums sums) {

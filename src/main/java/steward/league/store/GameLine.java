@@ -16,10 +16,7 @@ import steward.league.StoredGame.StoredSeat;
 import steward.league.store.GameStore.Version;
 import steward.numerics.StateHash;
 
-/**
- * One game as a line of text fields, for other programs and other leagues: what it was, and each seat with the identity
- * of its bot. Replays are not part of it.
- */
+/** One game as a line of text fields for other programs: what it was, and its seats with the bots' identities. */
 public final class GameLine {
 
     private static final String TRANSCRIPT = "transcript";

@@ -10,7 +10,6 @@ import steward.contest.Contest;
 import steward.contest.Contest.Entrant;
 import steward.game.GameTypes;
 import steward.replay.RecordedMatch;
-import steward.replay.RecordedTurn;
 import steward.replay.ReplayHeader;
 import steward.replay.feed.FedTurn;
 import steward.replay.feed.Feed;
@@ -93,12 +92,9 @@ public final class AnswerCheck {
 
     /** The last turn before one in which it was late: there it might never answer. */
     private static int lastRepeatable(RecordedMatch match, int player) {
-        for (RecordedTurn turn : match.turns()) {
-            if (turn.faults()[player] != null && FaultMessages.isTime(turn.faults()[player])) {
-                return turn.number() - 1;
-            }
-        }
-        return Integer.MAX_VALUE;
+        return match.turns().stream().filter(turn -> turn.faults()[player] != null
+            && FaultMessages.isTime(turn.faults()[player])).mapToInt(turn -> turn.number() - 1).findFirst()
+            .orElse(Integer.MAX_VALUE);
     }
 
     /** Compares a turn; {@code null} if the answer is the recorded one. */

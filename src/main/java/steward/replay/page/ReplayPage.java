@@ -3,7 +3,6 @@ package steward.replay.page;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.io.InputStream;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -30,40 +29,13 @@ public final class ReplayPage {
     private ReplayPage() { }
 
     /**
-     * @param html  is not closed
-     * @param title heading of the page, plain text
-     * @throws IOException     if the replay cannot be read or the page cannot be written
-     * @throws ReplayException if the file is no replay, of a newer format, or damaged before its end
-     */
-    public static void write(Path replay, OutputStream html, String title) throws IOException {
-        ReplayReader.open(replay).close();                   // says which path cannot be read, and why
-        write(Files.readAllBytes(replay), replay.toString(), html, title);
-    }
-
-    /**
-     * @param replay read to its end, not closed
-     * @param source name of the replay, for errors
-     * @param html   is not closed
-     * @param title  heading of the page, plain text
-     * @throws IOException     if the replay cannot be read or the page cannot be written
-     * @throws ReplayException if it is no replay, of a newer format, or damaged before its end
-     */
-    public static void write(InputStream replay, String source, OutputStream html, String title) throws IOException {
-        write(replay.readAllBytes(), source, html, title);
-    }
-
-    private static void write(byte[] replay, String source, OutputStream html, String title) throws IOException {
-        write(replay, source, html, title, PageExtras.NONE);
-    }
-
-    /**
-     * Writes the page with more than the replay.
+     * Writes the page.
      *
      * @param replay its bytes
      * @param source name of the replay, for errors
      * @param html   is not closed
      * @param title  heading of the page, plain text
-     * @param extras what else it has
+     * @param extras what it has besides the replay
      * @throws IOException     if the page cannot be written
      * @throws ReplayException if it is no replay, of a newer format, or damaged before its end
      */

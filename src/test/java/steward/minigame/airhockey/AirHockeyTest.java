@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
@@ -24,6 +23,7 @@ import steward.game.GameTypes;
 import steward.game.Pilot;
 import steward.numerics.SplitMix64;
 import steward.replay.Recorded;
+import steward.replay.page.PageExtras;
 import steward.replay.page.PageTestBrowser;
 import steward.replay.page.ReplayPage;
 import steward.replay.verify.Verification;
@@ -161,7 +161,7 @@ class AirHockeyTest {
 
     private static Path page() throws IOException {
         ByteArrayOutputStream html = new ByteArrayOutputStream();
-        ReplayPage.write(new ByteArrayInputStream(match(7).bytes()), "r.jsonl", html, "Air hockey");
+        ReplayPage.write(match(7).bytes(), "r.jsonl", html, "Air hockey", PageExtras.NONE);
         return Files.write(folder.resolve("page.html"), html.toByteArray());
     }
 

@@ -11,14 +11,10 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
-import java.nio.file.NoSuchFileException;
-import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Base64;
 import java.util.zip.GZIPInputStream;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import steward.replay.ReplayException;
 
 /** The page as a file: what is in it, and what is refused. No browser is needed. */
@@ -27,12 +23,9 @@ class PageTestFiles {
     /** A full race of 500 turns, mailed around. */
     private static final int LARGEST = 1_500_000;
 
-    @TempDir
-    Path folder;
-
     private static String page(byte[] replay, String title) throws IOException {
         ByteArrayOutputStream html = new ByteArrayOutputStream();
-        ReplayPage.write(new ByteArrayInputStream(replay), "race.jsonl", html, title);
+        ReplayPage.write(replay, "race.jsonl", html, title, PageExtras.NONE);
         return html.toString(StandardCharsets.UTF_8);
     }
 
@@ -95,13 +88,12 @@ class PageTestFiles {
     }
 
     @Test
-    void refusesWhatIsNoReplay() throws IOException {
-        Path file = Files.writeString(folder.resolve("notes.txt"), "hello\n");
+    void refusesWhatIsNoReplay() {
+        byte[] notes = "hello\n".getBytes(StandardCharsets.UTF_8);
         ByteArrayOutputStream html = new ByteArrayOutputStream();
-        ReplayException problem = assertThrows(ReplayException.class, () -> ReplayPage.write(file, html, "t"));
-        assertTrue(problem.getMessage().startsWith(file + ":1"), problem.getMessage());
-        assertThrows(NoSuchFileException.class, () -> ReplayPage.write(folder.resolve("none"), html, "t"));
-        assertThrows(ReplayException.class, () -> ReplayPage.write(folder, html, "t"));
+        ReplayException problem = assertThrows(ReplayException.class,
+            () -> ReplayPage.write(notes, "notes.txt", html, "t", PageExtras.NONE));
+        assertTrue(problem.getMessage().startsWith("notes.txt:1"), problem.getMessage());
         assertEquals(0, html.size(), "nothing is written of a page that cannot be");
     }
 

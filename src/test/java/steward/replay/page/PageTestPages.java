@@ -1,6 +1,5 @@
 package steward.replay.page;
 
-import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
@@ -23,7 +22,7 @@ public final class PageTestPages {
     public Path page(byte[] replay, String title) {
         Path page = folder.resolve("page-" + ++written + ".html");
         try (OutputStream html = Files.newOutputStream(page)) {
-            ReplayPage.write(new ByteArrayInputStream(replay), "race.jsonl", html, title);
+            ReplayPage.write(replay, "race.jsonl", html, title, PageExtras.NONE);
         } catch (IOException e) {
             throw new AssertionError(e);
         }

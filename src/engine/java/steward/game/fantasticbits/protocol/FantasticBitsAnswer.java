@@ -1,8 +1,10 @@
 package steward.game.fantasticbits.protocol;
 
+import java.util.Arrays;
 import java.util.Locale;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.stream.Collectors;
 import steward.game.fantasticbits.FantasticBits;
 import steward.game.fantasticbits.Pitch;
 import steward.game.fantasticbits.Spell;
@@ -22,13 +24,8 @@ import tools.jackson.core.JsonToken;
 final class FantasticBitsAnswer extends CommandsAnswer<WizardCommand> {
 
     private static final int MOST_ID = 999;
-    private static final Set<String> SPELLS = new TreeSet<>();
-
-    static {
-        for (Spell spell : Spell.values()) {
-            SPELLS.add(spell.text());
-        }
-    }
+    private static final Set<String> SPELLS = Arrays.stream(Spell.values()).map(Spell::text)
+        .collect(Collectors.toCollection(TreeSet::new));
 
     private final FantasticBits game;
     private int player;

@@ -3,7 +3,8 @@ package steward.game.fantasticbits.protocol;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import java.util.StringJoiner;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import steward.game.Game;
 import steward.game.ShownMessages;
 import steward.game.ViewWriter;
@@ -56,18 +57,12 @@ final class FantasticBitsViews implements ViewWriter {
         List<String> view = new ArrayList<>(List.of(ANY, FantasticBitsView.TITLE, (int) Pitch.WIDTH + " "
             + (int) Pitch.HEIGHT + " " + (int) EntityKind.WIZARD.radius() + " " + Pitch.WIZARDS + " "
             + (int) EntityKind.SNAFFLE.radius() + " " + GOAL_SIZE));
-        StringJoiner wizards = new StringJoiner(" ");
-        for (int wizard = 0; wizard < Pitch.WIZARDS; wizard++) {
-            wizards.add(Pitch.playerOf(wizard) + place(wizard));
-        }
-        view.add(wizards.toString());
+        view.add(IntStream.range(0, Pitch.WIZARDS).mapToObj(wizard -> Pitch.playerOf(wizard) + place(wizard))
+            .collect(Collectors.joining(" ")));
         for (int first : new int[] {Pitch.WIZARDS, Pitch.WIZARDS + snaffles}) {
-            StringJoiner all = new StringJoiner(" ");
             int end = first == Pitch.WIZARDS ? Pitch.WIZARDS + snaffles : game.pitch().entities();
-            for (int k = first; k < end; k++) {
-                all.add(bodies.id(k) + place(k));
-            }
-            view.add(all.toString());
+            view.add(IntStream.range(first, end).mapToObj(k -> bodies.id(k) + place(k))
+                .collect(Collectors.joining(" ")));
         }
         for (int wizard = 0; wizard < Pitch.WIZARDS; wizard++) {
             view.add((place(wizard) + speed(wizard)).strip() + " 0 " + (int) (Pitch.WIDTH / 2) + " "

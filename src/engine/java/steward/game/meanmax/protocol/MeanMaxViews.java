@@ -1,11 +1,13 @@
 package steward.game.meanmax.protocol;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.stream.IntStream;
 import steward.game.Game;
 import steward.game.ShownMessages;
 import steward.game.ViewWriter;
@@ -62,9 +64,7 @@ final class MeanMaxViews implements ViewWriter {
             Long.toString(Math.round(MeanMaxWorld.ARENA_RADIUS)), Long.toString(Math.round(MeanMaxWorld.WATER_RADIUS)),
             Integer.toString(UnitKind.LOOTERS)));
         addPlayers(view);
-        for (int message = 0; message < game.players() * UnitKind.LOOTERS; message++) {
-            view.add("");
-        }
+        view.addAll(Collections.nCopies(game.players() * UnitKind.LOOTERS, ""));
         MeanMaxMoments units = new MeanMaxMoments(game.bodies(), known);
         units.end();
         view.addAll(units.lines());
@@ -72,12 +72,8 @@ final class MeanMaxViews implements ViewWriter {
     }
 
     private void addPlayers(List<String> view) {
-        for (int player = 0; player < game.players(); player++) {
-            view.add(Integer.toString(game.score(player)));
-        }
-        for (int player = 0; player < game.players(); player++) {
-            view.add(Integer.toString(game.rage(player)));
-        }
+        IntStream.range(0, game.players()).map(game::score).mapToObj(Integer::toString).forEach(view::add);
+        IntStream.range(0, game.players()).map(game::rage).mapToObj(Integer::toString).forEach(view::add);
     }
 
     @Override
@@ -88,9 +84,7 @@ final class MeanMaxViews implements ViewWriter {
         wrecksBefore.forEach(wreck -> waterBefore.put(wreck.id(), wreck.water()));
         scoreBefore = totalScore();
         if (game.turn() == 0) {
-            for (int unit = 0; unit < game.bodies().size(); unit++) {
-                known.add(game.bodies().id(unit));
-            }
+            IntStream.range(0, game.bodies().size()).map(game.bodies()::id).forEach(known::add);
         }
     }
 

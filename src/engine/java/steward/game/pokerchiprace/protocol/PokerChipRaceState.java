@@ -63,13 +63,8 @@ final class PokerChipRaceState extends CommandListState<ChipCommand> {
             out.writeNumber(pairs.second(k));
             out.writeEndArray();
         });
-        JsonObject.writeEach(out, "lost", game.players(), player -> {
-            if (game.lost(player) < 0) {
-                out.writeNull();
-            } else {
-                JsonNumbers.write(out, game.lost(player));
-            }
-        });
+        JsonObject.writeEach(out, "lost", game.players(), player ->
+            JsonNumbers.writeOrNull(out, game.lost(player) < 0 ? Double.NaN : game.lost(player)));
         out.writeNumberProperty("nextId", game.bodies().nextId());
     }
 

@@ -3,11 +3,12 @@ package steward.game.pokerchiprace.protocol;
 import java.math.BigDecimal;
 import java.math.RoundingMode;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
-import java.util.StringJoiner;
 import java.util.TreeMap;
 import java.util.function.IntUnaryOperator;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import steward.game.Game;
 import steward.game.ShownMessages;
@@ -224,16 +225,10 @@ final class PokerChipRaceViews implements ViewWriter {
                 areas[game.ownerOf(chip)] += area;
             }
         }
-        StringJoiner line = new StringJoiner(" ");
-        for (double area : areas) {
-            line.add(decimal(area, AREA));
-        }
-        view.add(failed ? REST : line.toString());
-        StringJoiner scores = new StringJoiner(" ");
-        for (int player = 0; player < in.length; player++) {
-            scores.add(Integer.toString(game.score(player)));
-        }
-        view.add(failed ? REST : scores.toString());
+        view.add(failed ? REST : Arrays.stream(areas).mapToObj(area -> decimal(area, AREA))
+            .collect(Collectors.joining(" ")));
+        view.add(failed ? REST : IntStream.range(0, in.length).mapToObj(player -> "" + game.score(player))
+            .collect(Collectors.joining(" ")));
     }
 
     /** Of players who are in, the score. */

@@ -1,6 +1,5 @@
 package steward.lab.bench.section;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Consumer;
@@ -33,13 +32,11 @@ final class CrowdSection implements Section {
     private static final double NANOS = 1e9;
     private static final long NANOS_PER_MS = 1_000_000;
 
-    private final List<Gas> gases = new ArrayList<>();
+    private final List<Gas> gases;
 
     /** @throws IllegalArgumentException if so many bodies are not possible */
     CrowdSection(List<Integer> bodies) {
-        for (int count : bodies) {
-            gases.add(new Gas(SEED, count, COVERAGE));
-        }
+        gases = bodies.stream().map(count -> new Gas(SEED, count, COVERAGE)).toList();
     }
 
     @Override

@@ -12,20 +12,15 @@ import steward.lab.bench.Row;
 import steward.lab.bench.Section;
 import steward.match.MatchListener;
 
-/** Growth of the cost of a match with its players and its turns. */
-final class GrowthSection implements Section {
+/**
+ * Growth of the cost of a match with its players and its turns.
+ *
+ * @param scenes by their descriptions; the others are compared with the first
+ */
+record GrowthSection(MatchFixture fixture, Map<String, GameSetup> scenes) implements Section {
 
     private static final MatchListener NO_LISTENER = new MatchListener() { };
     private static final int SEEDS = 20;
-
-    private final MatchFixture fixture;
-    private final Map<String, GameSetup> scenes;
-
-    /** @param scenes by their descriptions; the others are compared with the first */
-    GrowthSection(MatchFixture fixture, Map<String, GameSetup> scenes) {
-        this.fixture = fixture;
-        this.scenes = scenes;
-    }
 
     @Override
     public String name() {

@@ -13,7 +13,7 @@ import steward.lab.tradeoff.TradeoffResult;
 import steward.lab.tradeoff.TradeoffRow;
 
 /** Draws error against cost: a panel per scene, one under the other, with the same logarithmic axes. */
-final class TradeoffPlot implements Drawing {
+record TradeoffPlot(TradeoffResult result, List<String> scenes) implements Drawing {
 
     /** The first scene alone, for light and for dark pages. */
     static final String PNG = "tradeoff.png";
@@ -35,14 +35,6 @@ final class TradeoffPlot implements Drawing {
         + "times of impact. A bar is the range over JVMs. Errors of 0 are at the bottom. Dashed: " + TradeoffRow.DEMAND
         + " u. Chosen: double, the default, unless it decides some impact wrongly or is above that line, or another "
         + "rung clearly costs less.";
-
-    private final TradeoffResult result;
-    private final List<String> scenes;
-
-    private TradeoffPlot(TradeoffResult result, List<String> scenes) {
-        this.result = result;
-        this.scenes = scenes;
-    }
 
     /**
      * Writes all files into a folder, replacing older ones.

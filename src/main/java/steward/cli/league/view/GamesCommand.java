@@ -170,15 +170,7 @@ public final class GamesCommand extends ProgramCommand {
         out.writeNumberProperty("rank", seat.rank());
         JsonNumbers.write(out, "score", seat.score());
         out.writeStringProperty("fault", seat.fault());
-        out.writeName("failure");
-        Failure failure = failures.stream().filter(each -> each.player() == player).findFirst().orElse(null);
-        if (failure == null) {
-            out.writeNull();
-        } else {
-            out.writeStartObject();
-            FailureJson.write(out, failure);
-            out.writeEndObject();
-        }
+        FailureJson.writeField(out, failures.stream().filter(each -> each.player() == player).findFirst().orElse(null));
     }
 
     private int show(LeagueOpening.Opened opened, List<StoredGame> found, Map<Integer, String> names)
