@@ -40,7 +40,10 @@ import steward.league.store.GameQueries;
 import steward.league.store.GameStore;
 import steward.machines.token.SharedBrokerKey;
 
-/** How workers end, by themselves and by a signal, and what they say where they cannot play; those that are ended by others as processes. */
+/**
+ * How workers end, by themselves and by a signal, and what they say where they cannot play. Those that others end are
+ * processes.
+ */
 @Tag("process")
 @Tag("slow")
 @Timeout(300)
