@@ -15,6 +15,7 @@ import java.nio.file.attribute.PosixFilePermissions;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.Executor;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
 import java.util.stream.Stream;
@@ -39,7 +40,10 @@ import steward.league.store.GameQueries;
 import steward.league.store.GameStore;
 import steward.machines.token.SharedBrokerKey;
 
-/** How workers end, by themselves and by a signal, and what they say where they cannot play; as processes. */
+/**
+ * How workers end, by themselves and by a signal, and what they say where they cannot play. Those that others end are
+ * processes.
+ */
 @Tag("process")
 @Tag("slow")
 @Timeout(300)
@@ -47,6 +51,12 @@ import steward.machines.token.SharedBrokerKey;
 class WorkerProcessTest {
 
     private static final int INTERRUPTED = 130;
+    /** A thread for each: all are there at the same time. */
+    private static final Executor THREADS = work -> {
+        Thread thread = new Thread(work, "worker or league");
+        thread.setDaemon(true);
+        thread.start();
+    };
 
     @TempDir
     private Path folder;
@@ -88,19 +98,25 @@ class WorkerProcessTest {
     /** Serves the league, which plays nothing itself unless it is told to. */
     private CompletableFuture<String> serve(int games, int threads) {
         return CompletableFuture.supplyAsync(() -> done("run", folder.resolve("night").toString(), "--games",
-            Integer.toString(games), "--threads", Integer.toString(threads), "--serve", "127.0.0.1:" + port));
+            Integer.toString(games), "--threads", Integer.toString(threads), "--serve", "127.0.0.1:" + port), THREADS);
+    }
+
+    /** A worker in this JVM, with a new token. */
+    private CompletableFuture<Cli> here(String name, String... options) {
+        done("worker", "add", folder.resolve("night").toString(), name, "--out", token(name).toString());
+        List<String> words = new ArrayList<>(List.of("worker", "--join", "127.0.0.1:" + port, "--token-file",
+            token(name).toString(), "--bundles", folder.resolve("bundles " + name).toString(), "--sandbox", "off"));
+        words.addAll(List.of(options));
+        return CompletableFuture.supplyAsync(() -> Cli.run(words.toArray(new String[0])), THREADS);
     }
 
     /** Plays what is left, in this JVM, and returns what the league has said. */
     private String rest(CompletableFuture<String> league) throws Exception {
-        done("worker", "add", folder.resolve("night").toString(), "rest", "--out", token("rest").toString());
         Path stop = folder.resolve("rest.stop");
-        CompletableFuture<Cli> rest = CompletableFuture.supplyAsync(() -> Cli.run("worker", "--join", "127.0.0.1:"
-            + port, "--token-file", token("rest").toString(), "--bundles", folder.resolve("bundles rest").toString(),
-            "--sandbox", "off", "--stop-file", stop.toString()));
+        CompletableFuture<Cli> rest = here("rest", "--stop-file", stop.toString());
         String said = league.get(200, TimeUnit.SECONDS);
         Files.createFile(stop);
-        assertEquals(0, rest.get(100, TimeUnit.SECONDS).status());
+        assertEquals(0, end(rest).status());
         return said;
     }
 
@@ -161,31 +177,36 @@ class WorkerProcessTest {
         return process.exitValue();
     }
 
-    /** Four workers of one league: none has to wait for another. */
+    /** Four workers of one league, in this JVM: none has to wait for another. */
     @Test
     void endsAfterSoManyGamesOrSoMuchTimeOrWhenItIsIdleOrAFileSaysSo() throws Exception {
         CompletableFuture<String> league = serve(16, 0);
-        Process three = worker("three", List.of(), "--games", "3", "--threads", "2");
-        long began = System.nanoTime();
-        Process brief = worker("brief", List.of(), "--for", "3s", "--threads", "1");
-        Process told = worker("told", List.of(), "--stop-file", folder.resolve("stop").toString(), "--threads", "1");
-        Process idle = worker("idle", List.of(), "--idle", "5s", "--json", "--platform", "linux-s390x");
+        Path stop = folder.resolve("stop");
+        CompletableFuture<Cli> three = here("three", "--games", "3", "--threads", "2");
+        final long began = System.nanoTime();
+        CompletableFuture<Cli> brief = here("brief", "--for", "3s", "--threads", "1");
+        CompletableFuture<Cli> told = here("told", "--stop-file", stop.toString(), "--threads", "1");
         await(() -> stored("told") >= 1 || league.isDone());
-        Files.createFile(folder.resolve("stop"));
-        assertEquals(0, end(told, league), () -> read("told.err"));
-        assertEquals(0, end(three, league), () -> read("three.err"));
-        assertEquals("3 games played\n", read("three.out"));
-        assertEquals(0, end(brief, league), () -> read("brief.err"));
+        CompletableFuture<Cli> idle = here("idle", "--idle", "5s", "--json", "--platform", "linux-s390x");
+        Files.createFile(stop);
+        assertEquals(0, end(told).status(), () -> told.join().err());
+        assertEquals(0, end(three).status(), () -> three.join().err());
+        assertEquals("3 games played\n", three.join().out());
+        assertEquals(0, end(brief).status(), () -> brief.join().err());
         assertTrue(System.nanoTime() - began >= TimeUnit.SECONDS.toNanos(3));
-        assertEquals(0, end(idle, league), () -> read("idle.err"));
-        assertTrue(read("idle.err").matches("(?s)\\{\"time\":\"\\d{4}-[^\"]*Z\",\"event\":\"joined 127.0.0.1:.*"),
-            read("idle.err"));
+        assertEquals(0, end(idle).status(), () -> idle.join().err());
+        assertTrue(idle.join().err().matches("(?s)\\{\"time\":\"\\d{4}-[^\"]*Z\",\"event\":\"joined 127.0.0.1:.*"),
+            idle.join().err());
         String said = rest(league);
         assertTrue(said.startsWith("16 games of duel\n"), said);
         assertEquals(3, stored("three"), said);
         assertTrue(stored("told") >= 1, said);
         assertEquals(0, stored("idle"), said);
-        assertEquals(stored("brief") + (stored("brief") == 1 ? " game" : " games") + " played\n", read("brief.out"));
+        assertEquals(stored("brief") + (stored("brief") == 1 ? " game" : " games") + " played\n", brief.join().out());
+    }
+
+    private static Cli end(CompletableFuture<Cli> worker) throws Exception {
+        return worker.get(100, TimeUnit.SECONDS);
     }
 
     @Test

@@ -42,7 +42,8 @@ class StandstillTest {
             assertEquals(Optional.empty(), look(standstill, millis));
             assertEquals(List.of(), told);
         }
-        List<String> expected = List.of("games wait for a worker: none is connected, and this league plays none itself");
+        List<String> expected = List.of("games wait for a worker: none is connected, and this league plays none "
+            + "itself");
         for (int millis : List.of(6000, 9000, 90_000)) {
             assertEquals(Optional.empty(), look(standstill, millis));
             assertEquals(expected, told);

@@ -21,8 +21,6 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
 import steward.bot.TimeBasis;
 import steward.bot.command.ProgramFinder;
 import steward.bot.hold.HoldPolicy;
@@ -96,9 +94,19 @@ class GuestWorkerTest extends ServedLeague {
         return texts;
     }
 
-    @ParameterizedTest
-    @ValueSource(strings = {"classes", "pairs"})
-    void aWorkerThatTakesGuestsPlaysTheReplaysOfASingleMachine(String mode) throws Exception {
+    @Test
+    void aWorkerThatTakesGuestsPlaysTheReplaysOfASingleMachine() throws Exception {
+        assertReplaysOfASingleMachine("classes");
+    }
+
+    /** Such a program is a referee of {@link #aRefereeThatIsNotDeterministicConvictsNobody}, too. */
+    @Test
+    @Tag("campaign")
+    void aWorkerThatTakesGuestsPlaysTheReplaysOfAProgram() throws Exception {
+        assertReplaysOfASingleMachine("pairs");
+    }
+
+    private void assertReplaysOfASingleMachine(String mode) throws Exception {
         scene(mode);
         league("alone");
         done("run", "TMP/alone", "--games", "4", "--quiet");

@@ -151,6 +151,7 @@ class WorkerTest extends ServedLeague {
     }
 
     @Test
+    @Tag("campaign")
     void gamesOfABotThatRunsOnNoWorkerArePlayedByTheLeague() throws Exception {
         List<String> alone = alone(GAMES, LeagueSettings.USUAL_LAG);
         make("many");
@@ -183,6 +184,7 @@ class WorkerTest extends ServedLeague {
             });
             int games = without("still", first, run) + other.join();
             assertEquals(alone, counting("many"), () -> games + " games of the workers");
+            assertTrue(run.join().contains("worker one cannot play a bot: still does not run here"), run.join());
             assertTrue(games("many").stream().noneMatch(row -> row.machine().startsWith("worker one")
                 && row.game().contains("still") || row.machine().startsWith("worker two")
                 && row.game().contains("wrong")));
