@@ -25,8 +25,18 @@ class DoubleDoubleTest {
 
     @Test
     void sumsAreWithinTheirBounds() {
+        checkSums(CASES / 5);
+    }
+
+    @Test
+    @Tag("campaign")
+    void manySumsAreWithinTheirBounds() {
+        checkSums(CASES);
+    }
+
+    private void checkSums(int cases) {
         SplitMix64 random = new SplitMix64(1);
-        for (int k = 0; k < CASES; k++) {
+        for (int k = 0; k < cases; k++) {
             DoubleDouble a = Numbers.anyDoubleDouble(random, -60, 60);
             DoubleDouble b = Numbers.anyDoubleDouble(random, -60, 60);
             if (k % 5 == 0) {

@@ -4,12 +4,15 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import tools.jackson.core.io.NumberOutput;
 
 /** Digits are those of Jackson's writer, whose own tests know the answers; and nothing where another must write. */
+@Execution(ExecutionMode.CONCURRENT)
 class ShortestDecimalTest {
 
     private final char[] digits = new char[ShortestDecimal.MAXIMUM_LENGTH];

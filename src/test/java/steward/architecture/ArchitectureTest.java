@@ -1,10 +1,10 @@
 package steward.architecture;
 
-import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAPackage;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.tngtech.archunit.core.domain.JavaClasses;
+import com.tngtech.archunit.core.importer.ClassFileImporter;
 import com.tngtech.archunit.lang.ArchRule;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -17,6 +17,8 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
@@ -24,6 +26,7 @@ import org.junit.jupiter.params.provider.EnumSource;
  * Holds the arrows of the design. Every rule is also tried on a small house in which it is broken on purpose, so that
  * none can pass by never looking.
  */
+@Execution(ExecutionMode.CONCURRENT)
 class ArchitectureTest {
 
     private static JavaClasses main;
@@ -70,7 +73,7 @@ class ArchitectureTest {
     @BeforeAll
     static void importClasses() {
         main = HouseClasses.all();
-        planted = HouseClasses.everything().that(resideInAPackage("steward.architecture.fixture.."));
+        planted = new ClassFileImporter().importPackages("steward.architecture.fixture");
     }
 
     @ParameterizedTest

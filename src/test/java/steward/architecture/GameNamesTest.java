@@ -11,11 +11,14 @@ import java.util.TreeSet;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /**
  * No file of the program names a game other than the first, but for its own room and resources, its bots, the list of
  * games, the names of the shipped scenes, and one view file with its entry in the list of scripts.
  */
+@Execution(ExecutionMode.CONCURRENT)
 class GameNamesTest {
 
     private static final Path GAMES = Path.of("src/engine/java/steward/game");

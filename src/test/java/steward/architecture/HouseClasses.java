@@ -1,7 +1,6 @@
 package steward.architecture;
 
 import static com.tngtech.archunit.base.DescribedPredicate.describe;
-import static com.tngtech.archunit.base.DescribedPredicate.or;
 
 import com.tngtech.archunit.base.DescribedPredicate;
 import com.tngtech.archunit.core.domain.JavaClass;
@@ -43,15 +42,9 @@ final class HouseClasses {
         return Imported.ALL;
     }
 
-    /** All classes of the parts, of their tests and of what is tested with them, read once. */
-    static JavaClasses everything() {
-        return Imported.EVERYTHING;
-    }
-
     private static final class Imported {
-        private static final JavaClasses EVERYTHING = new ClassFileImporter().importPackages("steward");
-        private static final JavaClasses ALL = EVERYTHING.that(or(parts().values().stream().map(HouseClasses::in)
-            .toList()));
+        private static final JavaClasses ALL = new ClassFileImporter().importPaths(parts().values().stream()
+            .map(HouseClasses::home).map(Path::of).toList());
     }
 
     /** Tests whether a class is of the part of another. */

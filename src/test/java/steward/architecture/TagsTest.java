@@ -12,6 +12,7 @@ import com.tngtech.archunit.core.domain.JavaMember;
 import com.tngtech.archunit.core.domain.JavaMethod;
 import com.tngtech.archunit.core.domain.Source;
 import com.tngtech.archunit.core.domain.properties.HasAnnotations;
+import com.tngtech.archunit.core.importer.ClassFileImporter;
 import java.io.IOException;
 import java.util.ArrayDeque;
 import java.util.Deque;
@@ -27,6 +28,8 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Tags;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.platform.commons.annotation.Testable;
 import org.openqa.selenium.chrome.ChromeDriver;
 
@@ -38,6 +41,8 @@ import org.openqa.selenium.chrome.ChromeDriver;
  * followed through the program, whose input alone decides whether it starts a bot: a test that has it do so and lacks
  * the tag fails in {@code quickTest}, in whose JVM no process can be started.
  */
+@Tag("slow")
+@Execution(ExecutionMode.CONCURRENT)
 class TagsTest {
 
     private static final String BROWSERS = "org.openqa.selenium.";
@@ -48,7 +53,7 @@ class TagsTest {
 
     @BeforeAll
     static void importClasses() {
-        all = HouseClasses.everything();
+        all = new ClassFileImporter().importPackages("steward");
         starters = new HashSet<>();
         List<JavaClass> program = all.stream().filter(type -> !isOfTests(type)).toList();
         boolean grows = true;

@@ -21,9 +21,12 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledIfSystemProperty;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import picocli.CommandLine.Model.OptionSpec;
@@ -35,10 +38,13 @@ import steward.cli.shared.ExitStatus;
  * {@link BadInputEntry}. With {@code -Dsteward.recordBadInput=FOLDER} the files are written anew to a folder, with what
  * the program prints now, to be read before they replace the old ones.
  */
+@Execution(ExecutionMode.CONCURRENT)
 class BadInputTableTest {
 
     /** Part of what a call says where this JVM cannot start processes, as in quickTest. */
     private static final String NO_PROCESSES = "this JVM cannot start programs";
+    /** One entry in so many is called in quickTest. */
+    private static final int SAMPLE = 8;
     /** Least entries of the whole table. */
     private static final int LEAST_ENTRIES = 590;
 
@@ -61,9 +67,33 @@ class BadInputTableTest {
         return Main.commands().stream().flatMap(command -> entries(command).stream());
     }
 
+    /** Some of the entries. */
+    static Stream<BadInputEntry> sample() {
+        return table().filter(BadInputTableTest::isOfSample);
+    }
+
+    static Stream<BadInputEntry> others() {
+        return table().filter(entry -> !isOfSample(entry));
+    }
+
+    private static boolean isOfSample(BadInputEntry entry) {
+        return entry.key().hashCode() % SAMPLE == 0;
+    }
+
     @ParameterizedTest
-    @MethodSource("table")
+    @MethodSource("sample")
     void isRefused(BadInputEntry entry) throws IOException {
+        assertRefused(entry);
+    }
+
+    @ParameterizedTest
+    @MethodSource("others")
+    @Tag("slow")
+    void isRefusedAsWell(BadInputEntry entry) throws IOException {
+        assertRefused(entry);
+    }
+
+    private void assertRefused(BadInputEntry entry) throws IOException {
         String found;
         try {
             found = String.join("\n", entry.run(folder.toRealPath()));
@@ -76,20 +106,23 @@ class BadInputTableTest {
     }
 
     @ParameterizedTest
-    @MethodSource("table")
-    void isAsEveryRefusalShouldBe(BadInputEntry entry) {
+    @MethodSource("steward.cli.Main#commands")
+    void everyRefusalIsAsItShouldBe(String command) {
+        entries(command).forEach(BadInputTableTest::assertIsAsItShouldBe);
+    }
+
+    private static void assertIsAsItShouldBe(BadInputEntry entry) {
         int status = entry.status();
-        assertTrue(status == ExitStatus.UNUSABLE || status == ExitStatus.FAILED, "status " + status);
+        assertTrue(status == ExitStatus.UNUSABLE || status == ExitStatus.FAILED,
+            () -> entry.key() + ": status " + status);
         List<String> err = entry.lines('!');
         if (status == ExitStatus.UNUSABLE) {
             assertTrue(entry.lines('>').stream().allMatch(line -> entry.command().equals("referee")
-                && line.equals("-1")),
-                () -> "standard output " + entry.lines('>'));
-            assertFalse(err.isEmpty(), "nothing is said");
+                && line.equals("-1")), () -> entry.key() + ": standard output " + entry.lines('>'));
+            assertFalse(err.isEmpty(), () -> entry.key() + ": nothing is said");
         }
         for (String line : err) {
-            String problem = BadMessage.problem(line);
-            assertEquals(null, problem, line);
+            assertEquals(null, BadMessage.problem(line), () -> entry.key() + ": " + line);
         }
     }
 

@@ -8,6 +8,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -15,6 +17,7 @@ import picocli.CommandLine.Model.OptionSpec;
 import steward.cli.shared.ExitStatus;
 
 /** The help of every command: it fits a terminal of 80 columns, and is phrased alike. */
+@Execution(ExecutionMode.CONCURRENT)
 class HelpTest {
 
     /** Options that are said to do something use the third person ("Writes"); these begin the others. */

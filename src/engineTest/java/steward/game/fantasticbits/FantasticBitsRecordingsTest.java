@@ -19,6 +19,8 @@ import java.util.regex.Pattern;
 import java.util.zip.GZIPInputStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestReporter;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.game.Comparison;
 import steward.game.GroundTruth;
 import steward.game.TextCodec;
@@ -27,6 +29,7 @@ import steward.game.TextCodec;
  * Games of the server as its console shows them (in French): what player 0 echoes of its input, the answers of both,
  * what the server says of them, scores and magic. The seed is unknown: snaffles begin where the first turn shows them.
  */
+@Execution(ExecutionMode.CONCURRENT)
 class FantasticBitsRecordingsTest {
 
     private static final Pattern ENTITY = Pattern.compile("(\\d+) ([A-Z_]+) (-?\\d+) (-?\\d+) (-?\\d+) (-?\\d+) (\\d)");

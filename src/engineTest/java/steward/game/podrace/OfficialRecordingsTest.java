@@ -6,6 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestReporter;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.game.GroundTruth;
 import steward.game.podrace.Recordings.Command;
 import steward.game.podrace.Recordings.Recording;
@@ -15,6 +17,7 @@ import steward.game.podrace.Recordings.Round;
  * Ground truth: whole official games of 2016, as CodinGame's server computed them. Every value of every pod of every
  * round is compared. Games of 2026, with their impacts, are {@link OfficialTurnsTest}'s.
  */
+@Execution(ExecutionMode.CONCURRENT)
 class OfficialRecordingsTest {
 
     /** Columns of a state: x y vx vy headingDegrees nextCheckpoint shield boosted. */

@@ -9,12 +9,15 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import steward.game.podrace.protocol.PodRaceType;
 import steward.numerics.SplitMix64;
 
 /** State before the first turn: the map drawn by lot, and the pods across checkpoint 0. */
+@Execution(ExecutionMode.CONCURRENT)
 class StartTest {
 
     /** The 13 official maps as the issue that asked for them lists them. */

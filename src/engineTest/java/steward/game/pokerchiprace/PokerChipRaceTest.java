@@ -11,6 +11,8 @@ import java.lang.management.ManagementFactory;
 import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import steward.game.Pilot;
@@ -23,6 +25,7 @@ import steward.scene.SceneReader;
 import steward.scene.json.SceneException;
 
 /** The rules of the Poker Chip Race where no referee's game is at hand; those of whole games are in the vectors. */
+@Execution(ExecutionMode.CONCURRENT)
 class PokerChipRaceTest {
 
     private static final PokerChipRaceType.PokerChipRaceSetup SETUP = open("official");

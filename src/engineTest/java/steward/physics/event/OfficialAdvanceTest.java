@@ -8,6 +8,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import steward.numerics.SplitMix64;
@@ -21,6 +23,7 @@ import steward.physics.PhysicsParts;
 import steward.physics.TurnLog;
 
 /** The loop made for the official law ends every turn as the loop made for every law: bodies, impacts, knots. */
+@Execution(ExecutionMode.CONCURRENT)
 class OfficialAdvanceTest {
 
     private static final ImpactLaw LAW = ImpactLaw.OFFICIAL_POD_RACE;

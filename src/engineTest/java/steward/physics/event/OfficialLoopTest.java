@@ -9,6 +9,8 @@ import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.numerics.SplitMix64;
 import steward.physics.Advance;
 import steward.physics.Arithmetic;
@@ -21,6 +23,7 @@ import steward.physics.TurnSink;
 import steward.scene.Accuracy;
 
 /** The common loop of official games, filled in with the pod race's expressions, has the engine's own bits. */
+@Execution(ExecutionMode.CONCURRENT)
 class OfficialLoopTest {
 
     private static final PhysicsParts PARTS = new PhysicsParts(ImpactLaw.OFFICIAL_POD_RACE, Arithmetic.OFFICIAL);

@@ -6,6 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import steward.numerics.SplitMix64;
@@ -24,6 +26,7 @@ import steward.physics.queue.QueueAdvance;
  * Random piles that are pressed together anew each turn, on every event rung, by all pairs and as a crowd. That they
  * come to rest within 500 impacts a turn without a bound, and never gain energy, is what {@code Rest} promises.
  */
+@Execution(ExecutionMode.CONCURRENT)
 class PilesTest {
 
     private static final int MOST_IMPACTS = 500;

@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import steward.numerics.SplitMix64;
@@ -21,6 +23,7 @@ import steward.physics.Wall;
 import steward.physics.queue.QueueAdvance;
 
 /** Bodies that press against a wall come to rest instead of bouncing until the bound on impacts, on every rung. */
+@Execution(ExecutionMode.CONCURRENT)
 class RestTest {
 
     static Arithmetic[] rungs() {

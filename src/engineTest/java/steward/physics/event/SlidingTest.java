@@ -4,6 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import steward.physics.Advance;
@@ -17,6 +19,7 @@ import steward.physics.TurnLog;
 import steward.physics.queue.QueueAdvance;
 
 /** A body on the rim of an arena goes round: 300 u on a circle of 490 u are 0.612 radians. */
+@Execution(ExecutionMode.CONCURRENT)
 class SlidingTest {
 
     private static List<Advance> both(ImpactLaw law, Arithmetic arithmetic, double restitution) {

@@ -7,11 +7,14 @@ import java.util.Arrays;
 import java.util.Set;
 import java.util.TreeSet;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import steward.numerics.SplitMix64;
 
 /** A queue of buckets gives out what a search through all events finds, however wide its buckets are. */
+@Execution(ExecutionMode.CONCURRENT)
 class EventBucketsTest {
 
     private static final int BODIES = 120;

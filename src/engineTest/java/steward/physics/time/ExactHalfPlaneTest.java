@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.math.BigDecimal;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.numerics.DoubleDouble;
 import steward.numerics.SplitMix64;
 import steward.physics.HalfPlane;
@@ -14,6 +16,7 @@ import steward.physics.Wall;
  * The exact arithmetic at half-planes against the definition in decimals, where gap and closing speed cancel by
  * anything from nothing to all of their digits: signs are right, times good to ten digits more than a double has.
  */
+@Execution(ExecutionMode.CONCURRENT)
 class ExactHalfPlaneTest {
 
     private static final BigDecimal BOUND = Exact.of(0x1p-62);

@@ -6,12 +6,15 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.lab.capacity.CapacitySimulation.Load;
 import steward.lab.capacity.CapacitySimulation.Setting;
 import steward.lab.capacity.LeagueCosts.Part;
 import steward.lab.capacity.SaturationTable.Row;
 
 /** The simulation against what is known of queues without it. */
+@Execution(ExecutionMode.CONCURRENT)
 class CapacitySimulationTest {
 
     private static final long SEED = 5;
@@ -63,6 +66,7 @@ class CapacitySimulationTest {
 
     /** The bounds of closed queueing networks: no part does more than it has time for, the busiest does just that. */
     @Test
+    @Tag("slow")
     void whenSaturatedThePartThatIsBusiestDecidesHowManyGamesThereAre() {
         LeagueCosts costs = new LeagueCosts(300, 100, 400, 2000, 0.05, 50, 200);
         assertEquals(1150, costs.total(), 1e-9);

@@ -52,8 +52,16 @@ class StabilityTest {
     private static final Rung BLIND = new Rung("blind", true, true, Arithmetic.EXACT,
         parts -> (bodies, sink) -> { });
 
-    static Stream<Arguments> quickRows() {
-        return rows(each -> !takesLong(each));
+    static Stream<Arguments> rowsWhereGamesArePlayed() {
+        return rows(each -> !takesLong(each)).filter(StabilityTest::isWhereGamesArePlayed);
+    }
+
+    static Stream<Arguments> rowsOfOtherRungs() {
+        return rows(each -> !takesLong(each)).filter(row -> !isWhereGamesArePlayed(row));
+    }
+
+    private static boolean isWhereGamesArePlayed(Arguments row) {
+        return Arithmetic.DOUBLE.text().equals(row.get()[1]);
     }
 
     static Stream<Arguments> longRows() {
@@ -63,7 +71,7 @@ class StabilityTest {
     /** The long cases but the longest on a rung that many games are played on; on all rungs they are a campaign. */
     static Stream<Arguments> someLongRows() {
         return rows(each -> takesLong(each) && !LONGEST.contains(each.name()))
-            .filter(row -> Arithmetic.DOUBLE.text().equals(row.get()[1]));
+            .filter(StabilityTest::isWhereGamesArePlayed);
     }
 
     private static boolean takesLong(StabilityCase each) {
@@ -76,10 +84,17 @@ class StabilityTest {
     }
 
     @ParameterizedTest(name = "{0}, {1}")
-    @MethodSource("quickRows")
+    @MethodSource("rowsWhereGamesArePlayed")
     void theDemandIsMet(String name, String rungName, StabilityCase each, Rung rung) {
         Finding seen = each.run(rung, RunLength.SMALL, Progress.NONE);
         assertNotEquals(Finding.Verdict.FAILS, seen.verdict(), seen::text);
+    }
+
+    @ParameterizedTest(name = "{0}, {1}")
+    @Tag("slow")
+    @MethodSource("rowsOfOtherRungs")
+    void theDemandIsMetOnOtherRungs(String name, String rungName, StabilityCase each, Rung rung) {
+        theDemandIsMet(name, rungName, each, rung);
     }
 
     @ParameterizedTest(name = "{0}, {1}")

@@ -207,6 +207,7 @@ class TradeoffTest {
     }
 
     @Test
+    @Tag("slow")
     void theLastFilesShowThePlot() throws IOException {
         try (TradeoffReport files = new TradeoffReport(folder, "a machine", "2030-01-02")) {
             files.add(ladder("official-race"));
@@ -241,6 +242,7 @@ class TradeoffTest {
 
     /** A name that is longer than a line is shown whole, in several. */
     @Test
+    @Tag("slow")
     void aLongTitleIsNotCutOff() throws IOException {
         int[] heights = new int[2];
         for (int k = 0; k < 2; k++) {

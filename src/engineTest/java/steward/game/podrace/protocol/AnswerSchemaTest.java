@@ -5,11 +5,14 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import com.networknt.schema.InputFormat;
 import com.networknt.schema.Schema;
 import java.nio.charset.StandardCharsets;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import steward.schema.Schemas;
 
 /** The reader of answers and the schema that describes them come to the same verdicts. */
+@Execution(ExecutionMode.CONCURRENT)
 class AnswerSchemaTest {
 
     private static final Schema SCHEMA = Schemas.open("pod-race", "answer");

@@ -7,6 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.game.GameSetup;
 import steward.game.podrace.PodRace;
 import steward.game.podrace.TurnKernel;
@@ -20,6 +22,7 @@ import steward.physics.event.EventAdvance;
  * Races as matches play them against the general way with the event loop of every scene, bit for bit: every hash, and
  * the impacts whether they are asked for or not. {@code -Psteward.turns} and {@code -Psteward.seed} as elsewhere.
  */
+@Execution(ExecutionMode.CONCURRENT)
 class MatchTurnTest {
 
     private static final long TURNS = Long.getLong("steward.turns", 60_000) / 6;

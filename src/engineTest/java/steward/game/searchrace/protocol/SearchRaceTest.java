@@ -10,6 +10,8 @@ import java.lang.management.ManagementFactory;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.game.GameSetup;
 import steward.game.Pilot;
 import steward.game.TurnEvent;
@@ -19,6 +21,7 @@ import steward.numerics.SplitMix64;
 import steward.scene.json.SceneException;
 
 /** The rules, one at a time. The course leads to the right: checkpoints of radius 600 every 5000 u. */
+@Execution(ExecutionMode.CONCURRENT)
 class SearchRaceTest {
 
     private static final String COURSE = "0 0;5000 0;10000 0";

@@ -9,6 +9,8 @@ import java.lang.management.ManagementFactory;
 import java.util.function.Supplier;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.function.Executable;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.game.podrace.Headings;
 import steward.game.podrace.PodRace;
 import steward.game.podrace.PodState;
@@ -21,6 +23,7 @@ import steward.numerics.StrictAngles;
  * Turns by an angle: the greatest against the race itself, which is given a target aside, all others against the
  * textbook, bit for bit; on random states of every sort.
  */
+@Execution(ExecutionMode.CONCURRENT)
 class CommandsByAngleTest {
 
     private static final double[][] MAP = {{3000, 3000}, {9000, 2000}, {12000, 7000}, {5000, 6500}};

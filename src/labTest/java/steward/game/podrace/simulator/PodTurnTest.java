@@ -9,6 +9,8 @@ import java.lang.management.ManagementFactory;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.function.Executable;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.game.podrace.PodRace;
 import steward.game.podrace.PodState;
 import steward.game.podrace.Races;
@@ -23,6 +25,7 @@ import steward.scene.SceneReader;
 /**
  * The fast turn at its edges: the official recordings, doubts, filters, what it refuses, and that it allocates nothing.
  */
+@Execution(ExecutionMode.CONCURRENT)
 class PodTurnTest {
 
     private static final double[][] MAP = {{3000, 3000}, {9000, 2000}, {12000, 7000}, {5000, 6500}};

@@ -25,6 +25,7 @@ class BenchCommandTest {
     private Path folder;
 
     @Test
+    @Tag("slow")
     void theSameRowsInTheTableAndInTheFiles() throws IOException {
         Cli cli = Cli.run("bench", "--quick", "--only", "crowds", "--bodies", "20", "--only", "frames", "--out",
             folder.resolve("out").toString());

@@ -8,6 +8,8 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.lab.oracle.FirstInstant;
 import steward.lab.trial.Rung;
 import steward.numerics.SplitMix64;
@@ -19,6 +21,7 @@ import steward.physics.TurnLog;
 import steward.physics.Wall;
 
 /** The rule of ties on {@code exact}, against decimals of 140 digits. */
+@Execution(ExecutionMode.CONCURRENT)
 class SimultaneousImpactsTest {
 
     private static final Rung EXACT =
