@@ -50,7 +50,7 @@ class FantasticBitsVectorsTest {
 
     private static void compare(TestReporter report, boolean all, String how,
                                 Function<FantasticBitsMatch, Comparison> comparing) throws IOException {
-        GroundTruth.assertReproduced(report, all, "fantastic-bits", how, FantasticBitsMatch::read, match -> match.turns().size(),
-            comparing);
+        GroundTruth.assertReproduced(report, all, "fantastic-bits", how, FantasticBitsMatch::read,
+            match -> match.turns().size(), comparing);
     }
 }

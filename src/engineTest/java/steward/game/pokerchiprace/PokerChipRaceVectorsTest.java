@@ -50,7 +50,7 @@ class PokerChipRaceVectorsTest {
 
     private static void compare(TestReporter report, boolean all, String how,
                                 Function<PokerMatch, Comparison> comparing) throws IOException {
-        GroundTruth.assertReproduced(report, all, "poker-chip-race", how, PokerMatch::read, match -> match.turns().size(),
-            comparing);
+        GroundTruth.assertReproduced(report, all, "poker-chip-race", how, PokerMatch::read,
+            match -> match.turns().size(), comparing);
     }
 }

@@ -92,8 +92,8 @@ class CirclesTest {
                 misses++;
             }
         }
-        assertTrue(hits > cases / 2 && misses > cases / 8 && undecided < cases / 20, hits + " hits, " + misses + " misses, "
-            + undecided + " undecided");
+        assertTrue(hits > cases / 2 && misses > cases / 8 && undecided < cases / 20,
+            hits + " hits, " + misses + " misses, " + undecided + " undecided");
     }
 
     private static void checkTime(Case c, double found, BigDecimal exact, long seed) {

@@ -62,8 +62,8 @@ class CalibrateTest {
     /** A rung costs the more the farther up it stands, from step/1 on. */
     private static final Timing MADE_TIMES = madeTimes(rung -> 30 + 30 * Accuracy.ladder().indexOf(rung));
     /** Exact times cost less than any steps. */
-    private static final Timing CHEAP_EVENTS = madeTimes(rung -> rung.steps() == 0 ? 30 * (1 + rung.arithmetic().ordinal())
-        : 3000);
+    private static final Timing CHEAP_EVENTS = madeTimes(rung ->
+        rung.steps() == 0 ? 30 * (1 + rung.arithmetic().ordinal()) : 3000);
 
     private static Timing madeTimes(ToIntFunction<Accuracy> nanos) {
         return new Timing(new TimingEffort(1, 1, 0, 0, 0), bytes -> {
