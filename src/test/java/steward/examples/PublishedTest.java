@@ -31,7 +31,7 @@ import org.w3c.dom.NodeList;
  * A build that depends on what is published, the folder of {@code gradlew repository}: the programs of docs/library.md
  * are compiled and run with what its POMs name, and nothing else.
  */
-@Tag("slow")
+@Tag("campaign")
 class PublishedTest {
 
     private static final Path REPOSITORY = Path.of("build/repository/steward");
