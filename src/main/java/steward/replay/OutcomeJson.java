@@ -2,7 +2,6 @@ package steward.replay;
 
 import java.util.List;
 import java.util.Locale;
-import java.util.stream.IntStream;
 import steward.game.FrameCodec;
 import steward.game.Game;
 import steward.game.TurnEvent;
@@ -156,7 +155,12 @@ public final class OutcomeJson {
     }
 
     private static boolean isFirstOfBody(TurnLog log, int knot) {
-        return IntStream.range(0, knot).noneMatch(k -> log.knotBody(k) == log.knotBody(knot));
+        for (int k = 0; k < knot; k++) {
+            if (log.knotBody(k) == log.knotBody(knot)) {
+                return false;
+            }
+        }
+        return true;
     }
 
     private static void writeEvents(JsonGenerator out, List<TurnEvent> events) {

@@ -2,7 +2,6 @@ package steward.league.rating;
 
 import java.util.Arrays;
 import java.util.List;
-import java.util.stream.IntStream;
 
 /**
  * Ratings from all clusters together: the maximum of the posterior of {@link TieModel} with a weak normal prior, each
@@ -333,7 +332,11 @@ public final class RatingFit {
 
     /** The direction of a difference, multiplied by the inverse. */
     double[] along(int one, int other) {
-        return IntStream.range(0, inverse.length).mapToDouble(k -> inverse[one][k] - inverse[other][k]).toArray();
+        double[] along = new double[inverse.length];
+        for (int k = 0; k < along.length; k++) {
+            along[k] = inverse[one][k] - inverse[other][k];
+        }
+        return along;
     }
 
     /** The difference of a rating to the weighted mean of all; the weights have the sum 1. */
