@@ -78,7 +78,10 @@ public interface ServerView {
             return scores.length == 0 ? Double.NaN : scores[player];
         }
 
-        /** One line of the answer of a player who was not asked any more when the game ended: without effect. */
+        /**
+         * One line of the answer of a player that the server did not ask any more in the turn in which the game ended:
+         * it should have no effect.
+         */
         default String idle() {
             return "WAIT";
         }

@@ -2,7 +2,10 @@ package steward.numerics;
 
 import java.math.BigInteger;
 
-/** Exact number digits * 2^exponent, as doubles, their sums and products are: for the closest decisions. Allocates. */
+/**
+ * Exact number digits * 2^exponent. Every double is one, and so are sums and products of these: for decisions that are
+ * too close for other arithmetics. Allocates.
+ */
 public record Dyadic(BigInteger digits, int exponent) {
 
     public static final Dyadic ZERO = new Dyadic(BigInteger.ZERO, 0);

@@ -2,7 +2,10 @@ package steward.physics;
 
 import java.util.Arrays;
 
-/** The pairs that pass through each other: answered {@code PASS}, not separated yet; a short list of packed ids. */
+/**
+ * The pairs that pass through each other: a {@link Reaction} answered {@code PASS}, and they have not separated yet.
+ * Usually empty; a short unsorted list of packed ids.
+ */
 public final class PassingPairs {
 
     private long[] pairs = new long[8];

@@ -34,7 +34,10 @@ public record AccuracyFigures(String source, String key, String sample, int stat
                               List<OfRung> rungs) {
 
     public static final int FORMAT = 2;
-    /** Shares of states for which an error is kept; a demand between two is compared with the higher one. */
+    /**
+     * The shares of states for which an error is kept, as fields are named; a demand for a share between two of them is
+     * compared with the next higher one.
+     */
     public static final List<String> SHARES = List.of("0.5", "0.9", "0.99", "0.999", "0.9999");
     /** The highest of them: no demand may go beyond it. */
     static final double MOST_SHARE = 0.9999;

@@ -35,7 +35,10 @@ public final class SceneFiles {
         return SHIPPED.stream().filter(name -> SceneFiles.class.getResource(resource(name)) != null).toList();
     }
 
-    /** The file that is named, if it is one: with a slash or {@code .json}. Other names are those of shipped scenes. */
+    /**
+     * The file that is named, if it is one: what has a slash or ends in {@code .json} is a path. A name without either
+     * is that of a shipped scene, whatever files there are.
+     */
     public static Optional<Path> file(String pathOrName) {
         try {
             Path path = Path.of(pathOrName);

@@ -39,7 +39,10 @@ public record TimeSpent(long limit, long taken, long unobserved, long computed, 
         return new TimeSpent(limit, taken, taken, 0, 0, 0, 0, Shows.NOTHING, false);
     }
 
-    /** True if the machine was starved: at least half of the limit was waiting for a processor that others used. */
+    /**
+     * True if the machine was starved: the bot waited at least half of its limit for a processor while others used
+     * them. A bot that used up its CPU time is late by itself.
+     */
     public boolean starved() {
         return !overCpu && waited + waitedUnobserved() >= limit / 2;
     }

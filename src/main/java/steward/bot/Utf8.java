@@ -5,7 +5,10 @@ public final class Utf8 {
 
     private Utf8() { }
 
-    /** The largest count up to {@code count} that does not end inside a character; what is not UTF-8 stays. */
+    /**
+     * The largest count, at most {@code count}, for which the bytes from {@code from} do not end inside a character.
+     * Bytes that are not UTF-8 are left as they are.
+     */
     public static int wholeCharacters(byte[] bytes, int from, int count) {
         int end = from + count;
         int lead = end - 1;

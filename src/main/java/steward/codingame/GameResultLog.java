@@ -65,7 +65,10 @@ public final class GameResultLog implements MatchListener {
 
     private record Tooltip(String text, int turn) { }
 
-    /** True if a file holds a game result, ours or another's: an object with {@code errors} and {@code outputs}. */
+    /**
+     * True if a file holds a game result, ours or another referee's: a JSON object with the fields {@code errors} and
+     * {@code outputs}. It is read as far as is needed.
+     */
     public static boolean isIn(Path file) {
         Set<String> missing = new HashSet<>(Set.of(ERRORS, OUTPUTS));
         try (InputStream bytes = Files.newInputStream(file);

@@ -4,7 +4,10 @@ import java.util.HashSet;
 import java.util.Set;
 import steward.numerics.StateHash;
 
-/** Games that were seen: those with equal players, seats and transcripts are one observation. Not thread-safe. */
+/**
+ * Games that were seen, so that equal ones count once: games of the same players in the same seats with the same
+ * transcript are one observation, whatever their seeds were. Not thread-safe.
+ */
 public final class Repeats {
 
     /** Repeats in a row after which nothing new is expected. */

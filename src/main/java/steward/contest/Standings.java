@@ -4,7 +4,10 @@ import java.util.List;
 import java.util.TreeMap;
 import steward.match.MatchResult;
 
-/** The games of a series that are over, and their sums, for any thread; the order in which they end is no matter. */
+/**
+ * The games of a series that are over, and their sums. May be read by any thread while games are played; no result
+ * depends on the order in which games ended.
+ */
 public final class Standings {
 
     private final Contest contest;

@@ -12,7 +12,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
 
-/** Class loader of the jars of a folder; their digests stand in the seasons and replays of games from there. */
+/**
+ * Class loader of the jars of a folder. What is loaded from a jar is another thing whenever a byte of the jar is: its
+ * digest stands in the seasons and replays of a game that is from there.
+ */
 public final class JarFolder extends URLClassLoader {
 
     static {

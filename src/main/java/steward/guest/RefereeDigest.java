@@ -12,7 +12,10 @@ import java.util.List;
 import java.util.stream.Stream;
 import steward.files.Sha256;
 
-/** Digest of a referee's files, its class path or those that its command names, read when first asked for. */
+/**
+ * Digest of a referee's files, whatever the folders above are called: all on its class path, or those that its command
+ * names. They are read when it is first asked for.
+ */
 final class RefereeDigest {
 
     private final GuestProgram program;

@@ -7,7 +7,10 @@ import steward.game.Game;
 import steward.game.GameSetup;
 import steward.game.TextCodec;
 
-/** A protocol bound to one game: the lines sent to a bot, also from a replay, and how its answers are read. */
+/**
+ * A protocol bound to one game: the lines sent to a bot, and how its answers are read. The referee uses it; a replay
+ * can produce the same lines again, because they follow from the game.
+ */
 public interface Dialogue {
 
     /** The lines before the first turn, possibly empty; valid until the next call of any method that makes lines. */

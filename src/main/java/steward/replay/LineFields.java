@@ -5,7 +5,10 @@ import java.util.regex.Pattern;
 import steward.text.NearestName;
 import steward.text.TextFormat;
 
-/** Fields of the lines of replays, in order; readers refuse all else, which behind a line's hash none would cover. */
+/**
+ * Fields of the lines of replays, in their order. Every reader refuses a field that is unknown,
+ * repeated or out of place: behind the hash of its line, no hash would cover it.
+ */
 enum LineFields {
     /** The first line. */
     HEADER(List.of("type", "format", LineFields.LAW, "angles", "game",

@@ -29,7 +29,10 @@ import tools.jackson.core.JacksonException;
  */
 public final class ReplayReader implements AutoCloseable {
 
-    /** The longest line in bytes: a header with 200,000 bodies, 64 MiB of CSV in its scene, and their drawing. */
+    /**
+     * The longest line that is read, in bytes: a header with 200,000 bodies, whose scene may have taken in 64 MiB of
+     * CSV, with their drawing and their places.
+     */
     static final int LONGEST_LINE = 1 << 27;
 
     private static final VarHandle EIGHT_BYTES =

@@ -103,7 +103,10 @@ public final class Pitch {
         return copy;
     }
 
-    /** A start: 2 or 3 point-symmetric pairs of snaffles, each 1250 u from those before, and one in the middle. */
+    /**
+     * A start. Draws 2 or 3 pairs of snaffles, each point-symmetric and at least 1250 u from those before; one more
+     * stands in the middle.
+     */
     static Pitch draw(long seed, int bludgers) {
         JavaRandom random = new JavaRandom(seed);
         int pairs = 2 + random.nextInt(2);

@@ -1,6 +1,9 @@
 package steward.game.meanmax;
 
-/** A skill that was cast: a place with an id, no body. Once spent, the object may serve for another. */
+/**
+ * A skill that was cast: a place that is no body, with an id from the same counter. When it is spent, a later turn may
+ * use the object for another.
+ */
 public final class SkillEffect {
 
     private int id;

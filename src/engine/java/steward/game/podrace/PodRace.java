@@ -380,7 +380,10 @@ public final class PodRace extends AbstractGame {
             shieldTimer[pod], boostLeft[pod], passed[pod]);
     }
 
-    /** Sets the state of a pod, for tests and simulators; at shield timer 4 it is heavy until its next command. */
+    /**
+     * Sets the state of a pod, for tests of the rules and for simulators. Right after the turn of a shield (timer 4) it
+     * is heavy until its next command.
+     */
     public void setPod(int pod, PodState state) {
         log();
         bodies.setPosition(pod, state.x(), state.y());

@@ -1,6 +1,9 @@
 package steward.game.podrace;
 
-/** Commands of one player to a pod race, checked as a line of JSON is; pods are numbered over all players. */
+/**
+ * Passes the commands of one player to a pod race, with the same checks as for a line of JSON. Pods are numbered over
+ * all players, as in {@link PodRace#pod}.
+ */
 public final class PodSeat {
 
     private final PodRace race;

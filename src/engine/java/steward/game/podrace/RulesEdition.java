@@ -3,7 +3,10 @@ package steward.game.podrace;
 import java.util.Locale;
 import steward.Internal;
 
-/** Edition of the race's rules, {@code race.rules}: when a checkpoint is passed, and when a player is out. */
+/**
+ * Edition of the race's rules, {@code race.rules} of a scene. Both have the same physics; they differ in when a
+ * checkpoint is passed and when a player is out.
+ */
 public enum RulesEdition {
 
     /**

@@ -12,7 +12,10 @@ import steward.physics.time.ExactWalls;
 import steward.physics.time.LowParts;
 import steward.physics.time.PairTime;
 
-/** The event loop for laws with batches, as in the official games; after each batch it searches all pairs anew. */
+/**
+ * The event loop for laws in which impacts react in batches, as in the official games: it moves all bodies to the
+ * earliest impact, and after each batch it searches all pairs anew.
+ */
 final class BatchLoop {
 
     private final ImpactLaw law;

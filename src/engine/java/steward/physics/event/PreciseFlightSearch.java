@@ -9,7 +9,10 @@ import steward.physics.time.ExactWalls;
 import steward.physics.time.PreciseFlight;
 import steward.physics.time.SimultaneousImpacts;
 
-/** The search with exact decisions, times in double-double; near ones {@link SimultaneousImpacts} decides. */
+/**
+ * The search with exact decisions, and with times in double-double. Where two of these are so near that they may be the
+ * same time, {@link SimultaneousImpacts} decides.
+ */
 final class PreciseFlightSearch extends FlightSearch {
 
     /** Coordinates in flight for at most a turn are off by less than this share of place and velocity. */

@@ -103,7 +103,10 @@ public final class Collision {
         }
     }
 
-    /** Moves both bodies of a touching pair by half of the overlap plus {@code pushOut}, or one by twice as much. */
+    /**
+     * Moves each body of a touching pair by half of the overlap plus {@code pushOut}; against infinite mass, the other
+     * by twice as much.
+     */
     private void correctPair(Bodies bodies, int a, int b, double time, TurnSink sink) {
         double overlap = solver.overlap(bodies, a, b, solved);
         if (overlap >= 0) {

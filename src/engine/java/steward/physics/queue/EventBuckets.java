@@ -201,7 +201,10 @@ final class EventBuckets {
         }
     }
 
-    /** Moves events of the overflow list that are near into the ring, at another width if it proved wrong. */
+    /**
+     * Moves events of the overflow list that are now near into the ring. If buckets have proved too wide or too narrow,
+     * the width is changed and all events are inserted anew.
+     */
     private void redistributeOverflow() {
         double fill = (double) eventsServed / bucketsPassed;
         double earliest = fill >= LEAST_FILL && fill <= MOST_FILL ? NONE : earliest();

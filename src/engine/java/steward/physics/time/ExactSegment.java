@@ -121,7 +121,10 @@ final class ExactSegment extends ExactWall {
         return a || b;
     }
 
-    /** Towards the foot of the perpendicular or, beyond the ends, the nearer end; on the line, to its right. */
+    /**
+     * Towards the foot of the perpendicular if that lies between the ends, otherwise towards the nearer end; for a
+     * centre on the line itself, to its right.
+     */
     @Override
     void normal(DoubleDouble x, DoubleDouble y, DoubleDouble normalX, DoubleDouble normalY) {
         px.set(x).add(-segment.ax());

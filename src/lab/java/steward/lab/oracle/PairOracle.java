@@ -13,7 +13,10 @@ import steward.physics.Bodies;
  * quotient.
  */
 
-/** The exact first touch of two bodies in a turn, in integers: some fifty times faster than {@link Oracle}. */
+/**
+ * The exact first touch of two bodies within a turn, in integer arithmetic: a second oracle for single pairs, some
+ * fifty times faster than {@link Oracle}, for millions of pairs.
+ */
 public final class PairOracle {
 
     private static final int BITS = 192;

@@ -50,7 +50,10 @@ public final class TimingSamples {
         return Arrays.stream(nanos[job]).mapToDouble(Median::of).toArray();
     }
 
-    /** Bytes that a turn allocates in the round with the fewest, without the JVM's own; NaN if it is not told. */
+    /**
+     * Bytes that a turn allocates, in the round with the fewest: the JVM's own work (a growing buffer) is no cost of a
+     * turn. NaN where the JVM does not tell.
+     */
     public double bytes(int job) {
         return bytes[job];
     }

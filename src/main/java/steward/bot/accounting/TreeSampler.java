@@ -97,12 +97,18 @@ public final class TreeSampler implements AutoCloseable {
         return sample(at, true, false);
     }
 
-    /** Samples as {@link #sample} does, but quicker: no thread counts as runnable, and idle time is left out. */
+    /**
+     * Samples as {@link #sample} does, but quicker, for processes that should be waiting: no thread is taken for
+     * runnable, and the idle time of the machine is left out.
+     */
     public TreeSample baseline(long at) {
         return sample(at, false, false);
     }
 
-    /** As {@link #baseline}, without a JVM's own threads; where there are any, only what living ones used is known. */
+    /**
+     * Samples as {@link #baseline} does, but without the threads by which a JVM compiles and collects; where there are
+     * any, only what living threads used is known.
+     */
     public TreeSample withoutCompilers(long at) {
         return sample(at, false, true);
     }

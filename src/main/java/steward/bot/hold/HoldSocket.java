@@ -19,7 +19,10 @@ import java.util.concurrent.locks.LockSupport;
  */
 public final class HoldSocket implements AutoCloseable {
 
-    /** How long an acknowledgement may take beside busy processes; later ones are awaited with the next order. */
+    /**
+     * How long an acknowledgement may take: beside busy processes the other end waits for a processor. Later ones are
+     * awaited with the next order.
+     */
     private static final long PATIENCE_NANOS = TimeUnit.SECONDS.toNanos(10);
     /** How long it is awaited without sleeping: on a free processor it comes sooner. */
     private static final long SPIN_NANOS = 100_000;

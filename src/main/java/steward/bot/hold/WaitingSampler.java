@@ -9,7 +9,10 @@ import java.util.concurrent.locks.LockSupport;
  */
 public final class WaitingSampler implements Runnable {
 
-    /** Between rounds of looks, in nanoseconds: five in the {@link WaitingMeter#WINDOW}; a look takes up to 0.1 ms. */
+    /**
+     * Between two rounds of looks, in nanoseconds: five of them see the {@link WaitingMeter#WINDOW}, and a look at a
+     * small bot takes a tenth of a millisecond.
+     */
     private static final long STEP = 20_000_000;
 
     private volatile WaitingBot[] bots = {};

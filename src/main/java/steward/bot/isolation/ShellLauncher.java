@@ -5,7 +5,10 @@ import java.util.ArrayList;
 import java.util.List;
 import steward.bot.command.ProgramFinder;
 
-/** Starts bots in a sandbox by programs of the system where there is no {@link NativeLauncher}, more slowly. */
+/**
+ * Starts bots in a sandbox by {@code setsid}, {@code unshare}, {@code setpriv} and a shell, where there is no
+ * {@link NativeLauncher}; it does what that does, and more slowly.
+ */
 final class ShellLauncher {
 
     private static final String SIGNALS = "HUP INT QUIT TERM PIPE ALRM USR1 USR2 TSTP TTIN TTOU";

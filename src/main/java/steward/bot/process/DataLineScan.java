@@ -6,7 +6,10 @@ import java.io.RandomAccessFile;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 
-/** Finds lines of data for rating tools ({@code [TDATA]} and the like) in stderr that is dropped as too long. */
+/**
+ * Finds the lines that carry data for rating tools ({@code [TDATA]}, {@code [PDATA]}, {@code [PDATA+]}) in the part of
+ * a bot's stderr that is otherwise dropped because it is too long.
+ */
 final class DataLineScan {
 
     /** Bytes that are searched. */

@@ -7,7 +7,10 @@ import java.nio.file.attribute.PosixFilePermissions;
 import java.util.concurrent.ThreadLocalRandom;
 import steward.bot.hold.HoldSocket;
 
-/** Folder of this JVM's sockets by which bots are held, hidden from bots; the {@link Sentinel} removes it. */
+/**
+ * The folder of the sockets by which bots are held: one for this JVM, which its user alone can enter and no bot can
+ * see. The {@link Sentinel} removes it when this JVM has ended.
+ */
 final class HoldFolder {
 
     private Path folder;

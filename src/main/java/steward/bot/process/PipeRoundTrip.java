@@ -7,7 +7,10 @@ import java.io.OutputStream;
 import java.lang.ProcessBuilder.Redirect;
 import java.util.List;
 
-/** A program that answers lines over bare pipes: the baseline that {@link BotProcess} is compared with. */
+/**
+ * A program that is sent lines and answers each with a line, over bare pipes: no deadline, no limit, no group, no
+ * stderr. The baseline that {@link BotProcess} is compared with.
+ */
 public final class PipeRoundTrip implements AutoCloseable {
 
     private final Process process;

@@ -21,7 +21,10 @@ import steward.live.LiveRecording;
 import steward.live.LiveServer;
 import steward.replay.page.PageExtras;
 
-/** The display of a match: a page in a file, one that follows it, or both, from bytes kept in memory. */
+/**
+ * The display of a match: a page in a file, a page that follows the match while it is played, or both. Bytes written
+ * here are kept in memory until it has been shown.
+ */
 final class MatchDisplay implements AutoCloseable {
 
     /** How long a match waits for its first viewer when it cannot be continued from the terminal, in milliseconds. */

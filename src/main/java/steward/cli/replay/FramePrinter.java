@@ -11,7 +11,10 @@ import steward.replay.ReplayReader;
 import steward.replay.feed.Feed;
 import steward.replay.verify.Resimulation;
 
-/** Prints the lines that one bot was sent in a recorded match, which is played again; a guest's are recorded. */
+/**
+ * Prints the lines that one bot was sent in a recorded match. They follow from the game, which is played again; the
+ * referee of a guest says what is recorded.
+ */
 final class FramePrinter {
 
     /**

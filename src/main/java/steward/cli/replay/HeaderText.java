@@ -6,7 +6,10 @@ import steward.cli.streams.Json;
 import steward.replay.ReplayHeader;
 import steward.text.TextFormat;
 
-/** Header of a replay as people see it: the beginning of each text, made safe for a terminal. */
+/**
+ * Header of a replay as it is shown to people: the beginning of each text, made safe for a terminal. The file may come
+ * from anywhere, and a name in it may have a million letters.
+ */
 final class HeaderText {
 
     /** Characters of a name that are shown; a bot's name has at most as many. */

@@ -2,7 +2,10 @@ package steward.cli.streams;
 
 import java.util.function.Supplier;
 
-/** Prints where the turns so far are when a match ends by Ctrl-C; each was written when it was played. */
+/**
+ * Prints where the turns so far are when a match ends by Ctrl-C. Nothing else is needed then: each turn was written
+ * when it was played, and no bot outlives this process.
+ */
 public final class Interruption implements AutoCloseable {
 
     private final EndHooks hooks;

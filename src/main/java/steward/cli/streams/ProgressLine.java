@@ -11,7 +11,10 @@ import me.tongfei.progressbar.ProgressBarBuilder;
 import me.tongfei.progressbar.ProgressBarStyle;
 import steward.text.TextFormat;
 
-/** Progress of games or steps and the time left: a line of a terminal, erased at the end, or a line a minute. */
+/**
+ * Progress of games or other steps, and the time that the rest will take: on one line of a terminal, erased at the end,
+ * or on a line a minute where there is no terminal.
+ */
 public final class ProgressLine implements AutoCloseable {
 
     /** Fixed, because finding the terminal's width would need another library. */

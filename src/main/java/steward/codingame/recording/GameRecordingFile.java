@@ -10,7 +10,10 @@ import tools.jackson.databind.DeserializationFeature;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
-/** Finds the recording in a file: {@code gameResult} of the site's answer or any inner object; or says what it is. */
+/**
+ * Finds the recording in a file that was given as one: {@code {"success":{"gameResult":{"frames":[...],...}}}} or any
+ * of the inner objects. The error for another file says what the file is.
+ */
 final class GameRecordingFile {
 
     private static final JsonMapper MAPPER = JsonMapper.builder()

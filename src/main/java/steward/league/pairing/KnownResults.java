@@ -6,7 +6,10 @@ import java.util.TreeMap;
 import steward.league.Season;
 import steward.league.rating.Results;
 
-/** Results of a schedule's games by decision: those below a number alone, whatever was played. Not thread-safe. */
+/**
+ * The results of a schedule's games by decision, so that what is decided uses those of decisions below a number and no
+ * others, whatever has been played meanwhile. Not thread-safe.
+ */
 public final class KnownResults {
 
     private final Results results;

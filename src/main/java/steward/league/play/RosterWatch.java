@@ -14,7 +14,10 @@ import steward.league.play.Roster.Member;
 import steward.scene.json.SceneException;
 import steward.text.TextFormat;
 
-/** Watches league.json and the bots' files during a league; an unusable edit is told, and ignored. Not thread-safe. */
+/**
+ * Watches league.json and the files of the bots while a league is played. An edit that cannot be used is told, and the
+ * settings as they were stay in force. Not thread-safe.
+ */
 final class RosterWatch {
 
     /** How often files are looked at, in milliseconds. */

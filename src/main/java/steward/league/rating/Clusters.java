@@ -11,7 +11,10 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
-/** Games of two and more by seed: those whose bots they connect are a cluster, as far as it has come, in any order. */
+/**
+ * Games of two and more, put together by seed: those whose bots they connect are one cluster. It counts as far as it
+ * has come. Nothing depends on the order in which games come.
+ */
 final class Clusters {
 
     private static final Comparator<int[]> ORDER = Arrays::compare;

@@ -106,7 +106,10 @@ public final class ScoreCounts {
         return sum / observations;
     }
 
-    /** The variance of an observation, with two of even games mixed in: a few that are alike are not certain. */
+    /**
+     * The variance of an observation. Two observations of even games that do not go together are mixed in: a few that
+     * are alike are not certain.
+     */
     public double variance() {
         double mean = mean();
         double sum = 0;

@@ -16,7 +16,10 @@ import steward.league.StoredGame.StoredSeat;
 import steward.league.store.GameStore.Version;
 import steward.numerics.StateHash;
 
-/** One game as a line of text fields for other programs: what it was, and its seats with the bots' identities. */
+/**
+ * One game as a line of text fields, for other programs and other leagues: what it was, and each seat with the identity
+ * of its bot. Replays are not part of it.
+ */
 public final class GameLine {
 
     private static final String TRANSCRIPT = "transcript";

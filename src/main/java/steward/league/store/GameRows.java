@@ -11,7 +11,10 @@ import java.util.stream.Collectors;
 import steward.league.StoredGame;
 import steward.league.StoredGame.StoredSeat;
 
-/** Writes the rows of games in a transaction, keeping the numbers of lineups and machines. Not thread-safe. */
+/**
+ * Writes the rows of games, within a transaction that has begun. The numbers of lineups and machines are kept, so that
+ * they are not looked up for every game. Not thread-safe.
+ */
 final class GameRows {
 
     /** In the column {@code counts}: a game that counts in no rating, see {@link StoredGame#allFailed}. */

@@ -19,7 +19,10 @@ import org.apache.activemq.artemis.spi.core.remoting.BufferHandler;
 import org.apache.activemq.artemis.spi.core.remoting.ServerConnectionLifeCycleListener;
 import org.apache.activemq.artemis.utils.actors.OrderedExecutor;
 
-/** Acceptor of TLS connections with a {@link FrameGuard}, closed when silent. Artemis makes it by its name. */
+/**
+ * Acceptor of TLS connections that have a {@link FrameGuard} and are closed when they are silent. Made by Artemis, by
+ * the name of this class.
+ */
 public final class GuardedAcceptorFactory implements AcceptorFactory {
 
     /** Share of the heap that incomplete long frames of all connections may take together: one of this many parts. */

@@ -5,7 +5,10 @@ import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import steward.machines.wire.GameJob;
 
-/** Number of games of a job: as many as take half a second, since a job costs as much as a short game. Thread-safe. */
+/**
+ * Number of games that go to a worker together: as many as take half a second where games take longest. A job costs the
+ * broker as much as a short game costs a worker. Thread-safe.
+ */
 final class JobSize {
 
     /** How long the games of a job should take together, in nanoseconds. */

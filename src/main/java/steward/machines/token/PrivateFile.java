@@ -46,7 +46,10 @@ public final class PrivateFile {
         }
     }
 
-    /** Does something alone in this folder among all threads and processes; makes it if need be; can be nested. */
+    /**
+     * Does something while no other thread or process does such a thing in this folder, which is made if it is not
+     * there. Within it, it can be done again.
+     */
     static <T> T alone(Path folder, Supplier<T> work) {
         if (ALONE.isHeldByCurrentThread()) {
             return work.get();

@@ -35,7 +35,10 @@ import steward.scene.Scene;
 import steward.scene.SceneReader;
 import steward.scene.json.SceneException;
 
-/** Plays games of a league on this machine until told to end. Games that a broken connection loses go to others. */
+/**
+ * Plays games of a league on this machine until it is told to end. A broken connection is made anew; its games under
+ * way are lost here and go to other workers.
+ */
 public final class Worker {
 
     private static final long POLL_MS = 500;

@@ -20,7 +20,10 @@ import tools.jackson.core.JsonParser;
 import tools.jackson.core.JsonToken;
 import tools.jackson.core.ObjectWriteContext;
 
-/** A bot that is sent what a player of a recorded match was sent, from the game played again; without deadlines. */
+/**
+ * A bot that is sent what a player of a recorded match was sent. The lines are not recorded: they follow from the game,
+ * which is played again. There are no deadlines.
+ */
 final class Conversation {
 
     private final Resimulation again;
@@ -64,7 +67,10 @@ final class Conversation {
         return again.game().isAsked(player);
     }
 
-    /** Sends the next turn and compares the answer; a valid one is the player's command until another is read. */
+    /**
+     * Sends the next turn and compares the answer with the recorded one. A valid answer is then the player's command
+     * until another one is read.
+     */
     FedTurn ask(RecordedTurn recorded, boolean replaced) {
         if (!started) {
             LineBuffer setup = dialogue.setup(player);

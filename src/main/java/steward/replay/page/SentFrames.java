@@ -10,7 +10,10 @@ import steward.replay.ReplayReader;
 import steward.replay.verify.Resimulation;
 import tools.jackson.core.io.JsonStringEncoder;
 
-/** Frames that all bots of a match were sent, for its page, from the game played again as far as it is recorded. */
+/**
+ * The frames that all bots of a match were sent, for its page. They are not recorded: they follow from the game, which
+ * is played again, as far as it gives what was recorded.
+ */
 final class SentFrames {
 
     /** Characters of frames that a page holds at most: it is still opened in a moment. */

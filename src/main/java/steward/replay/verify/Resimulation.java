@@ -307,7 +307,10 @@ public final class Resimulation {
         return player == game.players();
     }
 
-    /** True if faults of those before decide the turn, so that the player has no command; older replays have one. */
+    /**
+     * True if the player has no command because faults of those before it decide the turn. In older replays such a
+     * player was asked all the same.
+     */
     private boolean isSpared(JsonToken token, int player, String... faults) {
         return token == JsonToken.VALUE_NULL && faults[player] == null && isDecided(player, faults);
     }

@@ -368,7 +368,10 @@ public final class PodRaceSimulator {
         return Math.sqrt(dx * dx + dy * dy);
     }
 
-    /** Turns that the player has left to pass a checkpoint; it is out at -1 by live rules, at 0 by the contest's. */
+    /**
+     * The number of turns that the player has left to pass a checkpoint; a race by live rules eliminates a player at
+     * -1, by those of the contest at 0.
+     */
     public int turnsLeft(int player) {
         return counts[PodTurn.COUNTS * pods + player];
     }

@@ -8,7 +8,10 @@ import java.io.InputStream;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 
-/** A bot program that does no work: it answers each line with the same one, to measure the rest of a match. */
+/**
+ * A bot program that does no work: each piece of input, up to a line end, is answered with the same line. The time of a
+ * match with it is that of the referee and the system.
+ */
 public final class FixedAnswerBot {
 
     private FixedAnswerBot() { }

@@ -14,7 +14,10 @@ import steward.lab.bench.textbook.TextbookPodRace;
 import steward.numerics.SplitMix64;
 import steward.numerics.StateHash;
 
-/** Games of the official pod race with known commands, on all implementations: each has to end as the textbook's. */
+/**
+ * Games of the official pod race whose commands are known beforehand, and all implementations that can play them. Each
+ * is checked to end with the pods where the textbook has them.
+ */
 final class BenchPodGames {
 
     static final int GAMES = 200;

@@ -16,7 +16,10 @@ import steward.physics.ImpactLaw;
 import steward.physics.TurnLog;
 import steward.physics.Wall;
 
-/** Piles of 3 to 60 bodies pressed anew each turn: into corners, wedges, an arena's rim, or against each other. */
+/**
+ * Random piles of 3 to 60 bodies pressed anew each turn: into corners, wedges of 8 to 60 degrees, the rim of an arena,
+ * or against each other in free space.
+ */
 public final class PilesCase extends StabilityCase {
 
     private static final long SEED = 32;

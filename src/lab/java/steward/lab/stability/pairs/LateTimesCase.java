@@ -52,7 +52,10 @@ public final class LateTimesCase extends StabilityCase {
         return Finding.of(rung.isOurs(), met, text.toString());
     }
 
-    /** All coordinates of the path have one exponent; the first impact is 5 to 6 times 1e-9 before the end. */
+    /**
+     * So far from the origin that all coordinates on the path have the same exponent; the first impact comes 5 to 6
+     * times 1e-9 before the end of the turn.
+     */
     private static Bodies row(double speed, int n) {
         Bodies bodies = new Bodies(ROW);
         double late = 1 - BETWEEN * (5 + n / 20_000.0);
