@@ -32,7 +32,10 @@ public interface StateCodec {
         return -1;
     }
 
-    /** True if a faulty answer gave commands before its fault, which take effect, see {@link #writeCommand}. */
+    /**
+     * True if a faulty answer has given the player commands before its fault, which take effect all the same; {@link
+     * #writeCommand} then writes them.
+     */
     default boolean hasPartialCommand(int player) {
         return false;
     }

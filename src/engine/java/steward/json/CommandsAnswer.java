@@ -55,7 +55,10 @@ public abstract class CommandsAnswer<C> extends JsonAnswer {
     /** Reads a field of a command that is neither x nor y. @return what is wrong, or {@code null} */
     protected abstract String commandField(String field, JsonParser in);
 
-    /** Returns the error of a command, a missing or needless field; {@code null} if {@linkplain #keep kept}. */
+    /**
+     * Returns the error of a command, something missing or too much; {@code null} if right, and then {@linkplain #keep
+     * kept}.
+     */
     protected abstract String endCommand(int index);
 
     /** Keeps a command that is right. @return {@code null} */

@@ -86,7 +86,10 @@ public final class Expansion {
         return size == 0 ? 0 : parts[size - 1] > 0 ? 1 : -1;
     }
 
-    /** Rounds to a double-double, largest parts first: relative error below 2^-100, plus 2^-105 for each more. */
+    /**
+     * Rounds to a double-double, largest parts first: relative error below 2^-100, for each additional part 2^-105 at
+     * most.
+     */
     public DoubleDouble roundTo(DoubleDouble result) {
         result.set(0);
         for (int k = size - 1; k >= 0; k--) {

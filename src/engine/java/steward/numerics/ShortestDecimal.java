@@ -128,7 +128,9 @@ public final class ShortestDecimal {
         return w | (z & LOW_63) + LOW_63 >>> 63;
     }
 
-    /** Writes digits, {@code whole} of them before the point; if that is negative, as many zeros follow the point. */
+    /**
+     * Writes digits with {@code whole} of them before the point; if that is negative, as many zeros follow the point.
+     */
     private static int writeDigits(long digits, int count, int whole, char[] into, int from) {
         int at = from;
         if (whole <= 0) {

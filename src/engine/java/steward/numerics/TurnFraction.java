@@ -8,7 +8,10 @@ package steward.numerics;
  */
 final class TurnFraction {
 
-    /** Binary digits of 2 / pi behind the point, 64 a word, after two words of zeros; the largest double needs 1225. */
+    /**
+     * The binary digits of 2 / pi behind the point, 64 a word, two words of zeros ahead of them. The largest double
+     * needs the first 1225.
+     */
     private static final long[] TWO_OVER_PI = {
         0, 0,
         0xa2f9836e4e441529L, 0xfc2757d1f534ddc0L, 0xdb6295993c439041L, 0xfe5163abdebbc561L,

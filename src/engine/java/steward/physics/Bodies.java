@@ -32,7 +32,10 @@ public final class Bodies {
     public final double[] restitution;
     /** The share of its speed that a body loses at the end of a turn, 0..1. */
     public final double[] drag;
-    /** Further quantities of a game, one array each, 0 at first; they stay with the body. The physics ignores them. */
+    /**
+     * More quantities of a game, one array each, 0 for a new body: they move, die and are copied with their bodies. The
+     * physics does not read them.
+     */
     public final double[][] columns;
     /** The kind of a body, 0..{@link Contacts#kinds()}-1: decides what a contact means. */
     public final int[] kind;
@@ -94,7 +97,9 @@ public final class Bodies {
         return addOfAnyRadius(x, y, radius, mass);
     }
 
-    /** Adds a point, a body of radius 0 at rest, for games without contacts between bodies. Else as {@link #add}. */
+    /**
+     * Adds a point: a body of radius 0 at rest, for games without contacts between bodies. Otherwise as {@link #add}.
+     */
     public int addPoint(double x, double y, double mass) {
         return addOfAnyRadius(x, y, 0, mass);
     }

@@ -34,7 +34,10 @@ public record Impact(double time, int a, int b, double ax, double ay, double bx,
         return ~b;
     }
 
-    /** The momentum that a received, x: m (v after - v before) of the stored velocities; -j n for an infinite mass. */
+    /**
+     * The momentum that a received, x: m (v after - v before) of the stored velocities, or -j n if its mass is
+     * infinite.
+     */
     public double momentumAx() {
         return massA < Double.POSITIVE_INFINITY ? massA * (vaxAfter - vaxBefore) : -impulse * normalX;
     }

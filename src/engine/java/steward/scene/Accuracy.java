@@ -83,7 +83,10 @@ public record Accuracy(Way way, int steps, Arithmetic arithmetic) {
         return new Accuracy(Way.STEP, steps, Arithmetic.DOUBLE);
     }
 
-    /** Rungs, cheapest first: {@code step/1}, {@code step/2}, ... {@code step/1024}, then those of {@code event}. */
+    /**
+     * The rungs, cheapest first: {@code step/1}, {@code step/2}, {@code step/4}, ... {@code step/1024}, then the
+     * arithmetics of {@code event}.
+     */
     public static List<Accuracy> ladder() {
         return Stream.concat(IntStream.iterate(1, steps -> steps <= StepAdvance.MOST_STEPS, steps -> 2 * steps)
             .mapToObj(Accuracy::step), Arrays.stream(Arithmetic.values()).map(Accuracy::event)).toList();

@@ -41,7 +41,10 @@ public record AccuracyFigures(String source, String key, String sample, int stat
     public static final List<String> SHARES = List.of("0.5", "0.9", "0.99", "0.999", "0.9999");
     /** The highest of them: no demand may go beyond it. */
     static final double MOST_SHARE = 0.9999;
-    /** A rung is cheaper than another if it costs less by more than this share: measurements differ by as much. */
+    /**
+     * A rung that costs less than another by no more than this share does not count as cheaper: measurements of the
+     * same rung differ by as much.
+     */
     public static final double SAME_COST = 0.05;
     /**
      * In place of an error: in too many states the rung, or the oracle it was compared with, did not finish, or there

@@ -1,6 +1,9 @@
 package steward.text;
 
-/** A row of comma-separated values (RFC 4180, with the end of line of Unix), built cell by cell. */
+/**
+ * A row of a table of comma-separated values (RFC 4180, but with the end of line that Unix has). Built cell by cell,
+ * from left to right.
+ */
 public final class CsvRow {
 
     private final StringBuilder line = new StringBuilder();

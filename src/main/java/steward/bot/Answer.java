@@ -3,7 +3,9 @@ package steward.bot;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 
-/** The outcome of one {@link Player#ask}, reused from turn to turn, so that asking allocates nothing. */
+/**
+ * The outcome of one {@link Player#ask}. One instance is reused from turn to turn, so that asking allocates nothing.
+ */
 public final class Answer {
 
     private byte[] bytes = new byte[1024];
@@ -33,7 +35,10 @@ public final class Answer {
         return bytes;
     }
 
-    /** Returns how many bytes of {@link #bytes()} count; with a fault those received by then (shortened or empty). */
+    /**
+     * Returns how many bytes of {@link #bytes()} count; with a fault, what had been received by then (shortened or
+     * empty).
+     */
     public int length() {
         return length;
     }

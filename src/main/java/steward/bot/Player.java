@@ -86,7 +86,10 @@ public interface Player extends AutoCloseable {
         return;
     }
 
-    /** Returns the player's stderr after its last answer, bounded, or {@code null}; known after {@link #finish}. */
+    /**
+     * Returns the player's stderr after its last answer, bounded; {@code null} when nothing. Known once {@link #finish}
+     * has returned.
+     */
     default String finalStderr() {
         return null;
     }

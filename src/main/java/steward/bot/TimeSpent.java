@@ -26,7 +26,10 @@ public record TimeSpent(long limit, long taken, long unobserved, long computed, 
         NOTHING,
         /** CPU time in steps of 10 ms, and not who waits for a processor: that is part of {@code other}. */
         STEPS,
-        /** All, but some CPU time only in steps of 10 ms: of threads and processes that have ended meanwhile. */
+        /**
+         * All, but some of the CPU time only in steps of 10 ms: threads or processes have ended meanwhile, of which the
+         * kernel keeps no finer count.
+         */
         ALL_IN_STEPS,
         /** All, in nanoseconds. */
         ALL

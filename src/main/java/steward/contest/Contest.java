@@ -155,7 +155,10 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
         return withoutProblem(withFailing(setup, bots, usual, timeFactor));
     }
 
-    /** Makes a contest as {@link #of} does, for a series: in a scene for one player any number of bots play alone. */
+    /**
+     * Makes a contest as {@link #of} does, for a series: in a scene for one player any number of bots can each play
+     * alone.
+     */
     public static Contest ofSeries(GameSetup setup, List<String> bots, Protocol usual, double timeFactor) {
         return setup.scene().players() > 1 || bots.isEmpty() ? of(setup, bots, usual, timeFactor)
             : withoutProblem(create(setup, bots, usual, timeFactor));
@@ -305,7 +308,10 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
         return setup.scene().name();
     }
 
-    /** Returns which bot plays as a player after {@code rotation} moves up, or in turn where each plays alone. */
+    /**
+     * Returns which bot plays as a player when the bots have moved up by {@code rotation} places. Where each plays
+     * alone, the bots take turns so.
+     */
     public int entrantOf(int player, int rotation) {
         return (player + rotation) % entrants.size();
     }

@@ -12,7 +12,10 @@ import steward.bot.command.ProgramFinder;
 /** The user's web browser, started through the system's own program for that. */
 public final class Browser {
 
-    /** A program that cannot open anything fails at once; after so long, in milliseconds, it has opened it. */
+    /**
+     * A program that cannot open anything fails at once; one that runs longer than this, in milliseconds, has opened
+     * it.
+     */
     private static final long FAILS_WITHIN_MS = 1500;
 
     /** Variables of which one is set where there is a display. */

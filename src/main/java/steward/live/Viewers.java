@@ -2,7 +2,10 @@ package steward.live;
 
 import java.util.concurrent.TimeUnit;
 
-/** Counts the viewers of a match: how many may follow at once, and what they still have to receive. Thread-safe. */
+/**
+ * Counts the viewers of a match: how many may follow at the same time, and what they still have to receive.
+ * Thread-safe.
+ */
 final class Viewers {
 
     private final int most;

@@ -8,7 +8,10 @@ import steward.json.JsonNumbers;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.ObjectWriteContext;
 
-/** The JSON protocol: frames for the setup, each turn and the end, each a line of UTF-8; an answer is a line. */
+/**
+ * The JSON protocol: one setup frame, a turn frame per turn, one end frame, each a JSON object and a line feed,
+ * UTF-8; an answer is one line.
+ */
 final class JsonDialogue implements Dialogue {
 
     private final GameSetup setup;

@@ -23,7 +23,10 @@ public final class JsonLine {
     /** Characters of a value that an error quotes. */
     private static final int SHOWN = 40;
 
-    /** A field: where its name stands, the text of a scalar (null for JSON null), and where another value stands. */
+    /**
+     * A field: where its name stands, and the text of a scalar (null for JSON null), or where an object or array
+     * stands in the line.
+     */
     private record Value(int nameFrom, JsonToken token, String text, int from, int to) { }
 
     private final String where;

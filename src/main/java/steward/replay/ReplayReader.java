@@ -372,7 +372,10 @@ public final class ReplayReader implements AutoCloseable {
         }
     }
 
-    /** Returns where the next line end is, or {@code to}. Eight bytes at once: XOR with line feeds makes one zero. */
+    /**
+     * Returns where the next line end is, or {@code to}. Eight bytes are tested at once: XOR with line feeds makes one
+     * zero.
+     */
     private static int lineEnd(byte[] bytes, int from, int to) {
         int at = from;
         for (; at + Long.BYTES <= to; at += Long.BYTES) {

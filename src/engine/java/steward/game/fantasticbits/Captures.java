@@ -66,7 +66,9 @@ public final class Captures implements Reaction {
         return found;
     }
 
-    /** A wizard takes a snaffle, unless it holds one by now or a free one is as near. @return whether it did */
+    /**
+     * A wizard takes a snaffle, unless it holds one by now or another free wizard is as near. @return whether it did
+     */
     static boolean capture(Bodies bodies, int wizard, int snaffle, double time, TurnSink sink) {
         if (holds(bodies, wizard)) {
             return false;

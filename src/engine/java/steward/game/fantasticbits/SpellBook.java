@@ -3,7 +3,10 @@ package steward.game.fantasticbits;
 import java.util.Arrays;
 import steward.numerics.StateHash;
 
-/** Spells of all wizards: those at work with their targets, and those cast in the last turn, at work from the next. */
+/**
+ * The spells of all wizards: those at work with their targets, and those cast in the last turn, which begin to work in
+ * the next.
+ */
 public final class SpellBook {
 
     private static final int NONE = -1;

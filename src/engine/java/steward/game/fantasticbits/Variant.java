@@ -2,7 +2,10 @@ package steward.game.fantasticbits;
 
 import java.util.Locale;
 
-/** Forms in which the site published the game: turns and cost of spells, in the order of {@link Spell}. */
+/**
+ * The two forms in which the site has published the game: how long spells work and what they cost, by spell in the
+ * order of {@link Spell}.
+ */
 public enum Variant {
 
     /** The contest of 2016. */

@@ -11,7 +11,9 @@ import steward.physics.TurnSink;
  */
 public final class Sinking implements Reaction {
 
-    /** Fact: a tanker (id a) was sunk by a destroyer (b) at (x, y); p is the player it was spawned for, q its size. */
+    /**
+     * Fact: a tanker (id a) was sunk by a destroyer (id b) at (x, y); p is the player it was spawned for, q its size.
+     */
     public static final int SUNK = 0;
     /** Fact: it left a wreck (id b) at (x, y), rounded, with water p and radius q. */
     public static final int WRECK = 1;

@@ -34,7 +34,9 @@ public final class Headings {
      * |h| < 2^10 holds because vectors are computed only from angles below 2^9, and 40 turns add less than 13.
      */
 
-    /** Bound on the length of the difference between a vector and the game's, computed from the exact angle. */
+    /**
+     * Bound on the length of the difference between a vector and the one that the game computes from the exact angle.
+     */
     public static final double VECTOR_ERROR = 0x1p-37;
 
     /*
@@ -66,10 +68,16 @@ public final class Headings {
     /** Offsets of the vector; NaN while unset, or when the angle is too large. */
     public static final int X = 0;
     public static final int Y = 1;
-    /** Offsets of the base of the exact value: atan2(BASE_Y, BASE_X); for a NaN BASE_Y the angle BASE_X, or unset. */
+    /**
+     * Offsets of the base of the exact value: atan2(BASE_Y, BASE_X), or, with NaN for BASE_Y, the angle BASE_X itself
+     * (NaN: unset).
+     */
     public static final int BASE_X = 2;
     public static final int BASE_Y = 3;
-    /** Turns by 18 degrees since the base, as bits: a leading 1, then one for each turn, 1 for a positive one. */
+    /**
+     * The turns by 18 degrees since the base, as the bits of a whole number: a leading 1, then one bit for each turn, 1
+     * for a positive one.
+     */
     public static final int CHAIN = 4;
     /** The size of a heading in the array. */
     public static final int NUMBERS = 5;

@@ -9,7 +9,9 @@ import steward.physics.Wall;
 import steward.scene.Bumper;
 import steward.scene.Field;
 
-/** Test for walls and bumpers that part two places for the centre of a pod: each is grown by the pod's radius. */
+/**
+ * Test for walls and bumpers that part two places, for the centre of a pod: each obstacle is grown by the pod's radius.
+ */
 final class Separation {
 
     /*
@@ -242,7 +244,10 @@ final class Separation {
         return root;
     }
 
-    /** Returns how often a polyline crosses the segment p q from right to left, less how often from left to right. */
+    /**
+     * Returns how often a polyline crosses the segment from p to q from right to left, less how often from left to
+     * right.
+     */
     private static int crossings(double[] line, double px, double py, double qx, double qy) {
         int sum = 0;
         for (int k = 0; k < POINTS - 1; k++) {

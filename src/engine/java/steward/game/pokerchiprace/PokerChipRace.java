@@ -223,7 +223,10 @@ public final class PokerChipRace extends AbstractGame {
         return ranks((one, other) -> ranking.score(one) > ranking.score(other));
     }
 
-    /** Returns the scores as the published referee counts them: area of the chips in u^2, and rank of the player. */
+    /**
+     * Returns the scores as the published referee counts them: the area of the chips, in u^2, and the rank among the
+     * players.
+     */
     @Override
     public double[] scores() {
         double[] of = new double[players()];

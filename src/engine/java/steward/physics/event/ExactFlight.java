@@ -11,7 +11,10 @@ import steward.physics.time.LowParts;
  * error of t, and storing it rounds once: at most 0.51 ulp unless x and v t cancel by more than 2^40.
  */
 
-/** Free flight to times in double-double: a coordinate is rounded once, its error kept in {@link LowParts}. */
+/**
+ * Free flight to times in double-double. Each coordinate is rounded once, when it is stored; its rounding error is kept
+ * in {@link LowParts}.
+ */
 final class ExactFlight extends Flight {
 
     private final RefiningQueue queue;

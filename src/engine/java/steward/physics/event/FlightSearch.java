@@ -164,7 +164,10 @@ sealed class FlightSearch permits PreciseFlightSearch {
         return first;
     }
 
-    /** The impacts that may be at the time of the earliest one; {@code null} if it is alone. */
+    /**
+     * The impacts at the time of the earliest one, where that has to be decided by other means than the order of times:
+     * {@code null} for one alone.
+     */
     SimultaneousImpacts simultaneous(Bodies bodies, double now) {
         return null;
     }

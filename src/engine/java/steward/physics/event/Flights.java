@@ -54,7 +54,9 @@ sealed class Flights permits Flights.Precise {
         return 0;
     }
 
-    /** With times in double-double. A coordinate is rounded once, when stored; an impact is given what is lost. */
+    /**
+     * With times in double-double. A coordinate is rounded once, when it is stored; an impact is given what is lost.
+     */
     static final class Precise extends Flights {
 
         double[] sinceLow = new double[0];

@@ -77,7 +77,10 @@ public abstract sealed class ImpactQueue permits ImpactQueue.OneAtATime, ImpactQ
         }
     }
 
-    /** Keeps all impacts by time, ties in the order of the scan; those within the batch window happen together. */
+    /**
+     * Keeps all impacts in the order of time, ties in the order of the scan; those within the batch window happen
+     * together.
+     */
     static final class WithinWindow extends ImpactQueue {
 
         private final double window;

@@ -31,7 +31,10 @@ public final class OfficialAdvance implements Advance {
     private static final double MARGIN = 1;
     private static final double SHARE = 0x1p-40;
     private static final double KEPT_SHARE = 1 - SHARE;
-    /** Up to this magnitude (u, u per turn) the rounding of positions over a turn is small against the margin. */
+    /**
+     * Up to this magnitude, in u and in u per turn, the rounding of positions over a whole turn is small against the
+     * margin.
+     */
     private static final double SMALL = 0x1p15;
 
     private final ImpactLaw law = ImpactLaw.OFFICIAL_POD_RACE;

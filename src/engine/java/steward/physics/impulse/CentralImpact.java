@@ -97,7 +97,9 @@ final class CentralImpact {
         bodies.vy[b] = combined(vby, vay, acrossY);
     }
 
-    /** The share of its own velocity that a mass keeps, (m - e m2) / (m + m2), and its share of the other's. */
+    /**
+     * The share of its own velocity that a mass keeps, (m - e m2) / (m + m2), and that of the other's which it takes.
+     */
     private void computeShares(double mass, double otherMass, double e) {
         if (mass == otherMass) {
             kept.setDifference(1, e).multiply(0.5);

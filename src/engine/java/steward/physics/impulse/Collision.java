@@ -15,7 +15,9 @@ import steward.physics.time.LowParts;
  */
 public final class Collision {
 
-    /** A wall penetration below this, relative to the coordinates, is a rounding error: some units in the last. */
+    /**
+     * A wall penetration below this, relative to the coordinates, is a rounding error: some units in the last place.
+     */
     static final double ROUNDING = 0x1p-46;
 
     private final ImpulseSolver solver;

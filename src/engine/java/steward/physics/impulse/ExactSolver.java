@@ -25,7 +25,9 @@ import steward.physics.time.LowParts;
 final class ExactSolver extends ImpulseSolver {
 
     private static final double TOUCH = 0x1p-60;
-    /** Distances between the inverse of this and this need no scaling: times any speed they are doubles. */
+    /**
+     * Distances between the inverse of this and this need no scaling: times any speed they are in the range of doubles.
+     */
     private static final double LARGE = 0x1p20;
 
     /** Slower bodies are made faster by this factor for the length of an impact. */

@@ -278,7 +278,9 @@ public final class Rest {
         return squeezed;
     }
 
-    /** The gaps of the heap of an impact, as a share of the sum of the radii: wider if it came to rest this turn. */
+    /**
+     * The gaps of the heap of an impact, as a share of the sum of the radii: wider if it has come to rest in this turn.
+     */
     public double near(int a, int b) {
         return rested[a] || b >= 0 && rested[b] ? 1 : 1.0 / NEAR;
     }

@@ -24,7 +24,10 @@ final class Cells {
      * same: change it and see {@code steward bench --only crowds}.
      */
     private static final double PER_CELL = 0.7;
-    /** Columns and rows from this distance from the origin on are too far: roundings would come close to the slack. */
+    /**
+     * Columns and rows from this distance from the origin on are too far: there, roundings would come close to the
+     * slack.
+     */
     static final int FAR = 1 << 20;
     /** By how much a cell is larger than a diameter, relatively: far more than the rounding errors of positions. */
     static final double SLACK = 1 + 0x1p-20;

@@ -14,7 +14,10 @@ import java.util.Arrays;
  * reading the records of other bodies, which lie anywhere in memory. When all entries are used, lists are made anew.
  */
 
-/** The next event of each body by time, one at most, ties by {@link Order}; none before the last removed. */
+/**
+ * The next event of each body, in the order of time. A body has at most one. Ties are broken by {@link Order}. No event
+ * is earlier than the last one removed.
+ */
 final class EventBuckets {
 
     /** Decides between two bodies whose events are at the same time, as doubles. */

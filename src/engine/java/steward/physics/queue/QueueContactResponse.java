@@ -15,7 +15,10 @@ import steward.physics.impulse.Collision;
 import steward.physics.impulse.ContactResponse;
 import steward.physics.time.LowParts;
 
-/** A {@link ContactResponse} of {@link QueueAdvance}: only bodies of the contact are at the present time. */
+/**
+ * The response to a contact in {@link QueueAdvance}, as {@link ContactResponse}, although only the bodies of the
+ * contact have been moved to the present time.
+ */
 abstract class QueueContactResponse {
 
     final Crowd crowd;
@@ -43,7 +46,9 @@ abstract class QueueContactResponse {
             : new Ask(crowd, ContactResponse.of(parts, collision, walls), rounded);
     }
 
-    /** Updates position and velocity of a body after a reaction, and its cell after a positional correction. */
+    /**
+     * Updates position and velocity of a body after a reaction; after a positional correction its cell is found anew.
+     */
     final void updateState(int body, double x, double y, double vx, double vy) {
         double[] state = crowd.state;
         int at = 8 * body;
@@ -58,7 +63,10 @@ abstract class QueueContactResponse {
         }
     }
 
-    /** Every contact is an impact. The two bodies are copied to a {@link Bodies} of two, near in memory. */
+    /**
+     * Every contact is an impact. The two bodies are copied to a {@link Bodies} of two, so that only their own cache
+     * lines are read.
+     */
     static final class Bounce extends QueueContactResponse {
 
         private final Collision collision;
@@ -145,7 +153,9 @@ abstract class QueueContactResponse {
         }
     }
 
-    /** For scenes with {@code ASK} contacts: all bodies are moved to the present time before a reaction. */
+    /**
+     * For scenes with {@code ASK} contacts: before the reaction is called, all bodies are moved to the present time.
+     */
     static final class Ask extends QueueContactResponse {
 
         private final ContactResponse response;

@@ -5,7 +5,10 @@ import steward.physics.Contacts;
 import steward.physics.PhysicsParts;
 import steward.physics.event.PairSelection;
 
-/** Selects the pairs that can react: kinds that ignore each other, passing pairs and two infinite masses cannot. */
+/**
+ * Selects the pairs that can react where not all can: kinds that ignore each other, passing pairs and two infinite
+ * masses cannot.
+ */
 final class QueuePairs {
 
     private final Crowd crowd;

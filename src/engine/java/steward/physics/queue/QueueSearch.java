@@ -191,7 +191,10 @@ sealed class QueueSearch permits ExactQueueSearch {
         enqueue(body, now);
     }
 
-    /** True if a body is within a small gap of another one or a wall besides its partner: a quick superset. */
+    /**
+     * True if a body is within a small gap of another one or a wall besides its partner: a superset, for a quick
+     * look.
+     */
     boolean hasNear(int body, int of, double gapShare, double now) {
         double[] state = crowd.state;
         int at = 8 * body;
@@ -302,7 +305,10 @@ sealed class QueueSearch permits ExactQueueSearch {
         }
     }
 
-    /** Computes the time of impact of a pair; keeps the earliest that is not after the other's predicted impact. */
+    /**
+     * Computes the time of impact of a pair, and keeps it if it is earlier than the best so far and not later than the
+     * other's predicted impact.
+     */
     void offer(int body, int other, double now) {
         double[] state = crowd.state;
         int i = 8 * body;
@@ -325,7 +331,10 @@ sealed class QueueSearch permits ExactQueueSearch {
         }
     }
 
-    /** For equal times: whether the pair with the other body is lower than the one so far; walls come last. */
+    /**
+     * For equal times: whether the pair with the other body is lower than that with the partner so far; walls come
+     * last.
+     */
     boolean isLower(int body, int other) {
         return partner < 0 || EventOrder.rank(crowd, body, other) < EventOrder.rank(crowd, body, partner);
     }

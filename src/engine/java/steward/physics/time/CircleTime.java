@@ -45,7 +45,10 @@ public abstract sealed class CircleTime permits CircleTime.Official, CircleTime.
 
     static final double NEVER = Double.POSITIVE_INFINITY;
 
-    /** Relative to the square of the touching distance: 32 roundings; the official root is accurate to about three. */
+    /**
+     * Relative to the square of the touching distance: 32 roundings, while the official root is accurate to about
+     * three.
+     */
     private static final double ROUNDING = 0x1p-48;
     /** The margin of the reject, relative to the squared distances. */
     private static final double MARGIN = 0x1p-40;
@@ -162,7 +165,10 @@ public abstract sealed class CircleTime permits CircleTime.Official, CircleTime.
             return official(dx, dy, dvx, dvy, dx * dx + dy * dy - touch * touch);
         }
 
-        /** Close to contact official roots consist of rounding errors: a root that is not above 0 counts as a miss. */
+        /**
+         * Close to contact the official roots consist of rounding errors, and a root that is not above 0 counts as a
+         * miss.
+         */
         @Override
         double untilApproachingMeet(double dx, double dy, double dvx, double dvy, double touch) {
             double c = dx * dx + dy * dy - touch * touch;

@@ -29,7 +29,10 @@ final class FastCircles {
 
     /** Relative to the terms of a sum: a result above this has lost less than 36 bits to cancellation. */
     private static final double CANCELLED = 0x1p-36;
-    /** Relative to the terms of D: from here on its sign is certain, and it gives a time of about 64 bits. */
+    /**
+     * Relative to the terms of D: from here on the sign of D is certain, and D is accurate enough for a time of about
+     * 64 bits.
+     */
     static final double COARSE = 0x1p-96;
     /** From here on D is accurate enough for the impulse that follows from the time. */
     static final double FINE = CANCELLED;

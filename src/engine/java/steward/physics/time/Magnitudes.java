@@ -33,7 +33,9 @@ public final class Magnitudes {
 
     private Magnitudes() { }
 
-    /** True if lengths are 0 or 6.3e-61..1.6e60, speeds 0 or 2e-211..1.6e60, masses 5e-91..2e90 or infinite. */
+    /**
+     * True if all lengths are 0 or 6.3e-61..1.6e60, all speeds 0 or 2e-211..1.6e60, all masses 5e-91..2e90 or infinite.
+     */
     public static boolean fitPlainArithmetic(Bodies bodies) {
         for (int i = 0; i < bodies.size(); i++) {
             if (!(isLength(bodies.x[i]) && isLength(bodies.y[i]) && isSpeed(bodies.vx[i]) && isSpeed(bodies.vy[i])

@@ -5,13 +5,18 @@ import steward.physics.Bodies;
 import steward.physics.Contacts;
 import steward.physics.ImpactLaw;
 
-/** The time of the next impact of two circles. The law decides if a touching pair reacts; the rest is geometry. */
+/**
+ * The time of the next impact of a pair of circles. The law decides if a touching pair reacts; the rest is geometry.
+ */
 public abstract sealed class PairTime permits PairTime.OfCircles, PairTime.Overlap, PairTime.AtOwnDistance,
     ExactPairs {
 
     private static final double NEVER = Double.POSITIVE_INFINITY;
 
-    /** Time from now to the impact of two circles, by indices; 0 for now; beyond the turn it may be infinite. */
+    /**
+     * Time from now to the impact of two circles, given by their indices; 0 for an impact now. A time beyond the turn
+     * may be given as infinite.
+     */
     public abstract double until(Bodies bodies, int i, int j);
 
     public static PairTime of(ImpactLaw law, Arithmetic arithmetic) {

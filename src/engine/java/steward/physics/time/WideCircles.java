@@ -54,7 +54,9 @@ final class WideCircles {
         return round(c.divide(discriminant.sqrt(DIGITS).subtract(b), DIGITS), time);
     }
 
-    /** As {@link ExactCircles#lastTouch} for a point that moves and is not at the edge or outside moving outward. */
+    /**
+     * As {@link ExactCircles#lastTouch} for a point that moves, except one at the edge or outside that moves outward.
+     */
     boolean lastTouch(DoubleDouble time) {
         if (discriminant.signum() <= 0) {
             return round(b.negate().divide(a, DIGITS), time);

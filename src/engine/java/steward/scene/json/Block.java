@@ -371,7 +371,10 @@ public final class Block {
         return entry == null ? "nothing" : entry.value().shown();
     }
 
-    /** The error for a value other than expected; if it is absent, the nearest name that was not read is suggested. */
+    /**
+     * The error for a value that is not as expected; if the field is absent, the nearest name that was not read is
+     * suggested.
+     */
     private SceneException unexpected(String name, String expected) {
         if (object.entries().containsKey(name)) {
             return error(name, shown(name), expected);

@@ -145,7 +145,10 @@ public final class Meter {
         return NANOS * units / (now - start);
     }
 
-    /** Bytes allocated per unit, by the calling thread or all that live on; NaN by the wall clock. */
+    /**
+     * Bytes allocated per unit by the calling thread, or by all threads that live on; NaN by the wall clock, where
+     * threads come and go.
+     */
     private double bytes(Contender contender) throws Exception {
         if (contender.clock() == Contender.Clock.WALL) {
             return Double.NaN;

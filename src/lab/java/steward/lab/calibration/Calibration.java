@@ -221,7 +221,10 @@ public final class Calibration {
         }
     }
 
-    /** Figures of the complete blocks from the first on; of 0 states without one, or if nothing was timed. */
+    /**
+     * Figures of all blocks that are complete without a gap from the first on; of 0 states if there are none, or
+     * nothing was timed.
+     */
     public Figures figures() {
         List<Block> done;
         TimingSamples timed;

@@ -66,7 +66,10 @@ public final class SeededPlay {
         return begun(before, game.bodies());
     }
 
-    /** The positions before the turn, its masses and velocities; unchanged if bodies were added or removed. */
+    /**
+     * The positions before the turn with the masses and velocities of the turn; unchanged if bodies were added or
+     * removed.
+     */
     private Bodies begun(Bodies before, Bodies after) {
         boolean same = before.size() == after.size() && before.nextId() == after.nextId();
         for (int k = 0; same && k < before.size(); k++) {

@@ -35,7 +35,9 @@ public record Capacity(double rate, int rounds, Sample alone, Sample served, Che
         return served.threads() - alone.threads();
     }
 
-    /** Returns the extra cost of checks and connection over a game of the league's own, without the game. */
+    /**
+     * Returns the extra cost of checks and connection to the league's process over a game of its own, without the game.
+     */
     public double leagueOverhead() {
         LeagueCosts costs = table.costs();
         return costs.broker() + costs.messages() + costs.check() + costs.share() * costs.again();

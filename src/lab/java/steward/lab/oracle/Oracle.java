@@ -242,7 +242,10 @@ public final class Oracle {
         return OracleTimeOfImpact.circle(dx, dy, p.vx.subtract(q.vx), p.vy.subtract(q.vy), touch);
     }
 
-    /** The impacts that react next: the earliest, ties to the lowest pair; or all of the batch window, in order. */
+    /**
+     * The impacts that react next: the earliest alone, ties to the lowest pair; or all within the batch window, in
+     * order.
+     */
     private List<Touch> together(List<Touch> touches) {
         List<Touch> sorted = new ArrayList<>();
         for (Touch touch : touches) {

@@ -77,7 +77,9 @@ final class OracleTimeOfImpact {
         return gap.signum() <= 0 ? BigDecimal.ZERO : Decimals.divide(gap, closing);
     }
 
-    /** From inside onto the circle of radius (arena - body); at the point nearest the centre without room. */
+    /**
+     * From inside onto the circle of radius (arena - body); if the body has no room, at the point nearest the centre.
+     */
     private static BigDecimal arena(OracleBody body, Arena arena) {
         BigDecimal px = body.x.subtract(Decimals.of(arena.x()));
         BigDecimal py = body.y.subtract(Decimals.of(arena.y()));

@@ -53,7 +53,9 @@ final class OracleWallGeometry {
         return Decimals.length(nearest[0].subtract(body.x), nearest[1].subtract(body.y)).subtract(body.radius);
     }
 
-    /** The point of a segment nearest to a body's centre: the foot on the line, or the end before it. */
+    /**
+     * The point of a segment nearest to a body's centre: the foot on the line, or the end beyond which the foot lies.
+     */
     static BigDecimal[] nearest(OracleBody body, Segment wall) {
         BigDecimal ax = Decimals.of(wall.ax());
         BigDecimal ay = Decimals.of(wall.ay());

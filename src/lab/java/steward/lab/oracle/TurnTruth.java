@@ -113,7 +113,10 @@ public final class TurnTruth {
             energyError(after));
     }
 
-    /** The largest error of a centre, in u; infinite if it is no number, or other bodies were added or removed. */
+    /**
+     * The largest error of a body's centre, in u; infinite if it is not a number, or if a reaction has added or removed
+     * other bodies than in truth.
+     */
     public double positionError(Bodies after) {
         if (!areSame(after)) {
             return Double.POSITIVE_INFINITY;

@@ -6,7 +6,10 @@ import steward.physics.Bodies;
 import steward.physics.Motion;
 import steward.physics.TurnSink;
 
-/** A turn from each of some states, in batches of copies made before, so that only the turns are timed. */
+/**
+ * A turn from each of some states, in batches: each batch plays copies that were made before it, so that neither the
+ * copying nor the clock is included.
+ */
 public final class StateTurns implements TimedTurns {
 
     private static final int BATCH = 512;

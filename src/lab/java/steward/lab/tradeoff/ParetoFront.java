@@ -1,6 +1,8 @@
 package steward.lab.tradeoff;
 
-/** The Pareto front of cost and error: a point on it improves in one only at the expense of the other. */
+/**
+ * The Pareto front of cost and error: a point on it can be improved in one of them only at the expense of the other.
+ */
 final class ParetoFront {
 
     /**

@@ -10,7 +10,9 @@ import steward.physics.Bodies;
 import steward.physics.PhysicsParts;
 import steward.physics.TurnSink;
 
-/** Bodies that fly on by themselves on every rung and in truth: after how many turns a rung diverges. */
+/**
+ * Bodies that fly on by themselves, turn after turn, on every rung and in truth: after how many turns a rung diverges.
+ */
 final class TradeoffFreeRun {
 
     /** A body farther than this from its true position, in u, has diverged. */

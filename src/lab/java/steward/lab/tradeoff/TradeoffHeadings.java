@@ -97,7 +97,9 @@ public record TradeoffHeadings(String headings, long podTurns, long differing, d
             Median.of(angles), Median.of(vectors));
     }
 
-    /** Straight ahead along the axes; else half of the targets about ahead: some turns are below the limit. */
+    /**
+     * Along the axes straight ahead; otherwise half of the targets about ahead, so that some turns are below the limit.
+     */
     private static void fill(Block block, SplitMix64 random, boolean aligned) {
         for (int pod = 0; pod < BLOCK; pod++) {
             int x = 2 * pod;

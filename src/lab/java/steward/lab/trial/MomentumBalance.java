@@ -50,7 +50,9 @@ public final class MomentumBalance extends Probe {
         }
     }
 
-    /** The bodies' momentum now less that at the start and the summed changes, as a share of all exchanged. */
+    /**
+     * The bodies' momentum now, less that at the start, less the summed changes: as a share of all momentum exchanged.
+     */
     public double gap(Bodies bodies) {
         Sum[] now = {new Sum(), new Sum()};
         total(bodies, now);

@@ -6,7 +6,9 @@ import steward.lab.oracle.OracleBody;
 import steward.physics.Bodies;
 import steward.physics.TurnSink;
 
-/** Observes turns without storing them: counts impacts, notes a reported impact limit, measures overlaps. */
+/**
+ * Observes turns without storing them: counts impacts, notes whether the impact limit was reported, measures overlaps.
+ */
 public class Probe implements TurnSink {
 
     /** Impacts so far. */

@@ -27,7 +27,10 @@ import steward.physics.queue.QueueAdvance;
 public record Rung(String name, boolean isEvent, boolean isExact, Arithmetic arithmetic,
                    Function<PhysicsParts, Advance> maker, Function<PhysicsParts, Advance> crowdMaker) {
 
-    /** Error bound of the exact rung: half a unit in the last place, and a little for the arithmetic before. */
+    /**
+     * Error bound of the exact rung: half a unit in the last place for one rounding, and a little for the arithmetic
+     * before it.
+     */
     public static final double EXACT_ULPS = 0.51;
 
     /** Steps per turn of the two rungs that advance in steps, for comparison. */

@@ -6,7 +6,10 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 
-/** Table of mounted file systems, as Linux tells it, a line each: device, mount point, type, options. */
+/**
+ * Table of mounted file systems, as Linux tells it, a line each: device, mount point, type, options (see {@code
+ * fstab(5)}).
+ */
 final class MountTable {
 
     private static final Path FILE = Path.of("/proc/self/mounts");

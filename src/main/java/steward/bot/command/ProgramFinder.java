@@ -78,7 +78,9 @@ public final class ProgramFinder {
         return Files.isRegularFile(file) && Files.isExecutable(file);
     }
 
-    /** The files that the name can mean, in order of search; an empty entry of {@code PATH} is this directory. */
+    /**
+     * The files that the name can mean, in order of search; an empty entry of {@code PATH} is the current directory.
+     */
     private static List<Path> candidates(String program) {
         List<Path> files = new ArrayList<>();
         if (program.isEmpty()) {

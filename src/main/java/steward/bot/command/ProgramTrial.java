@@ -53,7 +53,10 @@ public record ProgramTrial(int status, String line) {
         }
     }
 
-    /** Keeps the beginning of what is there. Never waits: a process that the program started may hold the pipe. */
+    /**
+     * Reads what is there, and keeps the beginning. Never waits: a process that the program has started may hold the
+     * pipe.
+     */
     private static void read(InputStream from, ByteArrayOutputStream said) throws IOException {
         for (int count = from.available(); count > 0; count = from.available()) {
             byte[] bytes = from.readNBytes(count);

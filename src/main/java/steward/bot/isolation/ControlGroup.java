@@ -132,7 +132,9 @@ public final class ControlGroup {
         return Shared.BASE == null ? "no control group was delegated to this program" : null;
     }
 
-    /** Returns the folders of control groups: a bot that could write there would kill and stop others. */
+    /**
+     * Returns the folders where control groups can be written to: a bot that could would kill and stop others there.
+     */
     static List<String> mountPoints() {
         return Mounted.POINTS;
     }

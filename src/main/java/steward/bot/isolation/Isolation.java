@@ -78,7 +78,10 @@ public record Isolation(SandboxLevel level, boolean network, ResourceLimits limi
         return new Isolation(level, network, limits, environment, visible, hidden, other);
     }
 
-    /** Returns which bots are stopped in fact: no burners at {@link SandboxLevel#OFF}, where bots can hide use. */
+    /**
+     * Returns which bots are stopped in fact: at {@link SandboxLevel#OFF} burners are not, since bots there can hide
+     * what they use.
+     */
     public HoldPolicy holds() {
         return level == SandboxLevel.OFF && hold == HoldPolicy.BURNERS ? HoldPolicy.NEVER : hold;
     }

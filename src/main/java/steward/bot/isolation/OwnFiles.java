@@ -56,7 +56,10 @@ final class OwnFiles {
         return own.found;
     }
 
-    /** Files and folders that somebody brought: arguments, and the program unless its folder is one of programs. */
+    /**
+     * Files and folders that somebody brought: of arguments, and of the program unless it is in a folder of programs,
+     * as an interpreter is.
+     */
     static Set<Path> brought(List<String> command) {
         Path program = ProgramFinder.find(command.get(0));
         boolean installed = program == null || program.getParent() == null || program.getParent().getFileName() == null

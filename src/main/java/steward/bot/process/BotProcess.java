@@ -373,7 +373,10 @@ public final class BotProcess implements Player {
         return watched == null ? null : watched.burner(Watchdog.now() - sinceNanos);
     }
 
-    /** Sends the last lines and closes the input on another thread: both may block, and are left behind then. */
+    /**
+     * Sends the last lines and closes the input on another thread, because both may block; a blocked thread is left
+     * behind.
+     */
     private void startWriter(byte[] lines, int length) {
         byte[] copy = lines == null ? new byte[0] : Arrays.copyOf(lines, length);
         FutureTask<Void> task = new FutureTask<>(() -> {

@@ -27,7 +27,10 @@ public final class AccuracyOption {
         }
     }
 
-    /** Opens a scene by its path or shipped name, {@code -} from the standard input, on this rung if one is set. */
+    /**
+     * Opens a scene by its path or shipped name, {@code -} from the standard input, on this rung if one is called
+     * for.
+     */
     public GameSetup open(String scene, Streams streams) {
         return Games.open(scene, accuracy, streams);
     }

@@ -9,7 +9,10 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.RunLast;
 
-/** Runs a command unless a file is named by an empty text, as when a shell variable was not set. */
+/**
+ * Runs a command unless an option or parameter that names a file is an empty text, as when a shell variable was not
+ * set.
+ */
 public final class EmptyValues implements IExecutionStrategy {
 
     /** Placeholders of files and folders in the help. */

@@ -42,7 +42,10 @@ public final class MatchText {
         };
     }
 
-    /** Returns {@link #headline(String, long, MatchResult)} with the failures of bots on the same line. */
+    /**
+     * Returns the headline as {@link #headline(String, long, MatchResult)} does, with the failures of bots on the same
+     * line.
+     */
     public static String headline(String scene, long seed, MatchResult result, List<Failure> failures) {
         return headline(scene, seed, result) + failures.stream().map(failure -> "; " + TextFormat.plain(
             FailureText.line(result.players().get(failure.player()).name(), failure))).collect(Collectors.joining());

@@ -48,7 +48,10 @@ public interface Elsewhere {
     /** True if no machine is there at the moment. */
     boolean isAway();
 
-    /** Returns why no machine that is there can play with these bots, in its words; {@code null} if one may. */
+    /**
+     * Returns why none of the machines that are there can play with these bots, as each of them has said; {@code null}
+     * if one may.
+     */
     String obstacle(List<Member> members);
 
     /** True if games are to be believed that were played on this machine; asked just before they are stored. */

@@ -9,7 +9,10 @@ import java.util.stream.Collectors;
 import steward.bot.command.Platform;
 import steward.league.play.Roster.Member;
 
-/** Watch over games that nobody plays: says that they wait for a machine, or why for ever. Not thread-safe. */
+/**
+ * Watch over games that nobody plays: it says that they wait for a machine, and why they will never be played. Not
+ * thread-safe.
+ */
 final class Standstill {
 
     /** How long nothing may happen before anything is said, in nanoseconds. */

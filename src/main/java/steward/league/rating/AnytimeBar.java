@@ -27,7 +27,10 @@ public final class AnytimeBar {
      * tell little of the size of the difference, but soon its sign.
      */
     private static final double[] SCALES = {28, 120, 500};
-    /** Shares of the permitted miss that each bar has: together they hold with the whole; the narrowest is taken. */
+    /**
+     * Shares of the permitted miss that each bar has: together they hold with the whole, and the narrowest one is
+     * taken.
+     */
     private static final double[] PARTS = {0.8, 0.1, 0.1};
 
     private AnytimeBar() { }

@@ -39,7 +39,9 @@ final class ClusterSpread {
     private final boolean tied;
     private final double ties;
     private final double[][] inverse;
-    /** Covariances by stratum over its bots' ratings and the weight of ties, in rows; or {@code null}. */
+    /**
+     * Covariances by stratum, over its bots' ratings and the weight of ties, in rows; {@code null} without clusters.
+     */
     private final double[][] moments;
     private final double[] freedoms;
     /** Strata of two bots: both bots, and the three moments that differ. Looked up one after another. */
@@ -104,7 +106,9 @@ final class ClusterSpread {
         }
     }
 
-    /** Returns a stratum's part in the variance of a sum along a direction multiplied by the inverse. */
+    /**
+     * Returns a stratum's part in the variance of a sum along a direction, which has been multiplied by the inverse.
+     */
     double along(int q, double... along) {
         double last = tied ? along[along.length - 1] : 0;
         if (pairs[2 * q] != pairs[2 * q + 1]) {

@@ -17,7 +17,10 @@ import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.league.LeagueFolder;
 
-/** A connection to the database of a league, and its errors in words. Its users take turns by synchronising on it. */
+/**
+ * A connection to the database of a league, and what its errors mean to a person. Its users take turns by synchronising
+ * on it.
+ */
 final class Database implements AutoCloseable {
 
     /** How long another program's transaction is waited for, in milliseconds. */

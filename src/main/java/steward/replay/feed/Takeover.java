@@ -142,7 +142,10 @@ public final class Takeover {
             : recorded.asked(player));
     }
 
-    /** Names another player who has to answer and has no command or fault in this turn; or {@code null}. */
+    /**
+     * Names one of the other players that has to answer but has neither a command nor a fault in this turn; or
+     * {@code null}.
+     */
     private String missing(RecordedTurn recorded) {
         for (int other = 0; other < game.players(); other++) {
             if (other != conversation.player() && game.isAsked(other) && !recorded.hasCommand(other)

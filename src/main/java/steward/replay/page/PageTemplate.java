@@ -86,7 +86,10 @@ public final class PageTemplate {
         return policy(connect, "", "");
     }
 
-    /** Returns the policy that allows the script and the style of another page, too, by their hashes. */
+    /**
+     * Returns the policy that allows also the script and the style of another page, by their hashes as a policy has
+     * them.
+     */
     public String policy(String connect, String otherScript, String otherStyle) {
         return "default-src 'none'; script-src " + hash(script) + otherScript + "; style-src " + hash(style)
             + otherStyle

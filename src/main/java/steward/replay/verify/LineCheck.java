@@ -235,7 +235,9 @@ final class LineCheck {
         return agrees;
     }
 
-    /** The difference of a line whose values agree: its hash is wrong, or that of another spelling. */
+    /**
+     * The difference of a line whose values agree: its hash is wrong, or was computed for another spelling of the line.
+     */
     private Difference lineDiffers(int turn, String hash, JsonLine line) {
         Difference difference = RecordedJson.compareHash(turn, hash, line);
         if (difference != null) {

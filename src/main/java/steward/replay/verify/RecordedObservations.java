@@ -13,7 +13,10 @@ import tools.jackson.core.JsonParser;
 import tools.jackson.core.JsonToken;
 import tools.jackson.core.ObjectReadContext;
 
-/** Writes the observations of an imported replay again: each value as recorded, in its one spelling. */
+/**
+ * Writes another referee's observations again from an imported replay: each value as it is recorded, in the one
+ * spelling that is accepted.
+ */
 final class RecordedObservations implements Observations {
 
     private static final Pattern RANK = Pattern.compile("[0-9]{1,9}");

@@ -16,7 +16,10 @@ public final class PodCommands {
 
     /** Instead of a thrust: no command, as for an eliminated player. The pod drifts. */
     public static final int NO_COMMAND = PodRace.NO_COMMAND;
-    /** Instead of a thrust: raise the shield. 10 times the mass for the turn, no thrust in it and three more turns. */
+    /**
+     * Instead of a thrust: raise the shield. Multiplies the mass by 10 for the turn; no thrust on this and the next
+     * three turns.
+     */
     public static final int SHIELD = PodRace.SHIELD;
     /** Instead of a thrust: boost, a thrust of 650 once in a race, and of 200 from then on. */
     public static final int BOOST = PodRace.BOOST;

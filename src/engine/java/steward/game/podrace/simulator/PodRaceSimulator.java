@@ -43,7 +43,10 @@ public final class PodRaceSimulator {
     /** The maximum number of pods in a race. */
     public static final int MOST_PODS = OfficialAdvance.MOST_BODIES;
 
-    /** The greatest magnitude of a coordinate (u) and speed (u per turn) to set. Turns may take long far below it. */
+    /**
+     * The greatest coordinate (u) and speed (u per turn) that can be set, in magnitude. Far below it turns may already
+     * take long, see above.
+     */
     public static final double GREATEST = 0x1p200;
 
     /** The distance of the targets that stand for a command by angle, in u. */
@@ -269,7 +272,10 @@ public final class PodRaceSimulator {
         return state[PodTurn.NUMBERS * pod + PodTurn.VY];
     }
 
-    /** The exact heading in radians, not normalised; NaN while unset. Where it has to be computed that takes 10 ns. */
+    /**
+     * The exact heading in radians, not normalised; NaN while unset. It may have to be computed, which takes about 10
+     * ns.
+     */
     public double heading(int pod) {
         return Headings.angle(state, PodTurn.NUMBERS * pod + PodTurn.HEADING);
     }

@@ -8,7 +8,10 @@ import steward.game.pokerchiprace.PokerChipRace;
 import steward.numerics.SplitMix64;
 import steward.physics.Bodies;
 
-/** Chips by rule: now and then each is pushed to the nearest smaller one; gathering, the centre; mingling, anywhere. */
+/**
+ * Chips by rule: now and then each is pushed toward the nearest smaller chip. Gathering chips head for the centre;
+ * mingling ones for anywhere on the table.
+ */
 record PokerChipRacePilot(Aim aim) implements Pilot {
 
     /** One of this many commands is a push. */

@@ -9,7 +9,9 @@ import steward.game.GameSetup;
 import steward.game.podrace.PodRace;
 import steward.game.podrace.PodState;
 
-/** The pods of a race turn by turn, copied over and over into another race of the scene: all have moved. */
+/**
+ * The pods of a race turn by turn, copied into another race of the same scene over and over, so that all have moved.
+ */
 final class BenchRaceStates implements Consumer<Game> {
 
     private static final int MOST = 256;

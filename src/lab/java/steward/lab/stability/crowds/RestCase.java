@@ -19,7 +19,10 @@ import steward.physics.ImpactLaw;
 import steward.physics.TurnLog;
 import steward.physics.Wall;
 
-/** Stability case of rest: piles that fall or are pressed on a wall or into a corner must come to rest. */
+/**
+ * Stability case of rest: piles fall or are pressed on a wall or into a corner, without and with restitution, and must
+ * come to rest.
+ */
 public final class RestCase extends StabilityCase {
 
     private static final long SEED = 18;

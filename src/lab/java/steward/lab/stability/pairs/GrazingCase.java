@@ -10,7 +10,10 @@ import steward.lab.trial.StabilityCase;
 import steward.numerics.SplitMix64;
 import steward.physics.Bodies;
 
-/** Passes that nearly touch: at R (1 +- 10^-k), and tangent, or one unit in the last place to either side. */
+/**
+ * Passes that nearly touch: at R (1 - 10^-k), R (1 + 10^-k), and exactly tangent, one unit in the last place to either
+ * side.
+ */
 public final class GrazingCase extends StabilityCase {
 
     private static final long SEED = 2;
@@ -52,7 +55,10 @@ public final class GrazingCase extends StabilityCase {
             tally.text() + "; at rounding distance " + contacts.text());
     }
 
-    /** Two that touch, but for a rounding, at coordinates up to 1e12, and graze by a cosine of 1 to 1e-17. */
+    /**
+     * Two that touch but for a rounding, or overlap by one, at coordinates up to 1e12, and graze each other by a
+     * cosine of 1 to 1e-17.
+     */
     private static Bodies contact(SplitMix64 random) {
         double angle = 2 * Math.PI * random.nextDouble();
         double cos = StrictMath.cos(angle);

@@ -12,7 +12,10 @@ import steward.lab.chart.Drawing;
 import steward.lab.tradeoff.TradeoffResult;
 import steward.lab.tradeoff.TradeoffRow;
 
-/** Draws error against cost: a panel per scene, one under the other, with the same logarithmic axes. */
+/**
+ * Draws error against cost: a panel per scene, one under the other so that a phone shows them large, all with the same
+ * logarithmic axes.
+ */
 record TradeoffPlot(TradeoffResult result, List<String> scenes) implements Drawing {
 
     /** The first scene alone, for light and for dark pages. */

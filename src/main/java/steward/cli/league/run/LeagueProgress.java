@@ -54,7 +54,10 @@ final class LeagueProgress {
             .anyMatch(each -> each.id() == id && each.random()));
     }
 
-    /** Games that counted do no more: all are read anew. One that ends now may count wrongly until {@link #settle}. */
+    /**
+     * Games that counted do no more: all are read anew. One that ends just then may be missing, or twice, until {@link
+     * #settle}.
+     */
     synchronized void replace(Supplier<Results> stored) {
         anew = stored;
         results = stored.get();
