@@ -1,2 +1,5 @@
-/** Interfaces between a game and the rooms that play, record and draw it. No processes, deadlines or files. */
+/**
+ * The interfaces between a game and the other rooms. The rooms above play, record and draw any game through them; the
+ * rooms below know of none. Particular games live in sub-packages. Processes, deadlines and files are not known here.
+ */
 package steward.game;

@@ -1,2 +1,5 @@
-/** Formats of the tools around CodinGame: its game result, a league system's fields, calls of a referee. */
+/**
+ * The formats of the tools around CodinGame: its game result, the fields of a league system, the protocols by which
+ * match runners call a referee. The pod race is the only game it knows.
+ */
 package steward.codingame;

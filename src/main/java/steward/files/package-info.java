@@ -1,2 +1,5 @@
-/** Files that the user named: paths as typed, output that replaces nothing unasked, digests, resources. */
+/**
+ * Files that the user named: paths as typed, output that replaces nothing unless told to, digests, resources,
+ * and the exception for unusable input.
+ */
 package steward.files;

@@ -1,2 +1,5 @@
-/** Games whose referee is a program of its own, behind {@link steward.game.Game}; no particular contest. */
+/**
+ * Games whose referee is a program of its own: the blocks that it speaks, its process, and the game that Steward sees.
+ * Behind {@link steward.game.Game}, so that nobody above knows; it knows no particular contest.
+ */
 package steward.guest;

@@ -1,2 +1,5 @@
-/** Watching a match while it is played: a small server for browsers, of which none delays the match. */
+/**
+ * Watching a match while it is played: its lines kept for all viewers, a small server on this machine that sends them
+ * to browsers, and the browser itself. A viewer, however slow, never delays the match.
+ */
 package steward.live;

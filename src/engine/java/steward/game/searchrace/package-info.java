@@ -1,2 +1,5 @@
-/** Rules of the search race, free of JSON: a car passes checkpoints, one player, and less time is better. */
+/**
+ * The rules of the search race, an optimisation for one player: a car passes checkpoints, and less time is better. Free
+ * of JSON and of processes; {@link steward.game.searchrace.OfficialSearchRace} holds the official arithmetic.
+ */
 package steward.game.searchrace;

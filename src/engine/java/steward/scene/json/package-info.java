@@ -1,2 +1,5 @@
-/** JSON that a person wrote, read with the line and column of every value, for errors that say where. */
+/**
+ * JSON that a person wrote, read with the line and column of every value, so that every error is a
+ * {@link steward.scene.json.SceneException} that says where, what was found and what was expected.
+ */
 package steward.scene.json;

@@ -1,2 +1,5 @@
-/** Measurements of one scene: accuracy of each rung on seeded states, and cost of each part of its engine. */
+/**
+ * Measurements of one scene: the accuracy of each rung on seeded states of it, and the cost that each part of its
+ * engine adds to a turn.
+ */
 package steward.lab.calibration;

@@ -1,2 +1,4 @@
-/** Speed against accuracy: error of every rung against the oracle and its cost, on the same states in one run. */
+/**
+ * Speed against accuracy: errors of every rung against the oracle and their cost, on the same states in the same run.
+ */
 package steward.lab.tradeoff;

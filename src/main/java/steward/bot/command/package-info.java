@@ -1,2 +1,5 @@
-/** Bots as the command line names them: words as of a shell, prefixes, the bundled bots, and the program. */
+/**
+ * Bots as they are named on the command line: splitting words as a shell does, prefixes for the protocol, the bundled
+ * bots, and finding the program.
+ */
 package steward.bot.command;

@@ -1,2 +1,5 @@
-/** Commands that play matches, and {@code scene}, which lists and prints what can be played. */
+/**
+ * Commands that play matches: {@code match}, {@code play}, {@code referee}, {@code demo}, {@code simulate}; and
+ * {@code scene}, which lists and prints what can be played.
+ */
 package steward.cli.play;

@@ -1,2 +1,5 @@
-/** Recordings of games that CodinGame's server refereed: read, played again and written as replays. */
+/**
+ * Recordings of games that CodinGame's server refereed: read in each of its formats, played again and written as
+ * replays.
+ */
 package steward.codingame.recording;

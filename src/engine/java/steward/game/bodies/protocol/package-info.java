@@ -1,3 +1,3 @@
-/** Protocol of the game {@code bodies}: scenes, frames, answers, states and drawing. */
+/** Everything of the game {@code bodies} that reads or writes text: its scenes, frames, answers, states and drawing. */
 package steward.game.bodies.protocol;
 

@@ -1,2 +1,4 @@
-/** Cases of the stability table with one body or two: grazing, extremes of numbers, corners, late times. */
+/**
+ * Cases of the stability table with one body or two: grazing, extreme speeds, masses and radii, corners, late times.
+ */
 package steward.lab.stability.pairs;
