@@ -19,11 +19,14 @@ import java.util.SplittableRandom;
 import java.util.TreeSet;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** The order of games: the same however many threads play them and wherever a run is interrupted. */
+@Execution(ExecutionMode.CONCURRENT)
 class ScheduleTest {
 
     private static final int GAMES = 60;

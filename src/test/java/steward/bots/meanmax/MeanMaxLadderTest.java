@@ -9,12 +9,15 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.bot.Bot;
 import steward.match.MatchResult;
 import steward.match.TestScenes;
 import steward.replay.Recorded;
 
 /** The bundled bots of Mean Max: without faults, the better one better, and answers that need no memory. */
+@Execution(ExecutionMode.CONCURRENT)
 class MeanMaxLadderTest {
 
     /** In 400 games, other seeds, the better one won against two plain ones in all but a few. */

@@ -13,12 +13,15 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.cli.Cli;
 import steward.cli.Recorded;
 import steward.cli.shared.ExitStatus;
 import steward.text.TextFormat;
 
 /** {@code steward replay} on a duel of two in-process bots that both drive. */
+@Execution(ExecutionMode.CONCURRENT)
 class ReplayCommandTest {
 
     @TempDir

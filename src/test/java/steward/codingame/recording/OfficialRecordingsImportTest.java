@@ -15,6 +15,8 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestReporter;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.game.GroundTruth;
 import steward.game.TextCodec;
 import steward.game.podrace.PodRace;
@@ -30,6 +32,7 @@ import tools.jackson.databind.node.ObjectNode;
  * positions, speeds, shields and next checkpoints are the server's. Headings are recorded there as rounded degrees, so
  * that their bits are ours; impacts are not recorded.
  */
+@Execution(ExecutionMode.CONCURRENT)
 class OfficialRecordingsImportTest {
 
     private static final int PODS = 4;

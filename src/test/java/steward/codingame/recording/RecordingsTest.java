@@ -13,6 +13,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.zip.GZIPInputStream;
 import org.junit.jupiter.api.TestReporter;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import steward.game.GroundTruth;
@@ -25,6 +27,7 @@ import tools.jackson.databind.json.JsonMapper;
  * Games of the server, imported and verified: all JSON in the folder of each game. Each file is reported with what was
  * compared, so that {@code ./gradlew test --tests '*RecordingsTest' -Psteward.recordings=FOLDER} judges any folder.
  */
+@Execution(ExecutionMode.CONCURRENT)
 class RecordingsTest {
 
     @ParameterizedTest

@@ -12,6 +12,8 @@ import java.util.SplittableRandom;
 import java.util.TreeSet;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import steward.league.EarlierGames;
@@ -20,6 +22,7 @@ import steward.league.Season;
 import steward.league.rating.Ratings;
 
 /** Who plays whom, and when it ends, follows from results alone: not from threads and not from interruptions. */
+@Execution(ExecutionMode.CONCURRENT)
 class AdaptivePairingTest {
 
     private static final int LAG = 4;

@@ -5,10 +5,13 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.league.rating.AnytimeBar;
 import steward.numerics.SplitMix64;
 
 /** Ranges against closed forms, and how often they hold. */
+@Execution(ExecutionMode.CONCURRENT)
 class SequentialBarTest {
 
     private static final double[] SCORES = {0, 0.25, 0.5, 0.75, 1};

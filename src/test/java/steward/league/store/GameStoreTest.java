@@ -22,6 +22,8 @@ import java.util.TreeMap;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.contest.GameFacts;
 import steward.files.InputException;
 import steward.league.GameName;
@@ -29,8 +31,8 @@ import steward.league.LeagueFolder;
 import steward.league.Pairing;
 import steward.league.Schedule;
 import steward.league.Season;
-import steward.league.StoredGame;
 import steward.league.StoredGame.StoredSeat;
+import steward.league.StoredGame;
 import steward.league.pairing.KnownResults;
 import steward.league.rating.LeagueTable;
 import steward.league.rating.RatingPath;
@@ -41,6 +43,7 @@ import steward.league.store.GameStore.Version;
  * Games go into a database and come out again; databases that cannot be used are refused with a reason. One long file:
  * all of its tests fill the same league.
  */
+@Execution(ExecutionMode.CONCURRENT)
 class GameStoreTest {
 
     static final Season SEASON = Season.of("duel", "key", "limits", "rules", 2, false);

@@ -17,6 +17,8 @@ import java.util.stream.IntStream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.cli.Cli;
 import steward.cli.streams.Colour;
 import steward.league.LeagueSettings;
@@ -29,6 +31,7 @@ import steward.league.rating.RatingPath;
 import steward.league.rating.Results;
 
 /** A league that has just begun, in all its forms: a bar of which nothing is known is no number. */
+@Execution(ExecutionMode.CONCURRENT)
 class FewGamesTest {
 
     private static final Season SEASON = Season.of("duel", "key", "limits", "rules", 2, false);
