@@ -17,6 +17,7 @@ import java.sql.Connection;
 import java.sql.DriverManager;
 import java.sql.SQLException;
 import java.sql.Statement;
+import java.util.List;
 import java.util.Set;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
@@ -214,7 +215,8 @@ class LeagueCommandTest {
         }
         Thread[] left = new Thread[group.activeCount() + 100];
         int count = group.enumerate(left);
-        assertEquals(0, Stream.of(left).limit(count).filter(thread -> thread.getName().equals("league writer")).count());
+        assertEquals(List.of(), Stream.of(left).limit(count).map(Thread::getName)
+            .filter(name -> name.equals("league writer")).toList());
     }
 
     @Test
