@@ -180,28 +180,27 @@ class WorkerProcessTest {
     /** Four workers of one league, in this JVM: none has to wait for another. */
     @Test
     void endsAfterSoManyGamesOrSoMuchTimeOrWhenItIsIdleOrAFileSaysSo() throws Exception {
-        CompletableFuture<String> league = serve(16, 0);
+        CompletableFuture<String> league = serve(14, 0);
         Path stop = folder.resolve("stop");
         CompletableFuture<Cli> three = here("three", "--games", "3", "--threads", "2");
         final long began = System.nanoTime();
         CompletableFuture<Cli> brief = here("brief", "--for", "3s", "--threads", "1");
         CompletableFuture<Cli> told = here("told", "--stop-file", stop.toString(), "--threads", "1");
         await(() -> stored("told") >= 1 || league.isDone());
-        CompletableFuture<Cli> idle = here("idle", "--idle", "5s", "--json", "--platform", "linux-s390x");
+        CompletableFuture<Cli> idle = here("idle", "--idle", "5s", "--json");
         Files.createFile(stop);
         assertEquals(0, end(told).status(), () -> told.join().err());
         assertEquals(0, end(three).status(), () -> three.join().err());
         assertEquals("3 games played\n", three.join().out());
         assertEquals(0, end(brief).status(), () -> brief.join().err());
         assertTrue(System.nanoTime() - began >= TimeUnit.SECONDS.toNanos(3));
+        String said = league.get(200, TimeUnit.SECONDS);
         assertEquals(0, end(idle).status(), () -> idle.join().err());
         assertTrue(idle.join().err().matches("(?s)\\{\"time\":\"\\d{4}-[^\"]*Z\",\"event\":\"joined 127.0.0.1:.*"),
             idle.join().err());
-        String said = rest(league);
-        assertTrue(said.startsWith("16 games of duel\n"), said);
+        assertTrue(said.startsWith("14 games of duel\n"), said);
         assertEquals(3, stored("three"), said);
         assertTrue(stored("told") >= 1, said);
-        assertEquals(0, stored("idle"), said);
         assertEquals(stored("brief") + (stored("brief") == 1 ? " game" : " games") + " played\n", brief.join().out());
     }
 
