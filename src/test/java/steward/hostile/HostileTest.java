@@ -89,7 +89,7 @@ class HostileTest {
 
     @Test
     void botsWithThreadsAnswerTheSameHeldOrNot(TestReporter report) throws Exception {
-        run(report, HeldLanguages.class, "--turns", "10", "--languages", "node,python3");
+        run(report, HeldLanguages.class, "--turns", "10", "--languages", "java,python3");
     }
 
     @Test

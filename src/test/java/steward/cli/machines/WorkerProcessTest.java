@@ -187,6 +187,7 @@ class WorkerProcessTest {
         CompletableFuture<Cli> brief = here("brief", "--for", "3s", "--threads", "1");
         CompletableFuture<Cli> told = here("told", "--stop-file", stop.toString(), "--threads", "1");
         await(() -> stored("told") >= 1 || league.isDone());
+        await(() -> stored("three") == 3 || league.isDone());      // before somebody takes what is left
         CompletableFuture<Cli> idle = here("idle", "--idle", "5s", "--json");
         Files.createFile(stop);
         assertEquals(0, end(told).status(), () -> told.join().err());
@@ -194,7 +195,7 @@ class WorkerProcessTest {
         assertEquals("3 games played\n", three.join().out());
         assertEquals(0, end(brief).status(), () -> brief.join().err());
         assertTrue(System.nanoTime() - began >= TimeUnit.SECONDS.toNanos(3));
-        String said = league.get(200, TimeUnit.SECONDS);
+        String said = rest(league);
         assertEquals(0, end(idle).status(), () -> idle.join().err());
         assertTrue(idle.join().err().matches("(?s)\\{\"time\":\"\\d{4}-[^\"]*Z\",\"event\":\"joined 127.0.0.1:.*"),
             idle.join().err());

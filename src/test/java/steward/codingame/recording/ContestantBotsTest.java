@@ -60,9 +60,19 @@ class ContestantBotsTest {
 
     @Test
     @Tag("campaign")
-    void eachPlaysManyMatches(TestReporter report) throws IOException, InterruptedException {
+    void writtenInCppItPlaysManyMatches(TestReporter report) throws IOException, InterruptedException {
         cpp(report, MANY);
+    }
+
+    @Test
+    @Tag("campaign")
+    void writtenInJavaItPlaysManyMatches(TestReporter report) throws IOException {
         java(report, MANY);
+    }
+
+    @Test
+    @Tag("campaign")
+    void writtenInPythonItPlaysManyMatches(TestReporter report) throws IOException, InterruptedException {
         python(report, MANY);
     }
 

@@ -77,7 +77,12 @@ public final class PageTestBrowser implements AutoCloseable {
         if (!IN_USE.compareAndSet(false, true)) {
             throw new IllegalStateException("the browser is in use, or a test has not closed it");
         }
-        return new PageTestBrowser();
+        try {
+            return new PageTestBrowser();
+        } catch (RuntimeException | Error problem) {
+            IN_USE.set(false);
+            throw problem;
+        }
     }
 
     private static Path browser() {
@@ -247,13 +252,16 @@ public final class PageTestBrowser implements AutoCloseable {
     /** Closes the pages, and forgets what they stored and what was preferred. */
     @Override
     public void close() {
-        List<String> windows = List.copyOf(driver.getWindowHandles());
-        for (String window : windows.subList(1, windows.size())) {
-            driver.switchTo().window(window).close();
+        try {
+            List<String> windows = List.copyOf(driver.getWindowHandles());
+            for (String window : windows.subList(1, windows.size())) {
+                driver.switchTo().window(window).close();
+            }
+            driver.switchTo().window(windows.get(0)).get("about:blank");
+            driver.executeCdpCommand("Emulation.setEmulatedMedia", Map.of("features", List.of()));
+            driver.executeCdpCommand("Storage.clearDataForOrigin", Map.of("origin", "*", "storageTypes", "all"));
+        } finally {
+            IN_USE.set(false);
         }
-        driver.switchTo().window(windows.get(0)).get("about:blank");
-        driver.executeCdpCommand("Emulation.setEmulatedMedia", Map.of("features", List.of()));
-        driver.executeCdpCommand("Storage.clearDataForOrigin", Map.of("origin", "*", "storageTypes", "all"));
-        IN_USE.set(false);
     }
 }
