@@ -27,7 +27,7 @@ class NewCommandTest {
     @TempDir
     private Path folder;
 
-    /** What a compiler makes faster is compiled quickly; one that searches, which takes its time, races for a while. */
+    /** Starters in C++ are compiled without optimisation, and one that searches races for a while. */
     @ParameterizedTest
     @EnumSource
     @Tag("process")

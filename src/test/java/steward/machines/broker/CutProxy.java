@@ -37,12 +37,12 @@ public final class CutProxy implements Closeable {
         return server.getLocalPort();
     }
 
-    /** How often something has come of workers. */
+    /** Returns the number of times that something has come of workers. */
     int heardOfWorkers() {
         return heardOfWorkers.get();
     }
 
-    /** How often something has come of the league. */
+    /** Returns the number of times that something has come of the league. */
     int heardOfLeague() {
         return heardOfLeague.get();
     }

@@ -18,8 +18,8 @@ import org.openqa.selenium.Keys;
 import tools.jackson.databind.JsonNode;
 
 /**
- * The page in a real browser: what it draws, against the numbers of the replay. One long file, because starting a
- * browser is what costs and all of its tests share one.
+ * The page in a real browser: what it draws, against the numbers of the replay. One long file: all of its tests look at
+ * the page of one race.
  */
 @Tag("browser")
 class PageTest {

@@ -243,7 +243,7 @@ public final class PageTestBrowser implements AutoCloseable {
         await("the page of the window is not ready", () -> is("window.steward && window.steward.ready"));
     }
 
-    /** What the window shows, as a PNG. */
+    /** Returns a picture of the window, as a PNG. */
     public byte[] screenshot() {
         return Base64.getDecoder().decode((String) driver.executeCdpCommand("Page.captureScreenshot",
             Map.of("format", "png", "optimizeForSpeed", true)).get("data"));
