@@ -18,6 +18,7 @@ import steward.game.Game;
 import steward.game.GameSetup;
 import steward.match.MatchListener;
 import steward.match.MatchResult;
+import steward.match.TestSize;
 import steward.match.Turn;
 
 /** The bundled bots over whole matches: no fault, a finish, and the veteran in front. */
@@ -28,9 +29,10 @@ class BotsInMatchesTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"mad-pod-racing", "walled-race", "duel"})
+    @Tag("sized")
     void plainBotsFinishEveryRaceWithoutAFault(String name) {
         GameSetup scene = BundledBotMatches.scene(name);
-        for (long seed = 1; seed <= 30; seed++) {
+        for (long seed = 1; seed <= TestSize.of(6, 30); seed++) {
             MatchResult result = BundledBotMatches.play(scene, seed, new Racer(), new Racer());
             assertFalse(result.anyFault(), result.toString());
             assertTrue(result.ending().startsWith("finished"), result.toString());
@@ -84,6 +86,7 @@ class BotsInMatchesTest {
 
     @ParameterizedTest
     @CsvSource({"1, 2", "3, 2", "8, 2", "2, 4", "8, 8"})
+    @Tag("slow")
     void anyNumberOfPodsAndPlayersIsPlayed(int pods, int players) {
         PodBot[] bots = new PodBot[players];
         for (int player = 0; player < players; player++) {

@@ -7,6 +7,7 @@ import java.io.ByteArrayOutputStream;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.IntFunction;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import steward.match.MatchResult;
 import steward.match.TestScenes;
@@ -80,6 +81,7 @@ class GameResultLogTest {
     }
 
     @Test
+    @Tag("slow")
     void memoryIsBounded() throws InterruptedException {
         String much = "x".repeat(GameResultLog.MOST_CHARACTERS / 4);
         JsonNode errors = play(turn -> much, 8, 0).get("errors").get("0");

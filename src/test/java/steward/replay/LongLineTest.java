@@ -9,6 +9,7 @@ import java.io.InputStream;
 import java.io.SequenceInputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import steward.match.TestScenes;
 import steward.replay.verify.Verification;
@@ -58,6 +59,7 @@ class LongLineTest {
 
     /** A file of hundreds of megabytes without a line end, with the limit of the program. */
     @Test
+    @Tag("slow")
     void theUsualLimitIsHeldWhileReading() {
         Endless rest = new Endless();
         assertTrue(refusal("{\"type\":\"steward-replay\",\"format\":3,\"game\":\"", ReplayReader.LONGEST_LINE, rest)
@@ -67,8 +69,9 @@ class LongLineTest {
 
     @Test
     void aLineOfJustThatLengthIsRead() {
-        byte[] replay = Recorded.of("duel", 1).bytes();
-        int longest = Recorded.of("duel", 1).lines().stream().mapToInt(line ->
+        Recorded match = Recorded.of("duel", 1);
+        byte[] replay = match.bytes();
+        int longest = match.lines().stream().mapToInt(line ->
             line.getBytes(StandardCharsets.UTF_8).length).max().orElseThrow() + 200;      // times differ
         try (ReplayReader reader = new ReplayReader(new ByteArrayInputStream(replay), "r.jsonl", longest)) {
             assertEquals(Recorded.whole(RecordedMatch.read(Recorded.reader(replay)).turns().size()),

@@ -25,6 +25,7 @@ import steward.game.GameSetup;
 import steward.match.Referee;
 import steward.match.SeededBot;
 import steward.match.TestScenes;
+import steward.match.TestSize;
 import steward.match.TimeControl;
 import steward.replay.sign.SigningKey;
 import steward.replay.verify.SignatureCheck;
@@ -71,10 +72,11 @@ class SignedReplayTest {
     }
 
     @Test
+    @Tag("sized")
     void cutAnywhereItIsUnsigned() {
         byte[] replay = duel(KEY).bytes();
         int signature = duel(KEY).lines().get(duel(KEY).lines().size() - 1).length() + 1;
-        for (int cut = duel(KEY).lines().get(0).length() + 1; cut < replay.length - 1; cut += 97) {
+        for (int cut = duel(KEY).lines().get(0).length() + 1; cut < replay.length - 1; cut += TestSize.of(977, 97)) {
             Verification seen = Recorded.verify(Arrays.copyOf(replay, cut));
             assertTrue(seen.agrees(), "cut at " + cut);
             assertFalse(seen.verified(), "cut at " + cut);

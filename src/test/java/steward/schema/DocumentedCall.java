@@ -7,7 +7,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -20,6 +22,8 @@ import steward.cli.streams.Streams;
 /** Check of a call of the program or of Gradle that a page shows: could it be made. Nothing is executed. */
 final class DocumentedCall {
 
+    /** The program by the command that is called, set up once. */
+    private static final Map<String, CommandLine> PROGRAMS = new ConcurrentHashMap<>();
     private static final String GAMES_PATH = "--games-path";
     /** Tasks that Gradle's plugins bring. */
     private static final Set<String> PLUGIN_TASKS = Set.of("run", "test", "javadoc", "installDist", "classes",
@@ -47,11 +51,11 @@ final class DocumentedCall {
     }
 
     private static CommandLine program(String called) {
-        return Main.program(new Streams(OutputStream.nullOutputStream(), OutputStream.nullOutputStream(), false, false),
-            called);
+        return PROGRAMS.computeIfAbsent(String.valueOf(called), name -> Main.program(new Streams(
+            OutputStream.nullOutputStream(), OutputStream.nullOutputStream(), false, false), called));
     }
 
-    private static String stewardProblem(List<String> call, boolean whole) {
+    private static synchronized String stewardProblem(List<String> call, boolean whole) {
         List<String> arguments = new ArrayList<>(call);
         arguments.replaceAll(argument -> argument.equals("{SEED}") ? "1" : argument);   // a tool puts a number there
         int games = arguments.indexOf(GAMES_PATH);               // taken out before the command sees its options

@@ -31,6 +31,9 @@ record MarkdownPage(String path, List<Piece> code, List<Piece> spans, List<Piece
     private static final Pattern LINK = Pattern.compile("\\[[^\\]]*\\]\\(([^)\\s]+)\\)");
     private static final Pattern HEADING = Pattern.compile("#{1,6} +(.*)");
 
+    /** Pages that were read before: many link to the same. */
+    private static final Map<String, MarkdownPage> READ = new HashMap<>();
+
     /**
      * A piece of the page.
      *
@@ -56,8 +59,13 @@ record MarkdownPage(String path, List<Piece> code, List<Piece> spans, List<Piece
         return pages;
     }
 
-    static MarkdownPage read(String path) throws IOException {
-        return of(path, Files.readString(Path.of(path)));
+    static synchronized MarkdownPage read(String path) throws IOException {
+        MarkdownPage page = READ.get(path);
+        if (page == null) {
+            page = of(path, Files.readString(Path.of(path)));
+            READ.put(path, page);
+        }
+        return page;
     }
 
     static MarkdownPage of(String path, String text) {

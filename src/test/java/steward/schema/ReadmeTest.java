@@ -79,6 +79,7 @@ class ReadmeTest {
 
     /** The README's match in Java compiles, with the imports of the library's page. */
     @Test
+    @Tag("slow")
     void theMatchInJavaCompiles(@TempDir Path folder) throws IOException {
         JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
         assumeTrue(compiler != null, "skipped: this Java has no compiler");

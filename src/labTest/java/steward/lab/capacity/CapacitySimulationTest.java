@@ -32,6 +32,7 @@ class CapacitySimulationTest {
      * error of about sqrt(2 / n) / (1 - rho): 1.1% of 400,000 at rho = 0.8, 0.9% of 100,000 at rho = 0.5.
      */
     @Test
+    @Tag("slow")
     void manyWorkersAndOneProcessorAreTheQueueMD1() {
         assertQueueMD1(2000, 100_000, 0.5);
     }
@@ -114,6 +115,7 @@ class CapacitySimulationTest {
 
     /** No more games are played than workers have time for, nor than may be under way. */
     @Test
+    @Tag("slow")
     void workersAndPlacesAreBoundsToo() {
         LeagueCosts costs = new LeagueCosts(1, 1, 1, 1, 0, 1, 1);
         Load load = CapacitySimulation.of(costs, new Setting(4, 10, 1e9, 2500), 40_000, SEED);

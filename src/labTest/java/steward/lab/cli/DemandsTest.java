@@ -22,6 +22,7 @@ import steward.lab.calibration.BinomialTail;
 import steward.lab.calibration.Calibration;
 import steward.lab.calibration.SeededPlay;
 import steward.lab.oracle.TurnTruth;
+import steward.match.TestSize;
 import steward.numerics.SplitMix64;
 import steward.physics.Advance;
 import steward.physics.Bodies;
@@ -45,7 +46,7 @@ class DemandsTest {
     private static final double LEVEL = 0.999;
     private static final OptionalLong STATES = Long.getLong("steward.states") == null ? OptionalLong.empty()
         : OptionalLong.of(Long.getLong("steward.states"));
-    private static final int FEW_STATES = 300;
+    private static final int FEW_STATES = TestSize.of(100, 300);
     private static final long SEED = Long.getLong("steward.seed", 19);
     /** The games of calibrations have seeds far below. */
     private static final long OTHER_SEEDS = 1_000_000_007;
@@ -70,6 +71,7 @@ class DemandsTest {
 
     @Test
     @Tag("slow")
+    @Tag("sized")
     void demandsAreMetByStatesOfOtherSeeds(TestReporter report) throws IOException {
         SplitMix64 random = new SplitMix64(SEED);
         List<String> scenes = CalibrateTest.calibrated();

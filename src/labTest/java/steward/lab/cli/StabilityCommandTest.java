@@ -16,6 +16,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import steward.cli.Cli;
 import steward.cli.Main;
 import steward.cli.shared.ExitStatus;
@@ -79,8 +81,9 @@ class StabilityCommandTest {
 
     private String interruptedAfter(int seconds) throws IOException, InterruptedException {
         Path errors = folder.resolve("errors");
-        Process run = child(List.of(), "stability", "--case", "crowd of 100, 10%", "--rung", "double", "--impacts",
-            "1000000000000").redirectError(errors.toFile()).redirectOutput(folder.resolve("table").toFile()).start();
+        Process run = child(List.of("-XX:TieredStopAtLevel=1"), "stability", "--case", "crowd of 100, 10%",
+            "--rung", "double", "--impacts", "1000000000000").redirectError(errors.toFile())
+            .redirectOutput(folder.resolve("table").toFile()).start();
         try {
             run.waitFor(seconds, TimeUnit.SECONDS);
         } finally {
@@ -189,23 +192,24 @@ class StabilityCommandTest {
 
     @Test
     @Tag("process")
-    void theGoldenHashIsTheSameWithoutFusedMultiplyAdd() throws IOException, InterruptedException {
-        assertSameGoldenHash("-XX:-UseFMA");
+    void aTableIsTheSameWithoutFusedMultiplyAdd() throws IOException, InterruptedException {
+        String[] call = {"stability", "--quick", "--case", "rounding", "--case", "Newton's cradle"};
+        assertSame(Cli.run(call), List.of("-XX:-UseFMA", "-XX:TieredStopAtLevel=1"), call);
     }
 
-    @Test
+    @ParameterizedTest
+    @ValueSource(strings = {"-XX:-UseFMA", "-Xint"})
     @Tag("process")
     @Tag("campaign")
-    void theGoldenHashIsTheSameInterpreted() throws IOException, InterruptedException {
-        assertSameGoldenHash("-Xint");
+    void theGoldenHashIsTheSame(String flag) throws IOException, InterruptedException {
+        assertSame(golden(), List.of("-XX:+IgnoreUnrecognizedVMOptions", flag), "stability", "--quick", "--golden");
     }
 
-    private static void assertSameGoldenHash(String flag) throws IOException, InterruptedException {
-        Cli here = golden();
+    private static void assertSame(Cli here, List<String> flags, String... call)
+            throws IOException, InterruptedException {
         assertEquals(ExitStatus.DONE, here.status(), here.err());
         assertFalse(here.out().isBlank());
-        Process other = child(List.of("-XX:+IgnoreUnrecognizedVMOptions", flag), "stability", "--quick", "--golden")
-            .start();
+        Process other = child(flags, call).start();
         String out = new String(other.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
         assertEquals(0, other.waitFor());
         assertEquals(here.out(), out);

@@ -10,6 +10,7 @@ import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import steward.match.TestSize;
 import steward.numerics.SplitMix64;
 import steward.physics.Arena;
 import steward.physics.Bodies;
@@ -40,6 +41,8 @@ class OracleBroadPhaseTest {
      */
     @ParameterizedTest
     @CsvSource({"1000, 0, 1", "1, 1e6, 0.9", "1e-80, 0, 0.9"})
+    @Tag("slow")
+    @Tag("sized")
     void boundsChangeNoDigit(double size, double from, double touch) {
         compare(size, from, touch);
     }
@@ -53,7 +56,7 @@ class OracleBroadPhaseTest {
     }
 
     private static void compare(double size, double from, double touch) {
-        for (int seed = 1; seed <= 4; seed++) {
+        for (int seed = 1; seed <= TestSize.of(2, 4); seed++) {
             SplitMix64 random = new SplitMix64(seed);
             Bodies bodies = crowd(random, size, from * size, touch);
             ImpactLaw law = (seed % 2 == 0 ? SOFT : seed == 1 ? ImpactLaw.PHYSICS : ImpactLaw.OFFICIAL_POD_RACE)

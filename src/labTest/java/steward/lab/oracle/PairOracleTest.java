@@ -6,10 +6,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.math.BigDecimal;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.lab.trial.PairSampler;
+import steward.match.TestSize;
 import steward.numerics.SplitMix64;
 import steward.physics.Bodies;
 import steward.physics.ImpactLaw;
@@ -41,12 +43,14 @@ class PairOracleTest {
         assertTrue(new PairOracle(pair(-1, 0, 4, 0, 1)).hit(), "overlapping and approaching");
     }
 
-    /** Both must say the same about 2,000 pairs, a third of them grazing, over exponents of +-900. */
+    /** Both must say the same about pairs, a third of them grazing, over exponents of +-900. */
     @Test
+    @Tag("sized")
     void agreesWithTheOracle() {
         Oracle oracle = new Oracle(ImpactLaw.PHYSICS.withMaximumImpacts(1), List.of());
         int hits = 0;
-        for (long seed = 1; seed <= 2000; seed++) {
+        int pairs = TestSize.of(400, 2000);
+        for (long seed = 1; seed <= pairs; seed++) {
             SplitMix64 random = new SplitMix64(seed);
             double off = StrictMath.pow(10, -random.nextInt(1, 16));
             double share = seed % 3 == 0 ? 1 - off : seed % 3 == 1 ? 1 + off : random.nextDouble();
@@ -65,6 +69,6 @@ class PairOracleTest {
                 assertEquals(Decimals.ulps(off2, time), truth.ulps(off2), 2, "seed " + seed);
             }
         }
-        assertTrue(hits > 800, "hits " + hits);
+        assertTrue(hits > 0.4 * pairs, "hits " + hits);
     }
 }

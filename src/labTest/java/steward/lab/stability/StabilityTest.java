@@ -32,6 +32,7 @@ import steward.lab.trial.Progress;
 import steward.lab.trial.RunLength;
 import steward.lab.trial.Rung;
 import steward.lab.trial.StabilityCase;
+import steward.match.TestSize;
 import steward.physics.Advance;
 import steward.physics.Arithmetic;
 import steward.physics.Bodies;
@@ -50,7 +51,7 @@ class StabilityTest {
     private static final Set<String> ONLY_EXACT = Set.of("grazing passes", "simultaneous impacts");
     /** Seconds on one rung already. */
     private static final Set<String> LONGEST = Set.of("long run of 100", "long run of 1000", "crowd of 1000, 80%",
-        "random pairs, 2^+-200");
+        "random pairs, 2^+-200", "random pairs, 2^+-900", "rest");
     private static final Rung BLIND = new Rung("blind", true, true, Arithmetic.EXACT,
         parts -> (bodies, sink) -> { });
 
@@ -58,8 +59,10 @@ class StabilityTest {
         return rows(each -> !takesLong(each)).filter(StabilityTest::isWhereGamesArePlayed);
     }
 
+    /** In {@code test} on the exact rung alone. */
     static Stream<Arguments> rowsOfOtherRungs() {
-        return rows(each -> !takesLong(each)).filter(row -> !isWhereGamesArePlayed(row));
+        return rows(each -> !takesLong(each)).filter(row -> !isWhereGamesArePlayed(row))
+            .filter(row -> TestSize.isWhole() || Arithmetic.EXACT.text().equals(row.get()[1]));
     }
 
     private static boolean isWhereGamesArePlayed(Arguments row) {
@@ -96,6 +99,7 @@ class StabilityTest {
     @ParameterizedTest(name = "{0}, {1}")
     @Tag("slow")
     @MethodSource("rowsOfOtherRungs")
+    @Tag("sized")
     void theDemandIsMetOnOtherRungs(String name, String rungName, StabilityCase each, Rung rung) {
         theDemandIsMet(name, rungName, each, rung);
     }

@@ -14,12 +14,13 @@ import steward.league.rating.RatingFit;
 import steward.league.rating.Ratings;
 import steward.league.rating.Stratum;
 import steward.league.sequential.Gsprt;
+import steward.match.TestSize;
 
 /** A small form of {@code steward league --self-check}: fixed seeds, bounds of four standard deviations. */
 @Execution(ExecutionMode.CONCURRENT)
 class SelfCheckTest {
 
-    private static final long LEAGUES = 1000;
+    private static final int LEAGUES = 1000;
     private static final double FOUR_DEVIATIONS = fourDeviations(LEAGUES);
     private static final double PROMISED = 0.007;
 
@@ -52,17 +53,9 @@ class SelfCheckTest {
 
     @Test
     @Tag("slow")
+    @Tag("sized")
     void fixedBarsHoldHoweverBotsArePaired() throws InterruptedException {
-        fixedBarsHoldHoweverPaired(LEAGUES / 10);
-    }
-
-    @Test
-    @Tag("campaign")
-    void inManyLeaguesFixedBarsHoldHoweverBotsArePaired() throws InterruptedException {
-        fixedBarsHoldHoweverPaired(LEAGUES);
-    }
-
-    private static void fixedBarsHoldHoweverPaired(long leagues) throws InterruptedException {
+        long leagues = TestSize.of(50, LEAGUES);
         holds(new ScheduleCheck(MadeUpLeagues.trio(), true, StopRule.NONE, 100).run(2, leagues, 5),
             Coverage.Among.ALL, leagues);
         holds(new ScheduleCheck(MadeUpLeagues.mixed(), true, StopRule.NONE, 900).run(2, leagues, 5),
@@ -127,6 +120,7 @@ class SelfCheckTest {
     }
 
     @Test
+    @Tag("slow")
     void barsOfTwoBotsHoldForAllStrengthsAsFarAsWholeGamesLetThem() throws InterruptedException {
         // Of 60 games one more or less has a chance of up to 3% where the bar ends: no bar can do better than about so.
         ExactCheck.Outcome near = new ExactCheck(30).run(0, 300);
@@ -155,33 +149,27 @@ class SelfCheckTest {
     }
 
     @Test
+    @Tag("slow")
+    @Tag("sized")
     void anytimeBarsHoldAtAllLooks() throws InterruptedException {
-        anytimeBarsHold(LEAGUES / 8);
-    }
-
-    @Test
-    @Tag("campaign")
-    void inManyLeaguesAnytimeBarsHoldAtAllLooks() throws InterruptedException {
-        anytimeBarsHold(LEAGUES / 2);
-    }
-
-    private void anytimeBarsHold(long leagues) throws InterruptedException {
         for (MadeUpLeague league : List.of(
             MadeUpLeague.pairs("two", new double[] {480, 0}, 0, 0, 0, 0),
             MadeUpLeague.pairs("trio", MadeUpLeague.spaced(3, 0), 0.1, 0, 60, 150),
             MadeUpLeague.alone("alone", MadeUpLeague.spaced(3, 60)))) {
-            Coverage found = new AnytimeCheck(league, 150).run(2, leagues, 5);
+            Coverage found = new AnytimeCheck(league, 150).run(2, TestSize.of(125, LEAGUES / 2), 5);
             assertTrue(found.least() >= 0.95, found::toString);
         }
     }
 
     @Test
     @Tag("slow")
+    @Tag("sized")
     void leaguesThatAreEndedByARuleAreRight() throws InterruptedException {
         MadeUpLeague league = MadeUpLeague.pairs("six", new double[] {200, 120, 90, 0, -60, -200}, 0.3, 20, 50, 40);
         StopRule rule = new StopRule(Double.NaN, true, 20);
-        ScheduleCheck.Outcome turns = new ScheduleCheck(league, false, rule, 100_000).run(2, 40, 5);
-        ScheduleCheck.Outcome learnt = new ScheduleCheck(league, true, rule, 100_000).run(2, 40, 5);
+        int leagues = TestSize.of(20, 40);
+        ScheduleCheck.Outcome turns = new ScheduleCheck(league, false, rule, 100_000).run(2, leagues, 5);
+        ScheduleCheck.Outcome learnt = new ScheduleCheck(league, true, rule, 100_000).run(2, leagues, 5);
         assertTrue(turns.right() >= 0.95 && learnt.right() >= 0.95, turns + " " + learnt);
         assertTrue(learnt.atLooks(Coverage.Among.ALL).least() >= 0.85, learnt::toString);
         assertTrue(learnt.decisions() < 0.8 * turns.decisions(), turns + " " + learnt);
@@ -189,17 +177,9 @@ class SelfCheckTest {
 
     @Test
     @Tag("slow")
+    @Tag("sized")
     void sequentialTestsErrAsRarelyAsTheySay() throws InterruptedException {
-        sequentialTestsErr(LEAGUES / 4);
-    }
-
-    @Test
-    @Tag("campaign")
-    void inManyRunsSequentialTestsErrAsRarelyAsTheySay() throws InterruptedException {
-        sequentialTestsErr(LEAGUES);
-    }
-
-    private void sequentialTestsErr(long runs) throws InterruptedException {
+        long runs = TestSize.of(200, LEAGUES);
         for (Gsprt.Model model : Gsprt.Model.values()) {
             Gsprt test = new Gsprt(0, 40, 0.05, 0.05, model);
             for (double at : new double[] {0, 40}) {
@@ -242,14 +222,17 @@ class SelfCheckTest {
 
     @Test
     @Tag("slow")
+    @Tag("sized")
     void threadsDoNotChangeTheTable() throws InterruptedException {
         List<String> one = new ArrayList<>();
-        List<String> other = new ArrayList<>();
-        new SelfCheck(10, 1, one::add).print("fixed");
-        new SelfCheck(10, 3, other::add).print("fixed");
-        assertEquals(one, other);
-        assertTrue(one.size() > 60, "it has its rows");
-        new SelfCheck(2, 1, one::add).print("pairings");
+        for (String part : TestSize.isWhole() ? List.of("fixed", "pairings") : List.of("pairings")) {
+            List<String> other = new ArrayList<>();
+            one.clear();
+            new SelfCheck(4, 1, one::add).print(part);
+            new SelfCheck(4, 3, other::add).print(part);
+            assertEquals(one, other);
+            assertTrue(one.size() >= 50, "it has its rows");
+        }
         String row = "gauntlet of bot 4: others | 1500 | 300.0";
         assertTrue(one.stream().anyMatch(line -> line.contains(row)), row);
     }

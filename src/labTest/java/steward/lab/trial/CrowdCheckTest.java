@@ -12,6 +12,7 @@ import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import steward.lab.stability.crowds.CrowdCase;
+import steward.match.TestSize;
 import steward.physics.Arithmetic;
 import steward.physics.Bodies;
 import steward.physics.Contacts;
@@ -30,8 +31,9 @@ class CrowdCheckTest {
     @CsvSource({"10, 0.001, 5000, DOUBLE", "10, 0.1, 20000, EXACT", "100, 0.1, 50000, COMPENSATED",
         "100, 0.6, 50000, DOUBLE", "200, 0.8, 20000, OFFICIAL", "150, 0.78, 5000, EXACT", "200, 0.78, 10000, DOUBLE",
         "5000, 0.01, 20000, DOUBLE", "10000, 0.1, 10000, DOUBLE"})
+    @Tag("sized")
     void nothingIsMissed(int bodies, double coverage, long impacts, Arithmetic arithmetic) {
-        assertNothingIsMissed(bodies, coverage, impacts, arithmetic);
+        assertNothingIsMissed(bodies, coverage, impacts / TestSize.of(4, 1), arithmetic);
     }
 
     @ParameterizedTest

@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import steward.cli.Cli;
@@ -47,6 +48,7 @@ class RunCommandTest {
 
     /** 4,500 bodies: every third state is kept, and the last. */
     @Test
+    @Tag("slow")
     void aReplayOfManyBodiesIsSparse() throws IOException {
         Path scene = temp.resolve("many.json");
         Files.writeString(scene, """

@@ -18,6 +18,7 @@ import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.cli.Cli;
 import steward.cli.Recorded;
 import steward.cli.shared.ExitStatus;
+import steward.match.TestSize;
 import steward.text.TextFormat;
 
 /** {@code steward replay} on a duel of two in-process bots that both drive. */
@@ -74,6 +75,7 @@ class ReplayCommandTest {
 
     /** A file from elsewhere may have names of megabytes, up to the longest line; they were printed whole. */
     @Test
+    @Tag("slow")
     void longNamesAreShortened() throws IOException {
         String text = new String(duel.bytes(), StandardCharsets.UTF_8);
         String name = duel.result().players().get(0).name();
@@ -165,10 +167,11 @@ class ReplayCommandTest {
 
     @Test
     @Tag("slow")
+    @Tag("sized")
     void oneChangedDigitIsFoundInItsTurn() throws IOException {
         String[] lines = new String(duel.bytes(), StandardCharsets.UTF_8).split("\n");
         for (String field : new String[] {"\"vx\":", "\"impulse\":", "\"hash\":\"", "\"commands\":[[{\"x\":"}) {
-            for (int turn = 1; turn < lines.length - 1; turn++) {
+            for (int turn = 1; turn < lines.length - 1; turn += TestSize.of(5, 1)) {
                 int at = lines[turn].indexOf(field);
                 if (at < 0) {
                     continue;

@@ -15,12 +15,13 @@ import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.UnaryOperator;
-import java.util.stream.IntStream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.codingame.recording.RecordingImport.Imported;
 import steward.match.TestScenes;
+import steward.match.TestSize;
 import steward.replay.verify.Difference;
 import steward.replay.verify.Verification;
 import tools.jackson.databind.node.ArrayNode;
@@ -124,9 +125,10 @@ class GameRecordingImportTest {
     }
 
     @Test
+    @Tag("sized")
     void severalGamesVerify() {
         Set<String> endings = new TreeSet<>();
-        for (long seed = 11; seed < 17; seed++) {
+        for (long seed = 14; seed < TestSize.of(16, 20); seed++) {
             OfficialGame game = OfficialGame.play(seed);
             Imported imported = imported(game.json());
             endings.add(imported.ending());
@@ -165,12 +167,11 @@ class GameRecordingImportTest {
     /** By live rules the last frame shows 0 for the pod that has finished, which the count alone would not tell. */
     @Test
     void theNextCheckpointsOfTheLastFrameAreCompared() {
-        OfficialGame game = IntStream.range(11, 17).mapToObj(OfficialGame::play)
-            .filter(each -> imported(each.json()).ending().startsWith("finished")).findFirst().orElseThrow();
+        assertTrue(imported(GAME.json()).ending().startsWith("finished"));
         for (int pod = 0; pod < GameRecording.PODS; pod++) {
             for (int other : new int[] {1, 2}) {
-                ObjectNode result = game.gameResult();
-                ObjectNode frame = (ObjectNode) result.get("frames").get(OfficialGame.keyFrame(game.turns()));
+                ObjectNode result = GAME.gameResult();
+                ObjectNode frame = (ObjectNode) result.get("frames").get(OfficialGame.keyFrame(GAME.turns()));
                 List<String> lines = new ArrayList<>(frame.get("view").stringValue().lines().toList());
                 int count = result.get("frames").get(0).get("view").stringValue().split("\n")[3].split(" ").length / 2;
                 lines.set(1 + 2 * pod, word(10, next -> Integer.toString((Integer.parseInt(next) + other) % count))

@@ -13,6 +13,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestReporter;
 import org.junit.jupiter.api.parallel.Execution;
@@ -43,6 +44,7 @@ class OfficialRecordingsImportTest {
         (PodRaceType.PodRaceSetup) TestScenes.open("mad-pod-racing");
 
     @Test
+    @Tag("slow")
     void everyOfficialGameVerifies(TestReporter report) throws IOException, InterruptedException {
         Path folder = Path.of(System.getProperty("steward.replays", "../shared/replays"));
         assumeTrue(Files.isDirectory(folder),

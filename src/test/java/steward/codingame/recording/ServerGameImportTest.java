@@ -103,6 +103,7 @@ class ServerGameImportTest {
     }
 
     @Test
+    @Tag("slow")
     void aChangedTimeAPlaceAndASpeedOfAnImpactAreFound() {
         int turn = 1;
         while (!view(turn).split("\n")[16].matches("#0\\.[1-8].*")) {
@@ -136,6 +137,7 @@ class ServerGameImportTest {
     }
 
     @Test
+    @Tag("slow")
     void aChangedResultIsFound() {
         ObjectNode changed = GAME.gameResult();
         ((ArrayNode) changed.get("scores")).set(1, 1000.0);

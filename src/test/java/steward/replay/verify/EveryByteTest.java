@@ -15,6 +15,7 @@ import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.bot.Bot;
 import steward.match.SeededBot;
 import steward.match.TestScenes;
+import steward.match.TestSize;
 import steward.numerics.SplitMix64;
 import steward.replay.Recorded;
 import steward.replay.ReplayException;
@@ -125,13 +126,15 @@ class EveryByteTest {
     }
 
     @Test
+    @Tag("sized")
     void someOfAnUnsignedReplay() {
-        check(match(null), 13);
+        check(match(null), TestSize.of(39, 13));
     }
 
     @Test
+    @Tag("sized")
     void ofASignedReplay() {
-        check(match(SigningKey.generate()), 6);
+        check(match(SigningKey.generate()), TestSize.of(30, 6));
     }
 
     /** Bytes within {@code times} may be altered. */
