@@ -32,7 +32,7 @@ public enum GroundTruth {
     /** System property that is true if the call of the build names a folder. */
     private static final String TELL = "steward.tell";
     /** One file in so many is read outside campaigns. */
-    private static final int SHARE = 4;
+    private static final int SHARE = 8;
 
     private final String property;
     private final String usual;

@@ -4,7 +4,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.math.BigDecimal;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import steward.match.TestSize;
 
 /** Sums and products of expansions are exact: nothing of them is lost, and the sign is that of the decimals. */
 class ExpansionTest {
@@ -23,9 +25,10 @@ class ExpansionTest {
     }
 
     @Test
+    @Tag("sized")
     void sumsOfProductsAreExact() {
         SplitMix64 random = new SplitMix64(1);
-        for (int k = 0; k < 3000; k++) {
+        for (int k = 0; k < TestSize.of(800, 3000); k++) {
             Expansion sum = new Expansion();
             BigDecimal exact = BigDecimal.ZERO;
             for (int term = 0; term < 12; term++) {
@@ -42,9 +45,10 @@ class ExpansionTest {
 
     /** (a + b)(a - b) - (a a - b b) is 0, and not 0 with the least digit added: where doubles see nothing at all. */
     @Test
+    @Tag("sized")
     void whatCancelsToTheLastBitIsSeen() {
         SplitMix64 random = new SplitMix64(2);
-        for (int k = 0; k < 3000; k++) {
+        for (int k = 0; k < TestSize.of(800, 3000); k++) {
             DoubleDouble a = Numbers.anyDoubleDouble(random, -20, 20);
             DoubleDouble b = Numbers.anyDoubleDouble(random, -20, 20);
             Expansion plus = new Expansion().add(a.low()).add(a.high()).add(b.low()).add(b.high());

@@ -6,7 +6,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.math.BigDecimal;
 import java.math.BigInteger;
 import java.math.MathContext;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import steward.match.TestSize;
 
 /**
  * The judge of {@link SineCosine} judged: against plain Taylor series in decimal numbers, without any reduction, and
@@ -30,9 +32,10 @@ class SineCosineOracleTest {
     }
 
     @Test
+    @Tag("sized")
     void sinesAndCosinesAreThoseOfTheTaylorSeries() {
         SplitMix64 random = new SplitMix64(1);
-        for (int k = 0; k < 300; k++) {
+        for (int k = 0; k < TestSize.of(100, 300); k++) {
             double angle = k < 200 ? (random.nextDouble() - 0.5) * 60 : Numbers.any(random, -30, -1);
             oracle.turn(angle);
             check(angle, taylor(angle, 1), oracle.distanceFromSine(0, 0), oracle.sin());
@@ -78,9 +81,10 @@ class SineCosineOracleTest {
 
     /** BigDecimal.doubleValue as the second opinion on rounding, from subnormal numbers up. */
     @Test
+    @Tag("sized")
     void tinySinesAreRoundedRight() {
         SplitMix64 random = new SplitMix64(2);
-        for (int k = 0; k < 300; k++) {
+        for (int k = 0; k < TestSize.of(100, 300); k++) {
             double angle = Numbers.any(random, -1074, -20);
             oracle.turn(angle);
             BigDecimal x = new BigDecimal(angle);

@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.TreeSet;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
@@ -67,6 +68,7 @@ class GameNamesTest {
     }
 
     @Test
+    @Tag("slow")
     void aGameIsNamedInTheListsAlone() throws IOException {
         assertTrue(games().contains("searchrace"), "there are games to look for: " + games());
         for (String game : games()) {

@@ -5,11 +5,13 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import java.io.ByteArrayOutputStream;
 import java.nio.charset.StandardCharsets;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import steward.match.TestSize;
 import steward.numerics.SplitMix64;
 import steward.replay.Recorded;
 import tools.jackson.core.JsonGenerator;
@@ -63,9 +65,10 @@ class NumberTextTest {
     }
 
     @Test
+    @Tag("sized")
     void everyTextReadsBackAsTheSameDouble() {
         SplitMix64 random = new SplitMix64(1);
-        for (int k = 0; k < 100_000; k++) {
+        for (int k = 0; k < TestSize.of(25_000, 100_000); k++) {
             double value = Double.longBitsToDouble(random.nextLong());
             if (Double.isFinite(value)) {
                 assertEquals(value, Double.parseDouble(text(value)));
@@ -74,9 +77,10 @@ class NumberTextTest {
     }
 
     @Test
+    @Tag("sized")
     void everydayNumbersReadBackToo() {
         SplitMix64 random = new SplitMix64(2);
-        for (int k = 0; k < 100_000; k++) {
+        for (int k = 0; k < TestSize.of(25_000, 100_000); k++) {
             double value = (random.nextLong() >> 11) * 0x1p-40;
             assertEquals(value, Double.parseDouble(text(value)));
             assertEquals(Math.rint(value), Double.parseDouble(text(Math.rint(value))));

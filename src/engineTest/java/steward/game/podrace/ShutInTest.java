@@ -15,6 +15,7 @@ import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import steward.match.TestScenes;
+import steward.match.TestSize;
 import steward.numerics.SplitMix64;
 
 /**
@@ -196,14 +197,9 @@ class ShutInTest {
     }
 
     @Test
+    @Tag("sized")
     void itAgreesWithAWalk() {
-        agreesWithAWalk(6, 1);
-    }
-
-    @Test
-    @Tag("campaign")
-    void itAgreesWithAWalkInManyRounds() {
-        agreesWithAWalk(120, 31);
+        agreesWithAWalk(TestSize.of(3, 120), 1);
     }
 
     /**

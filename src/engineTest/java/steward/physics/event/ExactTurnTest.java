@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
+import steward.match.TestSize;
 import steward.numerics.SplitMix64;
 import steward.physics.Arena;
 import steward.physics.Arithmetic;
@@ -127,8 +128,9 @@ class ExactTurnTest {
 
     /** A body above a tilted floor, a segment's side and end, inside an arena: the time by 70 digits. */
     @Test
+    @Tag("sized")
     void timesAtWallsAreRoundedOnce() {
-        for (long seed = 1; seed <= 1000; seed++) {
+        for (long seed = 1; seed <= TestSize.of(300, 1000); seed++) {
             SplitMix64 random = new SplitMix64(seed);
             double angle = 2 * Math.PI * random.nextDouble();
             double nx = Math.cos(angle);
@@ -222,8 +224,9 @@ class ExactTurnTest {
     }
 
     @Test
+    @Tag("sized")
     void inelasticImpactsEndTheApproachForGood() {
-        for (long seed = 1; seed <= 500; seed++) {
+        for (long seed = 1; seed <= TestSize.of(150, 500); seed++) {
             Bodies bodies = meeting(new SplitMix64(seed));
             bodies.setRestitution(0, 0);
             TurnLog log = new TurnLog();
@@ -242,13 +245,15 @@ class ExactTurnTest {
 
     /** The official law too: the same impacts as in the official arithmetic, to its accuracy, push-outs included. */
     @Test
+    @Tag("sized")
     void theOfficialLawGoesThroughTheSameImpacts() {
         EventAdvance official = new EventAdvance(
             new PhysicsParts(ImpactLaw.OFFICIAL_POD_RACE, Arithmetic.OFFICIAL));
         EventAdvance exact = new EventAdvance(new PhysicsParts(ImpactLaw.OFFICIAL_POD_RACE, Arithmetic.EXACT));
         int same = 0;
         int pushed = 0;
-        for (long seed = 1; seed <= 500; seed++) {
+        int turns = TestSize.of(150, 500);
+        for (long seed = 1; seed <= turns; seed++) {
             Bodies bodies = Scenes.grid(new SplitMix64(seed), 2, 4000, 400, 900);
             Bodies twin = new Bodies(4);
             twin.copyFrom(bodies);
@@ -263,8 +268,9 @@ class ExactTurnTest {
             same += alike ? 1 : 0;
             pushed += b.knots() == 4 * b.impacts() ? 1 : 0;
         }
-        assertTrue(same > 450, same + " of 500 alike");
-        assertTrue(pushed > 450, "whoever impacts at the touching distance touches: " + pushed + " of 500");
+        assertTrue(same > 0.9 * turns, same + " of " + turns + " alike");
+        assertTrue(pushed > 0.9 * turns, "whoever impacts at the touching distance touches: "
+            + pushed + " of " + turns);
     }
 
     @Test

@@ -6,11 +6,13 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.Arrays;
 import java.util.Set;
 import java.util.TreeSet;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import steward.match.TestSize;
 import steward.numerics.SplitMix64;
 
 /** A queue of buckets gives out what a search through all events finds, however wide its buckets are. */
@@ -43,6 +45,7 @@ class EventBucketsTest {
     @ParameterizedTest
     @CsvSource({"1e-9, 20, 1000", "0.01, 20, 1000", "1, 20, 1000", "100, 20, 1000", "1e9, 20, 1000",
         "1, 20, 200", "1, 50, 400", "1, 10, 100"})
+    @Tag("sized")
     void theNextEventIsTheEarliest(double meanGap, int oneIn, double far) {
         EventBuckets events = new EventBuckets((i, j) -> i < j);
         SplitMix64 random = new SplitMix64(11);
@@ -51,7 +54,7 @@ class EventBucketsTest {
             Arrays.fill(times, NONE);
             double now = turn * 10;
             begin(events, now, meanGap);
-            for (int step = 0; step < 5000; step++) {
+            for (int step = 0; step < TestSize.of(1500, 5000); step++) {
                 int body = first(times);
                 assertEquals(body, events.first(), "seed 11, turn " + turn + ", step " + step);
                 if (body >= 0) {

@@ -5,9 +5,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.math.BigDecimal;
 import java.util.function.Supplier;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
+import steward.match.TestSize;
 import steward.numerics.SplitMix64;
 import steward.physics.Arena;
 
@@ -22,8 +24,9 @@ class ArenaTimesTest {
     private static final double NEVER = Double.POSITIVE_INFINITY;
 
     @Test
+    @Tag("sized")
     void timesAreExactToTheBound() {
-        for (long seed = 1; seed <= 4_000; seed++) {
+        for (long seed = 1; seed <= TestSize.of(1000, 4000); seed++) {
             SplitMix64 random = new SplitMix64(seed);
             double room = Math.pow(10, 24 * random.nextDouble() - 12);
             double speed = Math.pow(10, 24 * random.nextDouble() - 12);
@@ -53,8 +56,9 @@ class ArenaTimesTest {
 
     /** Along the rim the discriminant is all rounding; time must not run backwards all the same. */
     @Test
+    @Tag("sized")
     void alongTheRimTimeNeverRunsBackwards() {
-        for (long seed = 1; seed <= 100_000; seed++) {
+        for (long seed = 1; seed <= TestSize.of(25_000, 100_000); seed++) {
             SplitMix64 random = new SplitMix64(seed);
             double place = 2 * Math.PI * random.nextDouble();
             double depth = 1 - 4e-16 * random.nextDouble();

@@ -9,6 +9,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
+import steward.match.TestSize;
 import steward.numerics.SplitMix64;
 
 /**
@@ -108,9 +109,10 @@ class CirclesTest {
 
     /** In the band the decision may go either way, but a time that is given is near the point of closest approach. */
     @Test
+    @Tag("sized")
     void aGrazingHitIsNearTheClosestApproach() {
         int grazing = 0;
-        for (long seed = 1; seed <= CASES; seed++) {
+        for (long seed = 1; seed <= TestSize.of(2000, CASES); seed++) {
             Case c = Case.of(seed);
             double found = CircleTime.stable(c.dx, c.dy, c.vx, c.vy, c.s);
             if (Math.abs(c.miss() - c.s) <= 8 * Exact.ULP * c.distance() && found < NEVER) {
@@ -120,7 +122,7 @@ class CirclesTest {
                 grazing++;
             }
         }
-        assertTrue(grazing > 8, grazing + " grazing");
+        assertTrue(grazing > TestSize.of(2, 8), grazing + " grazing");
     }
 
     /** By hand. Along an axis everything is exact; elsewhere a root of a whole number is rounded. */
@@ -166,16 +168,17 @@ class CirclesTest {
     }
 
     @Test
+    @Tag("sized")
     void theOfficialExpressionsBitForBit() {
         int hits = 0;
-        for (long seed = 1; seed <= CASES; seed++) {
+        for (long seed = 1; seed <= TestSize.of(2000, CASES); seed++) {
             Case c = Case.of(seed);
             double expected = asDesigned(c.dx, c.dy, c.vx, c.vy, c.s);
             assertEquals(expected, official(c.dx, c.dy, c.vx, c.vy, c.s), "seed " + seed);
             assertEquals(expected, official(-c.dx, -c.dy, -c.vx, -c.vy, c.s), "seed " + seed);
             hits += expected < NEVER ? 1 : 0;
         }
-        assertTrue(hits > 3000, hits + " hits");
+        assertTrue(hits > TestSize.of(750, 3000), hits + " hits");
     }
 
     /**

@@ -10,6 +10,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
+import steward.match.TestSize;
 import steward.numerics.DoubleDouble;
 import steward.numerics.SplitMix64;
 import steward.physics.Bodies;
@@ -104,9 +105,10 @@ class ExactCirclesTest {
      * </pre>
      */
     @Test
+    @Tag("sized")
     void grazingPassesAreDecidedRightly() {
         for (int k = 1; k <= 16; k++) {
-            for (long seed = 1; seed <= 400; seed++) {
+            for (long seed = 1; seed <= TestSize.of(100, 400); seed++) {
                 SplitMix64 random = new SplitMix64(1000 * k + seed);
                 double radius = Math.pow(10, 12 * random.nextDouble() - 6);
                 double far = radius * (2 + Math.pow(10, 6 * random.nextDouble()));
@@ -119,15 +121,17 @@ class ExactCirclesTest {
                     "k " + k + " seed " + seed);
             }
         }
-        assertTrue(hits > 2000 && misses > 2000, hits + " hits, " + misses + " misses");
-        assertTrue(wrongInDouble > 100, "so that it matters: wrong in double " + wrongInDouble);
+        assertTrue(hits > TestSize.of(500, 2000) && misses > TestSize.of(500, 2000),
+            hits + " hits, " + misses + " misses");
+        assertTrue(wrongInDouble > TestSize.of(25, 100), "so that it matters: wrong in double " + wrongInDouble);
         assertTrue(wrongCompensated < wrongInDouble / 10, wrongCompensated + " of " + wrongInDouble);
     }
 
     /** Along an axis the tangent is exact in doubles: D = 0, a miss; one unit in the last place nearer is a hit. */
     @Test
+    @Tag("sized")
     void aTangentPathIsAMissAndOneUlpNearerIsAHit() {
-        for (long seed = 1; seed <= 2000; seed++) {
+        for (long seed = 1; seed <= TestSize.of(500, 2000); seed++) {
             SplitMix64 random = new SplitMix64(seed);
             double radius = Math.rint(1e6 * random.nextDouble() + 1) / 1024;
             double far = -3 * radius - Math.rint(1e9 * random.nextDouble());
@@ -145,8 +149,9 @@ class ExactCirclesTest {
 
     /** Pythagorean flights: (3, 4)/5 and (5, 12)/13 make tangents exact in oblique directions too. */
     @Test
+    @Tag("sized")
     void obliqueTangentsAreMisses() {
-        for (int k = 1; k <= 3000; k++) {
+        for (int k = 1; k <= TestSize.of(800, 3000); k++) {
             double[] t = k % 2 == 0 ? new double[] {3, 4, 5} : new double[] {5, 12, 13};
             double far = 1000 + k;
             double r = k % 17 + 1;
@@ -162,8 +167,9 @@ class ExactCirclesTest {
 
     /** Both far from the origin, so that differences of coordinates are what counts; ratios of 1e12. */
     @Test
+    @Tag("sized")
     void translationsAndRatiosDoNotMatter() {
-        for (long seed = 1; seed <= 3000; seed++) {
+        for (long seed = 1; seed <= TestSize.of(800, 3000); seed++) {
             SplitMix64 random = new SplitMix64(seed);
             double small = Math.pow(10, -12 * random.nextDouble());
             double shift = random.nextInt(2) * 1e9 * random.nextDouble();
@@ -179,13 +185,14 @@ class ExactCirclesTest {
             bodies.setVelocity(1, random.nextDouble(), random.nextDouble());
             check(bodies, "seed " + seed);
         }
-        assertTrue(hits > 1000, hits + " hits");
+        assertTrue(hits > TestSize.of(250, 1000), hits + " hits");
     }
 
     /** Gap 1e-12 of the radius closing at 1e-9 of it; separated by 1e7 radii. */
     @Test
+    @Tag("sized")
     void tinyGapsAndGreatDistancesKeepEveryDigit() {
-        for (long seed = 1; seed <= 3000; seed++) {
+        for (long seed = 1; seed <= TestSize.of(800, 3000); seed++) {
             SplitMix64 random = new SplitMix64(seed);
             double angle = 2 * Math.PI * random.nextDouble();
             double apart = seed % 2 == 0 ? 2 * (1 + 1e-12 * random.nextDouble()) : 1e7 * random.nextDouble();
@@ -194,7 +201,7 @@ class ExactCirclesTest {
             check(pair(apart * Math.cos(angle), apart * Math.sin(angle), -speed * Math.cos(lean),
                 -speed * Math.sin(lean), 1, 1), "seed " + seed);
         }
-        assertTrue(hits > 1000, hits + " hits");
+        assertTrue(hits > TestSize.of(250, 1000), hits + " hits");
     }
 
     /** Numbers of all exponents, from the least subnormal to the largest double. */
@@ -291,9 +298,10 @@ class ExactCirclesTest {
 
     /** Pythagorean tangents of many digits, and circles larger by 2^-107 of their size: D is 0, or next to nothing. */
     @Test
+    @Tag("sized")
     void theQuickWayIsSilentWhereDoubleDoublesCannotTell() {
         SplitMix64 random = new SplitMix64(37);
-        for (int n = 0; n < 3000; n++) {
+        for (int n = 0; n < TestSize.of(800, 3000); n++) {
             double[] t = n % 2 == 0 ? new double[] {3, 4, 5} : new double[] {5, 12, 13};
             double far = Math.rint(1e14 * (1 + random.nextDouble()));
             double r = Math.rint(1e14 * random.nextDouble());

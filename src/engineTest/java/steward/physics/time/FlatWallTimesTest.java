@@ -8,6 +8,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
+import steward.match.TestSize;
 import steward.numerics.SplitMix64;
 import steward.physics.HalfPlane;
 import steward.physics.Segment;
@@ -24,9 +25,10 @@ class FlatWallTimesTest {
     private static final int CASES = 4_000;
 
     @Test
+    @Tag("sized")
     void halfPlaneTimesAreExactToTheBound() {
         int hits = 0;
-        for (long seed = 1; seed <= CASES; seed++) {
+        for (long seed = 1; seed <= TestSize.of(1000, CASES); seed++) {
             SplitMix64 random = new SplitMix64(seed);
             double size = Math.pow(10, 24 * random.nextDouble() - 12);
             double angle = 2 * Math.PI * random.nextDouble();
@@ -58,7 +60,7 @@ class FlatWallTimesTest {
                 hits++;
             }
         }
-        assertTrue(hits > 700, hits + " hits");
+        assertTrue(hits > TestSize.of(175, 700), hits + " hits");
     }
 
     /** A circle, its flight and a segment, with the exact first touch from the definition. */

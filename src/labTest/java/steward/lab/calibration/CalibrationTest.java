@@ -137,6 +137,7 @@ class CalibrationTest {
     }
 
     @Test
+    @Tag("slow")
     void whatIsDoneCanBeTakenAtAnyTime() throws InterruptedException {
         Calibration calibration = calibration(3000);
         assertEquals(0, calibration.figures().states());

@@ -199,6 +199,7 @@ class CalibrateTest {
     }
 
     @Test
+    @Tag("slow")
     void anInterruptedRunKeepsWhatWasMeasured() throws Exception {
         ByteArrayOutputStream err = new ByteArrayOutputStream();
         Path file = folder.resolve("d.accuracy.json");

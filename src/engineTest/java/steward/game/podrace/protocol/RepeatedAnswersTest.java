@@ -9,6 +9,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
+import steward.match.TestSize;
 import steward.numerics.SplitMix64;
 
 /** One reader for all answers of a match says of each what a new reader says, whatever came before. */
@@ -38,10 +39,11 @@ class RepeatedAnswersTest {
     }
 
     @Test
+    @Tag("sized")
     void whateverCameBefore() {
         SplitMix64 random = new SplitMix64(4);
         PodRaceAnswer reused = new PodRaceAnswer(2, 200);
-        for (int k = 0; k < 5000; k++) {
+        for (int k = 0; k < TestSize.of(1500, 5000); k++) {
             String line = LINES.get(random.nextInt(LINES.size()));
 
             assertEquals(said(new PodRaceAnswer(2, 200), line), said(reused, line), "seed 4, line " + k);

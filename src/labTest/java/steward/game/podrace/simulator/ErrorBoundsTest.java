@@ -11,6 +11,7 @@ import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.game.podrace.Headings;
 import steward.game.podrace.PodRaceSettings;
+import steward.match.TestSize;
 import steward.numerics.SineCosine;
 import steward.numerics.SplitMix64;
 import steward.physics.event.OfficialAdvance;
@@ -37,11 +38,12 @@ class ErrorBoundsTest {
 
     /** Chains of 40 turns, to one side and to both, from the largest angles that have a vector and from targets. */
     @Test
+    @Tag("sized")
     void vectorsAreKnownAsWellAsIsSaid(TestReporter report) {
         double worst = 0;
         double worstSpeed = 0;
         int longest = 0;
-        for (int trial = 0; trial < 300; trial++) {
+        for (int trial = 0; trial < TestSize.of(100, 300); trial++) {
             begin(trial % 3);
             boolean oneSide = trial % 2 == 0;
             for (int turn = 0; turn < 40; turn++) {
@@ -153,9 +155,11 @@ class ErrorBoundsTest {
 
     /** On and around the very doubts at which vectors leave the decision to angles. */
     @Test
+    @Tag("sized")
     void whatVectorsDecideIsWhatTheGameDecides() {
         int byVectors = 0;
-        for (int trial = 0; trial < 300_000; trial++) {
+        int trials = TestSize.of(60_000, 300_000);
+        for (int trial = 0; trial < trials; trial++) {
             double angle = (random.nextDouble() - 0.5) * 2 * (trial % 2 == 0 ? 511 : 4);
             double aside = trial % 4 < 2 ? Headings.MAXIMUM_TURN : Math.PI;
             // A cosine moves by DOUBT when the angle moves by DOUBT / sin; a sine near 180 degrees moves as the angle.
@@ -170,14 +174,15 @@ class ErrorBoundsTest {
             assertEquals(Headings.turned(angle, StrictMath.atan2(dy, dx)), Headings.angle(heading, 0),
                 () -> "from " + angle + " to " + dx + " " + dy);
         }
-        assertTrue(byVectors > 50_000 && byVectors < 350_000, byVectors + " were decided by vectors");
+        assertTrue(byVectors > trials / 6 && byVectors < trials / 2, byVectors + " were decided by vectors");
     }
 
     /** A place flown in 250 legs is that flown at once, but for less than what {@link PodTurn} allows. */
     @Test
+    @Tag("sized")
     void legsAreAsNearToTheWholeWayAsIsSaid(TestReporter report) {
         double worst = 0;
-        for (int trial = 0; trial < 20_000; trial++) {
+        for (int trial = 0; trial < TestSize.of(4000, 20_000); trial++) {
             double start = (random.nextDouble() - 0.5) * 2 * PodTurn.SMALL;
             double speed = (random.nextDouble() - 0.5) * 2 * PodTurn.SMALL / PodTurn.KEEP;
             double place = start;
@@ -201,9 +206,10 @@ class ErrorBoundsTest {
      * off by 2^-26.
      */
     @Test
+    @Tag("sized")
     void whoIsSetAsideStaysOutOfReach() {
         int aside = 0;
-        for (int trial = 0; trial < 40_000; trial++) {
+        for (int trial = 0; trial < TestSize.of(8000, 40_000); trial++) {
             double far = trial % 3 == 0 ? Math.scalb(1, random.nextInt(10, 40)) : 2000 + random.nextInt(30_000);
             double margin = 1 + 0x1p-40 * far * far;
             double least = Math.sqrt(TOUCH * TOUCH + margin * (1 + random.nextInt(-8, 8) * Math.scalb(1, -trial % 30)));
@@ -227,7 +233,7 @@ class ErrorBoundsTest {
                 }
             }
         }
-        assertTrue(aside > 10_000 && aside < 35_000, aside + " set aside");
+        assertTrue(aside > TestSize.of(2000, 10_000) && aside < TestSize.of(7000, 35_000), aside + " set aside");
     }
 
     private double error() {
