@@ -9,6 +9,8 @@ import java.io.ByteArrayOutputStream;
 import java.io.File;
 import java.io.IOException;
 import java.io.RandomAccessFile;
+import java.net.InetAddress;
+import java.net.ServerSocket;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -275,12 +277,15 @@ class WorkerProcessTest {
         assertTrue(read("ending.err").endsWith("interrupted; " + after + " games played\n"), read("ending.err"));
     }
 
-    /** The files of the worker may have 4 KiB each: beyond that the system refuses to write, as on a full disk. */
+    /**
+     * The files of the worker may have 4 KiB each: beyond that the system refuses to write, as on a full disk. The
+     * league waits in its first game: the bot that the worker cannot have is held, the other one it tries.
+     */
     @Test
     void aWorkerThatCannotStoreABotSaysSoAndOthersPlay() throws Exception {
         Path weights = folder.resolve("weights.bin");
         Files.write(weights, new byte[40_000]);
-        holdBotsBehind(0);
+        before("case \"$*\" in *drive*) until [ -e go ]; do sleep 0.02; done ;; esac");
         Path settings = folder.resolve("night/league.json");
         Files.writeString(settings, Files.readString(settings).replaceFirst("\"name\": \"fast\"", "\"files\": [\""
             + weights + "\", \"" + folder.resolve("gate.sh") + "\", \"" + folder.resolve("text pod.sh")
@@ -310,6 +315,16 @@ class WorkerProcessTest {
         assertEquals(3, cli.status(), cli.err());
         assertTrue(cli.err().contains("expected a file of yours alone: chmod 600 " + token("open")), cli.err());
         assertTrue(cli.err().contains("no-such-host.invalid:1: found an unknown host"), cli.err());
+    }
+
+    @Test
+    void aPortThatIsTakenIsNamedBeforeAnyGame() throws Exception {
+        try (ServerSocket taken = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+            String address = "127.0.0.1:" + taken.getLocalPort();
+            Cli.run("league", "run", folder.resolve("night").toString(), "--games", "8", "--serve", address)
+                .assertRefused("nothing can listen at " + address);
+        }
+        assertEquals(0, stored("any"));
     }
 
     @Test
