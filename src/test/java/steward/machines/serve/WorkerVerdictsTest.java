@@ -18,19 +18,12 @@ import java.util.regex.Pattern;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import steward.contest.Contest;
-import steward.league.LeagueFolder;
-import steward.league.LeagueSettings;
-import steward.league.Schedule;
 import steward.league.StoredGame;
 import steward.league.play.Elsewhere;
-import steward.league.play.Roster.Member;
-import steward.league.store.GameStore;
 import steward.machines.broker.BrokerClient;
 import steward.machines.broker.BrokerClient.BrokenException;
 import steward.machines.serve.HostileWorker.Way;
 import steward.machines.token.WorkerToken;
-import steward.match.Protocol;
 
 /** What becomes of workers that lie, fail or keep games, and of honest ones with unusual bots. */
 @Tag("process")
@@ -216,10 +209,7 @@ class WorkerVerdictsTest extends ServedLeague {
         make("many");
         WorkerToken token = token("many", "bad");
         List<String> told = new CopyOnWriteArrayList<>();
-        LeagueSettings settings = new LeagueFolder(folder.resolve("many")).read();
-        List<Member> members = settings.active().subList(0, 2).stream().map(bot -> new Member(bot,
-            new GameStore.Version(1, bot.name(), 1, bot.command(), false, bot.name(), 0),
-            Contest.entrant(bot.typed(), Protocol.JSON), "")).toList();
+        Elsewhere.Game game = firstGame("many");
         AtomicBoolean over = new AtomicBoolean();
         try (RemoteGames games = served("many", false, TimeUnit.SECONDS.toNanos(4), told::add);
              BrokerClient client = client(token)) {
@@ -235,7 +225,7 @@ class WorkerVerdictsTest extends ServedLeague {
             }
             CompletableFuture<List<List<StoredGame>>> played = CompletableFuture.supplyAsync(() -> {
                 try {
-                    return games.play(List.of(new Elsewhere.Game(new Schedule.Task(0, 5, 1, 1), settings, members)));
+                    return games.play(List.of(game));
                 } catch (InterruptedException end) {
                     return List.of();
                 }
