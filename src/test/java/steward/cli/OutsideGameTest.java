@@ -20,6 +20,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import steward.cli.shared.ExitStatus;
 import steward.game.GameTypes;
+import steward.league.LeagueFolder;
+import steward.machines.token.SharedBrokerKey;
 import tools.jackson.core.JsonGenerator;
 
 /** A game that is no part of the program: four files, compiled against the engine's jar alone, in a folder of jars. */
@@ -136,6 +138,7 @@ class OutsideGameTest {
         assertEquals("", call(games, "league", "init", league, "--scene", scene.toString()).err());
         call(games, "league", "add", league, "one=" + bot(1));
         call(games, "league", "add", league, "two=" + bot(2));
+        SharedBrokerKey.put(new LeagueFolder(Path.of(league)));
         call(games, "league", "worker", "add", league, "far", "--out", token);
         String address = "127.0.0.1:" + FreePort.next();
         CompletableFuture<Cli> run = CompletableFuture.supplyAsync(() -> call(games, "league", "run", league,

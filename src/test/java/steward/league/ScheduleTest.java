@@ -18,6 +18,7 @@ import java.util.Set;
 import java.util.SplittableRandom;
 import java.util.TreeSet;
 import java.util.stream.IntStream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
@@ -235,10 +236,21 @@ class ScheduleTest {
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 3})
     void threadsAndInterruptionsDoNotMatter(int players) {
+        assertThreadsAndInterruptionsDoNotMatter(players, 60);
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2, 3})
+    @Tag("campaign")
+    void threadsAndMoreInterruptionsDoNotMatter(int players) {
+        assertThreadsAndInterruptionsDoNotMatter(players, 600);
+    }
+
+    private static void assertThreadsAndInterruptionsDoNotMatter(int players, int seeds) {
         Integer[] bots = {1, 2, 3, 4};
         TreeSet<String> expected = new TreeSet<>(straight(players, bots));
         assertEquals(GAMES, expected.size());
-        for (long seed = 0; seed < 200; seed++) {
+        for (long seed = 0; seed < seeds; seed++) {
             assertEquals(expected, interrupted(players, bots, new SplittableRandom(seed)), "seed " + seed);
         }
     }
@@ -274,7 +286,18 @@ class ScheduleTest {
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 3})
     void aResumedScheduleIsThatOfAPlainWalkThroughAllDecisions(int players) {
-        for (long seed = 0; seed < 300; seed++) {
+        assertAResumedScheduleIsThatOfAPlainWalk(players, 80);
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2, 3})
+    @Tag("campaign")
+    void moreResumedSchedulesAreThoseOfAPlainWalk(int players) {
+        assertAResumedScheduleIsThatOfAPlainWalk(players, 1000);
+    }
+
+    private static void assertAResumedScheduleIsThatOfAPlainWalk(int players, int seeds) {
+        for (long seed = 0; seed < seeds; seed++) {
             SplittableRandom random = new SplittableRandom(seed);
             List<Integer> before = bots(random, players);
             EarlierGames earlier = new EarlierGames();

@@ -89,9 +89,13 @@ final class WorkerPauses {
         tested.remove(worker);
     }
 
-    /** Notes that a worker has been handed a job. */
+    /**
+     * Notes that a worker has been handed a job. One that was on its way when the pause began is no test: it says
+     * nothing after the pause, and another test would never be given.
+     */
     synchronized void took(String worker) {
-        if (pauses.containsKey(worker)) {
+        Pause pause = pauses.get(worker);
+        if (pause != null && isDue(pause)) {
             tested.add(worker);
         }
     }

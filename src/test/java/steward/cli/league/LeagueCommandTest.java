@@ -28,11 +28,14 @@ import org.junit.jupiter.api.io.TempDir;
 import picocli.CommandLine;
 import steward.cli.Cli;
 import steward.cli.Main;
+import steward.cli.ShellBots;
+import steward.cli.TextShellBots;
 import steward.cli.league.view.LeagueOpening;
 import steward.cli.streams.Streams;
 import steward.league.LeagueFolder;
 import steward.league.Season;
 import steward.league.store.GameStore;
+import steward.machines.token.SharedBrokerKey;
 import steward.match.TestScenes;
 
 /** The commands of a league that play nothing. */
@@ -159,9 +162,11 @@ class LeagueCommandTest {
     @Tag("process")
     void aRunTakesItsFolderFromOthersAndSaysHowBurnersAreHeld() throws IOException {
         assumeTrue(folder.getFileSystem().supportedFileAttributeViews().contains("posix"), "skipped: no POSIX files");
-        done("init", "TMP/a", "--scene", "duel", "--seed", "1");
-        done("add", "TMP/a", "one=builtin:racer");
-        done("add", "TMP/a", "two=builtin:regular");
+        ShellBots.shortDuel(folder);
+        TextShellBots bots = new TextShellBots(folder);
+        done("init", "TMP/a", "--scene", "TMP/short.json", "--seed", "1");
+        done("add", "TMP/a", "one=codingame:" + bots.driver());
+        done("add", "TMP/a", "two=codingame:" + bots.idler(0));
         String[] run = {"run", "TMP/a", "--games", "2"};
         Path league = folder.resolve("a");
         String open = league + " was open to other users";
@@ -181,6 +186,7 @@ class LeagueCommandTest {
     void everyCommandThatWritesTakesTheFolderFromOthers() throws IOException {
         assumeTrue(folder.getFileSystem().supportedFileAttributeViews().contains("posix"), "skipped: no POSIX files");
         generated("a", 6);
+        SharedBrokerKey.put(new LeagueFolder(folder.resolve("a")));
         done("export", "TMP/a", "--out", "TMP/a.jsonl");
         Path league = folder.resolve("a");
         String[][] writing = {{"add", "TMP/a", "one=sh -c 'exit 1'"}, {"rename", "TMP/a", "one", "two"},

@@ -52,8 +52,9 @@ class VerifyTest {
         UPDATE game SET seed = 0.5 WHERE id = 6 | table game, row id = 6, column seed: found 0.5
         """)
     void aBadRowIsRefusedByItsName(String change, String message) throws IOException {
-        rows.table(change).assertRefused("league.db: table ");
-        assertTrue(rows.table(change).err().contains(message), rows.table(change).err());
+        Cli table = rows.table(change);
+        table.assertRefused("league.db: table ");
+        assertTrue(table.err().contains(message), table.err());
         Cli listed = Cli.run("league", "verify", league.toString());
         assertEquals(1, listed.status());
         assertTrue(listed.out().contains(message) && listed.out().contains("cannot be used; --drop sets "),
@@ -95,7 +96,7 @@ class VerifyTest {
     @Test
     @Tag("slow")
     void rowsThatAreDamagedAtRandomAreRefusedOrCount() throws IOException {
-        damage(40);
+        damage(20);
     }
 
     @Test

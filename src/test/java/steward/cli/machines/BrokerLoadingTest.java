@@ -26,8 +26,13 @@ import steward.cli.FreePort;
 import steward.cli.SeveralCalls;
 import steward.cli.ShellBots;
 import steward.cli.TextShellBots;
+import steward.league.LeagueFolder;
+import steward.machines.token.SharedBrokerKey;
 
-/** Only {@code worker} and {@code league run --serve} load the broker; all others also run without its files. */
+/**
+ * Only {@code worker} and {@code league run --serve} load the broker; all others also run without its files, and would
+ * fail if they needed them.
+ */
 @Tag("process")
 @Tag("slow")
 @Timeout(300)
@@ -53,7 +58,7 @@ class BrokerLoadingTest {
         Path out = folder.resolve("out.txt");
         Path err = folder.resolve("err.txt");
         List<String> words = new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-            "-XX:TieredStopAtLevel=1", "-Xlog:class+load", "--enable-native-access=ALL-UNNAMED", "-cp", path(broker),
+            "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC", "-XX:-UsePerfData", "-Xlog:class+load", "--enable-native-access=ALL-UNNAMED", "-cp", path(broker),
             program.getName()));
         words.addAll(call);
         Process process = new ProcessBuilder(words).directory(folder.toFile()).redirectOutput(out.toFile())
@@ -85,11 +90,8 @@ class BrokerLoadingTest {
         }
     }
 
-    @Test
-    void noOtherCommandLoadsTheBroker() throws IOException, InterruptedException {
+    private void prepare() throws IOException {
         assumeTrue(ShellBots.runnable(), "skipped: there is no /bin/sh");
-        assertTrue(path(true).contains("artemis") && path(true).contains("netty"), "the files are called so");
-        assertFalse(path(false).contains("artemis") || path(false).contains("netty"));
         Files.writeString(folder.resolve("short.json"), Files.readString(Path.of("config/scenes/duel.json"))
             .replace("\"maximumTurns\": 200", "\"maximumTurns\": 5")
             .replace("\"answerMs\": 75", "\"answerMs\": 30000"));
@@ -100,6 +102,14 @@ class BrokerLoadingTest {
         }
         Path settings = folder.resolve("parts/league.json");
         Files.writeString(settings, Files.readString(settings).replace("adaptive", "round-robin"));
+        SharedBrokerKey.put(new LeagueFolder(folder.resolve("parts")));
+    }
+
+    @Test
+    void noOtherCommandLoadsTheBroker() throws IOException, InterruptedException {
+        prepare();
+        assertTrue(path(true).contains("artemis") && path(true).contains("netty"), "the files are called so");
+        assertFalse(path(false).contains("artemis") || path(false).contains("netty"));
         loadsNoBroker(
                 List.of("match", "--scene", "short.json", "--bot", "codingame:sh 'text pod.sh' drive 0", "--bot",
                     "codingame:sh 'text pod.sh' stay 0", "--out", "match.jsonl", "--quiet"),
@@ -107,24 +117,27 @@ class BrokerLoadingTest {
                 List.of("league", "init", "night", "--scene", "short.json"),
                 List.of("league", "add", "night", "a=codingame:sh 'text pod.sh' drive 0"),
                 List.of("league", "add", "night", "b=codingame:sh 'text pod.sh' stay 0"),
-                List.of("league", "worker", "add", "night", "attic"),
+                List.of("league", "worker", "add", "parts", "attic"),
                 List.of("league", "run", "night", "--games", "2", "--quiet"),
                 List.of("league", "table", "night"),
                 List.of("league", "page", "night", "--out", "night.html"),
                 List.of("league", "shard", "parts", "--part", "1/1", "--games", "2", "--out", "part.db"),
                 List.of("league", "merge", "parts", "part.db"));
-        loadBroker();
     }
 
-    /** Two that do load it, the second in vain: the test would see it. */
-    private void loadBroker() throws IOException, InterruptedException {
+    /** Two that do load it, the second also in vain: {@link #noOtherCommandLoadsTheBroker} would see it. */
+    @Test
+    @Tag("campaign")
+    void aWorkerAndAServedLeagueLoadTheBroker() throws IOException, InterruptedException {
+        prepare();
+        Cli.league(folder, "worker", "add", "TMP/parts", "attic", "--out", "TMP/attic.token").done();
         try (ServerSocket taken = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
             String address = "127.0.0.1:" + taken.getLocalPort();
             List<String> joining = List.of("worker", "--join", "no-such-host.invalid:1", "--token-file", "attic.token",
                 "--sandbox", "off");
-            List<String> serving = List.of("league", "run", "night", "--games", "4", "--quiet", "--serve",
+            List<String> serving = List.of("league", "run", "parts", "--games", "2", "--quiet", "--serve",
                 "127.0.0.1:" + FreePort.next());
-            List<String> inVain = List.of("league", "run", "night", "--games", "6", "--serve", address);
+            List<String> inVain = List.of("league", "run", "parts", "--games", "4", "--serve", address);
             String said = run(0, true, SeveralCalls.class, SeveralCalls.words(List.of(joining, serving, inVain)));
             int joined = said.indexOf(SeveralCalls.line(3, joining));
             assertTrue(said.substring(0, Math.max(0, joined)).contains(BROKER), said);

@@ -5,9 +5,12 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import java.io.ByteArrayOutputStream;
 import java.io.File;
 import java.io.IOException;
 import java.io.RandomAccessFile;
+import java.net.InetAddress;
+import java.net.ServerSocket;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -33,6 +36,7 @@ import steward.cli.FreePort;
 import steward.cli.Main;
 import steward.cli.ShellBots;
 import steward.cli.TextShellBots;
+import steward.cli.streams.Streams;
 import steward.league.LeagueFolder;
 import steward.league.Season;
 import steward.league.StoredGame;
@@ -62,6 +66,7 @@ class WorkerProcessTest {
     private Path folder;
 
     private final List<Process> started = new ArrayList<>();
+    private final ByteArrayOutputStream leagueSays = new ByteArrayOutputStream();
     private int port;
 
     @BeforeEach
@@ -71,15 +76,34 @@ class WorkerProcessTest {
             .replace("\"maximumTurns\": 200", "\"maximumTurns\": 5").replace("\"answerMs\": 75", "\"answerMs\": 60000")
             .replace("\"firstAnswerMs\": 1000", "\"firstAnswerMs\": 60000"));
         ShellBots.drawn(folder.resolve("short.json"));
-        Files.writeString(folder.resolve("pause.sh"), "#!/bin/sh\nsleep 0.4; exec \"$@\"\n");
+        before("");
         TextShellBots bots = new TextShellBots(folder);
         LeagueFolder league = new LeagueFolder(folder.resolve("night"));
         done("init", folder.resolve("night").toString(), "--scene", folder.resolve("short.json").toString());
-        String paused = "sh '" + folder.resolve("pause.sh") + "' ";
-        done("add", folder.resolve("night").toString(), "fast=codingame:" + paused + bots.driver());
-        done("add", folder.resolve("night").toString(), "still=codingame:" + paused + bots.idler(0));
+        String gate = "sh '" + folder.resolve("gate.sh") + "' ";
+        done("add", folder.resolve("night").toString(), "fast=codingame:" + gate + bots.driver());
+        done("add", folder.resolve("night").toString(), "still=codingame:" + gate + bots.idler(0));
         SharedBrokerKey.put(league);
         port = FreePort.next();
+    }
+
+    /** Lets each bot do this, in the folder of the test, before it begins. */
+    private void before(String commands) throws IOException {
+        Files.writeString(folder.resolve("gate.sh"), "#!/bin/sh\ncd '" + folder + "'\n" + commands
+            + "\nexec \"$@\"\n");
+    }
+
+    /** Lets each bot behind the first ones wait for the file {@code go}. */
+    private void holdBotsBehind(int first) throws IOException {
+        before("echo >>starts; [ $(wc -l <starts) -le " + first + " ] || until [ -e go ]; do sleep 0.02; done");
+    }
+
+    private void letBotsGo() throws IOException {
+        Files.createFile(folder.resolve("go"));
+    }
+
+    private int starts() {
+        return (int) read("starts").lines().count();
     }
 
     @AfterEach
@@ -95,10 +119,15 @@ class WorkerProcessTest {
         return cli.out() + cli.err();
     }
 
-    /** Serves the league, which plays nothing itself unless it is told to. */
+    /** Serves the league, which plays nothing itself unless it is told to; the bots are not asked again. */
     private CompletableFuture<String> serve(int games, int threads) {
-        return CompletableFuture.supplyAsync(() -> done("run", folder.resolve("night").toString(), "--games",
-            Integer.toString(games), "--threads", Integer.toString(threads), "--serve", "127.0.0.1:" + port), THREADS);
+        return CompletableFuture.supplyAsync(() -> {
+            int status = Main.run(new Streams(leagueSays, leagueSays, false, false), "league", "run",
+                folder.resolve("night").toString(), "--games", Integer.toString(games), "--threads",
+                Integer.toString(threads), "--again", "0", "--serve", "127.0.0.1:" + port);
+            assertEquals(0, status, leagueSays::toString);
+            return leagueSays.toString(StandardCharsets.UTF_8);
+        }, THREADS);
     }
 
     /** A worker in this JVM, with a new token. */
@@ -177,81 +206,94 @@ class WorkerProcessTest {
         return process.exitValue();
     }
 
-    /** Four workers of one league, in this JVM: none has to wait for another. */
+    /** Workers of one league, in this JVM: one after another, so that none takes the games of those before. */
     @Test
     void endsAfterSoManyGamesOrSoMuchTimeOrWhenItIsIdleOrAFileSaysSo() throws Exception {
+        before("sleep 0.2");
         CompletableFuture<String> league = serve(14, 0);
+        Cli three = end(here("three", "--games", "3", "--threads", "2"));
+        assertEquals(0, three.status(), three.err());
+        assertEquals("3 games played\n", three.out());
         Path stop = folder.resolve("stop");
-        CompletableFuture<Cli> three = here("three", "--games", "3", "--threads", "2");
-        final long began = System.nanoTime();
-        CompletableFuture<Cli> brief = here("brief", "--for", "3s", "--threads", "1");
-        CompletableFuture<Cli> told = here("told", "--stop-file", stop.toString(), "--threads", "1");
+        CompletableFuture<Cli> told = here("told", "--stop-file", stop.toString(), "--threads", "1", "--json");
         await(() -> stored("told") >= 1 || league.isDone());
-        await(() -> stored("three") == 3 || league.isDone());      // before somebody takes what is left
-        CompletableFuture<Cli> idle = here("idle", "--idle", "5s", "--json");
         Files.createFile(stop);
         assertEquals(0, end(told).status(), () -> told.join().err());
-        assertEquals(0, end(three).status(), () -> three.join().err());
-        assertEquals("3 games played\n", three.join().out());
-        assertEquals(0, end(brief).status(), () -> brief.join().err());
-        assertTrue(System.nanoTime() - began >= TimeUnit.SECONDS.toNanos(3));
+        assertTrue(told.join().err().matches("(?s)\\{\"time\":\"\\d{4}-[^\"]*Z\",\"event\":\"joined 127.0.0.1:.*"),
+            told.join().err());
+        final long began = System.nanoTime();
+        Cli brief = end(here("brief", "--for", "1s", "--threads", "1"));
+        assertEquals(0, brief.status(), brief.err());
+        assertTrue(System.nanoTime() - began >= TimeUnit.SECONDS.toNanos(1));
+        assertFalse(league.isDone(), "there is no time for all that is left");
+        CompletableFuture<Cli> idle = here("idle", "--idle", "1s");
         String said = rest(league);
         assertEquals(0, end(idle).status(), () -> idle.join().err());
-        assertTrue(idle.join().err().matches("(?s)\\{\"time\":\"\\d{4}-[^\"]*Z\",\"event\":\"joined 127.0.0.1:.*"),
-            idle.join().err());
-        assertTrue(said.startsWith("14 games of duel\n"), said);
+        assertTrue(said.contains("14 games of duel\n"), said);
         assertEquals(3, stored("three"), said);
         assertTrue(stored("told") >= 1, said);
-        assertEquals(stored("brief") + (stored("brief") == 1 ? " game" : " games") + " played\n", brief.join().out());
+        assertEquals(stored("brief") + (stored("brief") == 1 ? " game" : " games") + " played\n", brief.out());
     }
 
     private static Cli end(CompletableFuture<Cli> worker) throws Exception {
         return worker.get(100, TimeUnit.SECONDS);
     }
 
+    /** The league plays its game itself when the worker has been refused. */
     @Test
     void differsWhenItIsRefused() throws Exception {
         done("worker", "add", folder.resolve("night").toString(), "gone", "--out", token("gone").toString());
         done("worker", "revoke", folder.resolve("night").toString(), "gone");
-        CompletableFuture<String> league = serve(1, 0);
+        holdBotsBehind(0);
+        CompletableFuture<String> league = serve(1, 1);
         Cli cli = Cli.run("worker", "--join", "127.0.0.1:" + port, "--token-file", token("gone").toString(),
             "--sandbox", "off");
         assertEquals(3, cli.status(), cli.err());
         assertTrue(cli.err().contains("the league refuses the token: it is wrong or revoked"), cli.err());
-        assertTrue(rest(league).startsWith("1 game of duel\n"));
+        letBotsGo();
+        assertTrue(league.get(100, TimeUnit.SECONDS).contains("1 game of duel\n"));
     }
 
+    /** The worker tries each of the two bots against itself, and is told to end in its third or fourth game. */
     @Test
     void ctrlCFinishesTheGamesThatAreUnderWay() throws Exception {
         ScriptedBots.assumeInterruptible();
+        int trials = 4;
+        holdBotsBehind(trials + 4);
         CompletableFuture<String> league = serve(8, 0);
         Process worker = worker("ending", List.of(), "--threads", "2");
-        await(() -> stored("ending") >= 2 || league.isDone());
-        int before = stored("ending");
+        await(() -> starts() > trials + 4 || league.isDone());
         new ProcessBuilder("kill", "-s", "INT", Long.toString(worker.pid())).start().waitFor();
+        await(() -> read("ending.err").contains("the games that are under way are finished, no others begun\n")
+            || league.isDone());
+        letBotsGo();
         assertEquals(INTERRUPTED, end(worker, league), () -> read("ending.err"));
-        assertTrue(read("ending.err").contains("the games that are under way are finished, no others begun\n"),
-            read("ending.err"));
+        int begun = starts() - trials;
         String said = rest(league);
-        assertTrue(said.startsWith("8 games of duel\n"), said);
+        assertTrue(said.contains("8 games of duel\n"), said);
         int after = stored("ending");
-        assertTrue(after > before, "found " + after + " games, and " + before + " when it was told to end: one was "
-            + "under way, as each takes most of a second");
+        assertEquals(begun, 2 * after, "each game that was begun is finished and stored; " + read("ending.err"));
+        assertTrue(after >= 1 && after <= 4, () -> "found " + after + " games, expected no others: " + said);
         assertTrue(read("ending.err").endsWith("interrupted; " + after + " games played\n"), read("ending.err"));
     }
 
-    /** The files of the worker may have 4 KiB each: beyond that the system refuses to write, as on a full disk. */
+    /**
+     * The files of the worker may have 4 KiB each: beyond that the system refuses to write, as on a full disk. The
+     * league waits in its first game: the bot that the worker cannot have is held, the other one it tries.
+     */
     @Test
     void aWorkerThatCannotStoreABotSaysSoAndOthersPlay() throws Exception {
         Path weights = folder.resolve("weights.bin");
         Files.write(weights, new byte[40_000]);
+        before("case \"$*\" in *drive*) until [ -e go ]; do sleep 0.02; done ;; esac");
         Path settings = folder.resolve("night/league.json");
         Files.writeString(settings, Files.readString(settings).replaceFirst("\"name\": \"fast\"", "\"files\": [\""
-            + weights + "\", \"" + folder.resolve("pause.sh") + "\", \"" + folder.resolve("text pod.sh")
+            + weights + "\", \"" + folder.resolve("gate.sh") + "\", \"" + folder.resolve("text pod.sh")
             + "\"], $0"));
         CompletableFuture<String> league = serve(8, 1);
         Process small = worker("small", List.of("sh", "-c", "ulimit -f 8; exec \"$0\" \"$@\""));
-        await(() -> read("small.err").contains("cannot be unpacked") || league.isDone());
+        await(() -> leagueSays.toString().contains(" cannot play a bot: ") || league.isDone());
+        letBotsGo();
         String said = rest(league);
         assertTrue(said.contains("8 games of duel\n"), said);
         assertEquals(0, stored("small"));
@@ -273,6 +315,16 @@ class WorkerProcessTest {
         assertEquals(3, cli.status(), cli.err());
         assertTrue(cli.err().contains("expected a file of yours alone: chmod 600 " + token("open")), cli.err());
         assertTrue(cli.err().contains("no-such-host.invalid:1: found an unknown host"), cli.err());
+    }
+
+    @Test
+    void aPortThatIsTakenIsNamedBeforeAnyGame() throws Exception {
+        try (ServerSocket taken = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+            String address = "127.0.0.1:" + taken.getLocalPort();
+            Cli.run("league", "run", folder.resolve("night").toString(), "--games", "8", "--serve", address)
+                .assertRefused("nothing can listen at " + address);
+        }
+        assertEquals(0, stored("any"));
     }
 
     @Test

@@ -11,6 +11,7 @@ import java.util.Map;
 import java.util.SplittableRandom;
 import java.util.TreeSet;
 import java.util.stream.IntStream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
@@ -117,8 +118,19 @@ class AdaptivePairingTest {
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 3})
     void threadsAndInterruptionsDoNotMatter(int players) {
+        assertThreadsAndInterruptionsDoNotMatter(players, 3);
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2, 3})
+    @Tag("campaign")
+    void threadsAndMoreInterruptionsDoNotMatter(int players) {
+        assertThreadsAndInterruptionsDoNotMatter(players, 30);
+    }
+
+    private static void assertThreadsAndInterruptionsDoNotMatter(int players, int seeds) {
         TreeSet<String> expected = straight(players);
-        for (long seed = 0; seed < 10; seed++) {
+        for (long seed = 0; seed < seeds; seed++) {
             assertEquals(expected, interrupted(players, new SplittableRandom(seed)), "seed " + seed);
         }
     }

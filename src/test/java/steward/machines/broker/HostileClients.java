@@ -86,11 +86,13 @@ public final class HostileClients {
         return "hostile" + client;
     }
 
+    private static List<String> workers(int clients) {
+        return Stream.concat(HONEST.stream(), IntStream.range(0, clients).mapToObj(HostileClients::name)).toList();
+    }
+
     /** Answers what honest workers say, until its input ends; then prints how much heap it has taken. */
     private static void serve(Path folder, int clients) throws Exception {
-        String[] workers = Stream.concat(HONEST.stream(), IntStream.range(0, clients).mapToObj(HostileClients::name))
-            .toArray(String[]::new);
-        try (ServedBroker served = new ServedBroker(folder, workers)) {
+        try (ServedBroker served = new ServedBroker(folder, LeagueBroker.QUOTA, workers(clients))) {
             System.out.println(served.port());
             while (System.in.available() == 0) {
                 LeagueBroker.Report report = served.broker.next(200);
@@ -110,6 +112,7 @@ public final class HostileClients {
      * @return what is not as it should be, or {@code null}
      */
     static String play(Path folder, int clients, int seconds, int heap, Consumer<String> teller) throws Exception {
+        ServedBroker.prepared(folder, workers(clients).toArray(String[]::new));
         Process broker = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
             "-Xmx" + heap + "m", "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1", "-cp", Stream.of(
                 System.getProperty("java.class.path").split(File.pathSeparator)).map(part -> Path.of(part)

@@ -15,6 +15,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import javax.net.ssl.SSLSocket;
 import org.apache.activemq.artemis.api.core.ActiveMQException;
@@ -35,7 +36,6 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.api.parallel.ResourceLock;
-import steward.machines.wire.WireMessage;
 
 /** Clients that want to fill the broker's memory or keep its connections, with and without a token. */
 @Tag("process")
@@ -46,9 +46,10 @@ import steward.machines.wire.WireMessage;
 @TestMethodOrder(MethodOrderer.OrderAnnotation.class)
 class HostileClientsTest {
 
-    /** Bytes of reports that may wait: a longest one, and a little. The quota of a real broker is up to 64 MiB. */
-    private static final long QUOTA = WireMessage.LONGEST + (1 << 20);
-    private static final int HEAVY = 4 << 20;
+    /** Bytes of reports that may wait. The quota of a real broker is up to 64 MiB. */
+    private static final long QUOTA = 2 << 20;
+    /** Part of the quota that one message takes. */
+    private static final int HEAVY = 8;
     private static final int IDLE = 8;
 
     @TempDir
@@ -57,12 +58,17 @@ class HostileClientsTest {
     /** Connections that are made before all tests and do not log in. */
     private static final List<SSLSocket> STRANGERS = new ArrayList<>();
 
+    /** Signs of life over a connection on which nobody says anything, from the beginning of the class on. */
+    private static CutProxy between;
+    private static BrokerClient silent;
+    private static CompletableFuture<Void> signs;
+
     @TempDir
     private Path folder;
 
     @BeforeAll
     static void serve() throws Exception {
-        served = new ServedBroker(shared, QUOTA, "one", "two");
+        served = new ServedBroker(shared, QUOTA, "one", "two", "silent");
         for (int k = 0; k < IDLE; k++) {
             SSLSocket stranger = served.stranger();
             STRANGERS.add(stranger);
@@ -70,12 +76,34 @@ class HostileClientsTest {
                 stranger.getOutputStream().write(k % 4 == 0 ? PREAMBLE : frame(100, CREATE_SESSION));
             }
         }
+        between = new CutProxy(served.port());
+        silent = new BrokerClient("127.0.0.1", between.port(), served.token("silent"), "silent");
+        signs = CompletableFuture.runAsync(HostileClientsTest::awaitSigns);
+    }
+
+    private static void awaitSigns() {
+        try {
+            for (int sign = 0; sign < 2; sign++) {               // the first might still be of the login
+                int worker = between.heardOfWorkers();
+                int league = between.heardOfLeague();
+                while (between.heardOfWorkers() == worker || between.heardOfLeague() == league) {
+                    TimeUnit.MILLISECONDS.sleep(20);
+                }
+                TimeUnit.MILLISECONDS.sleep(500);
+            }
+        } catch (InterruptedException end) {
+            throw new IllegalStateException(end);
+        }
     }
 
     @AfterAll
     static void end() throws IOException {
         for (SSLSocket stranger : STRANGERS) {
             stranger.close();
+        }
+        if (silent != null) {
+            silent.close();
+            between.close();
         }
         if (served != null) {
             served.close();
@@ -141,20 +169,11 @@ class HostileClientsTest {
 
     /** It is why silence does not end a connection: without them it would be closed before the proxy hears any. */
     @Test
+    @Order(Integer.MAX_VALUE - 1)
     void aBrokerAndAWorkerThatAreSilentGiveSignsOfLife() throws Exception {
-        try (CutProxy between = new CutProxy(served.port());
-             BrokerClient client = new BrokerClient("127.0.0.1", between.port(), served.token("one"), "silent")) {
-            for (int sign = 0; sign < 2; sign++) {               // the first might still be of the login
-                int worker = between.heardOfWorkers();
-                int league = between.heardOfLeague();
-                while (between.heardOfWorkers() == worker || between.heardOfLeague() == league) {
-                    TimeUnit.MILLISECONDS.sleep(20);
-                }
-                TimeUnit.MILLISECONDS.sleep(500);
-            }
-            client.say("still here".getBytes(StandardCharsets.UTF_8));
-            assertEquals(List.of("one", "still here"), served.report());
-        }
+        signs.get(100, TimeUnit.SECONDS);
+        silent.say("still here".getBytes(StandardCharsets.UTF_8));
+        assertEquals(List.of("silent", "still here"), served.report());
     }
 
     @Test
@@ -212,6 +231,7 @@ class HostileClientsTest {
 
     /** Messages of a transaction that is never ended wait unseen; they count, too. */
     private static void assertOneTokenCannotFillTheQueue(ServedBroker broker, long quota) throws Exception {
+        int size = (int) (quota / HEAVY);
         try (ServerLocator locator = broker.locator("one").setMinLargeMessageSize(Integer.MAX_VALUE)
                  .setProducerWindowSize(-1);
              ClientSessionFactory factory = locator.createSessionFactory()) {
@@ -219,9 +239,9 @@ class HostileClientsTest {
                 false, 0);
             try (ClientProducer producer = session.createProducer(Queues.REPORTS)) {
                 ClientMessage heavy = session.createMessage(false);
-                heavy.getBodyBuffer().writeBytes(new byte[HEAVY]);
+                heavy.getBodyBuffer().writeBytes(new byte[size]);
                 assertThrows(ActiveMQException.class, () -> {
-                    for (long sent = 0; sent <= quota; sent += HEAVY) {
+                    for (long sent = 0; sent <= quota; sent += size) {
                         producer.send(heavy);
                     }
                     session.commit();

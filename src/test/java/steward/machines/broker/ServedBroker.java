@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -29,21 +28,32 @@ final class ServedBroker implements AutoCloseable {
     private final int port;
 
     ServedBroker(Path folder, String... workers) throws IOException {
-        this(folder, LeagueBroker.QUOTA, workers);
+        this(prepared(folder, workers), LeagueBroker.QUOTA, List.of(workers));
     }
 
     /** @param quota bytes of one worker's reports that may wait */
     ServedBroker(Path folder, long quota, String... workers) throws IOException {
+        this(prepared(folder, workers), quota, List.of(workers));
+    }
+
+    /** A broker in a folder that is {@linkplain #prepared prepared}. */
+    ServedBroker(Path folder, long quota, List<String> workers) throws IOException {
         this.folder = folder;
+        LeagueFolder league = new LeagueFolder(folder.resolve("league"));
+        port = FreePort.next();
+        WorkerList list = WorkerList.read(league);
+        broker = new LeagueBroker(new InetSocketAddress("127.0.0.1", port), new BrokerKey(league),
+            workers, list::admits, Gate.OPEN, quota);
+    }
+
+    /** Returns the folder, with a league in it and the tokens of its workers. */
+    static Path prepared(Path folder, String... workers) throws IOException {
         LeagueFolder league = new LeagueFolder(Files.createDirectory(folder.resolve("league")));
         SharedBrokerKey.put(league);
         for (String worker : workers) {
             WorkerList.add(league, worker, folder.resolve(worker + ".token"));
         }
-        port = FreePort.next();
-        WorkerList list = WorkerList.read(league);
-        broker = new LeagueBroker(new InetSocketAddress("127.0.0.1", port), new BrokerKey(league),
-            Arrays.asList(workers), list::admits, Gate.OPEN, quota);
+        return folder;
     }
 
     /** Clients of a broker of another process. */

@@ -129,13 +129,13 @@ class MessageSchemaTest {
         SharedBrokerKey.put(new LeagueFolder(folder.resolve("league")));
         done("league", "worker", "add", league, "pen", "--out", folder.resolve("pen.token").toString());
         WorkerToken token = WorkerToken.read(folder.resolve("pen.token"));
-        port = FreePort.next();
+        int serving = FreePort.next();
         Map<String, byte[]> bundles = new HashMap<>();
         CompletableFuture<Cli> run = CompletableFuture.supplyAsync(() -> Cli.run("league", "run", league, "--games",
-            "20", "--quiet", "--serve", "127.0.0.1:" + port));
+            "20", "--quiet", "--serve", "127.0.0.1:" + serving));
         byte[] welcome;
         byte[] job;
-        try (BrokerClient client = WorkerTest.join(port, token)) {
+        try (BrokerClient client = WorkerTest.join(serving, token)) {
             client.say(hello("0123456789abcdef"));
             assertEquals("refused", WireMessage.read(listen(client), "m").header().text("type"));
             client.say(hello(RungLaw.WHOLE_LADDER));
@@ -151,8 +151,9 @@ class MessageSchemaTest {
                 }
             }
         }
-        assertEquals(0, run.get(200, TimeUnit.SECONDS).status());
+        port = FreePort.next();                        // the league waits for other workers for some seconds
         speak(token, welcome, job, bundles);
+        assertEquals(0, run.get(200, TimeUnit.SECONDS).status());
         assertEquals(Set.of("hello", "fetch", "result", "unfit", "differs", "bye", "welcome", "refused", "bundle",
             "job"), types);
     }

@@ -28,7 +28,10 @@ import steward.contest.Contest;
 import steward.files.InputException;
 import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
+import steward.league.Schedule;
 import steward.league.Season;
+import steward.league.play.Elsewhere;
+import steward.league.play.Roster.Member;
 import steward.league.store.GameQueries;
 import steward.league.store.GameStore;
 import steward.machines.broker.BrokerClient;
@@ -41,6 +44,7 @@ import steward.machines.wire.HeaderText;
 import steward.machines.wire.WireMessage;
 import steward.machines.wire.WorkerWord;
 import steward.machines.worker.Worker;
+import steward.match.Protocol;
 import steward.scene.RungLaw;
 
 /** Leagues in a temporary folder whose games are played by workers in this JVM. */
@@ -227,6 +231,15 @@ abstract class ServedLeague {
         return new RemoteGames(here, Season.of(contest.setup(), settings), contest, settings, Games.types(),
             new RemoteGames.Service(new InetSocketAddress("127.0.0.1", port), 0.05, leaseNanos, "1", scaled),
             teller);
+    }
+
+    /** A game of the first two bots of a league, which is not asked for by a run. */
+    Elsewhere.Game firstGame(String league) {
+        LeagueSettings settings = new LeagueFolder(folder.resolve(league)).read();
+        List<Member> members = settings.active().subList(0, 2).stream().map(bot -> new Member(bot,
+            new GameStore.Version(1, bot.name(), 1, bot.command(), false, bot.name(), 0),
+            Contest.entrant(bot.typed(), Protocol.JSON), "")).toList();
+        return new Elsewhere.Game(new Schedule.Task(0, 5, 1, 1), settings, members);
     }
 
     String refused(WorkerToken token) {

@@ -45,6 +45,17 @@ class WorkerPausesTest {
         assertEquals(8, pauses.places("a", 8));
     }
 
+    /** The broker asks whether a worker may take a job some time before it hands it over. */
+    @Test
+    void aJobThatWasOnItsWayWhenThePauseBeganIsNoTest() {
+        assertTrue(pauses.mayTake("a"));
+        pauses.failed("a");
+        pauses.took("a");
+        assertFalse(pauses.failed("a"), "that job");
+        seconds += 1;
+        assertTrue(pauses.mayTake("a"), "its test");
+    }
+
     @Test
     void aWorkerThatJoinsAnewIsTestedAnew() {
         pauses.failed("a");

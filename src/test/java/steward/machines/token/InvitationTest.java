@@ -13,6 +13,7 @@ import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.time.Instant;
 import java.util.Map;
+import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -30,6 +31,11 @@ class InvitationTest {
 
     private LeagueFolder league() {
         return new LeagueFolder(folder);
+    }
+
+    @BeforeEach
+    void putKey() throws IOException {
+        SharedBrokerKey.put(league());
     }
 
     private Invitation.Letter invite(int count) {

@@ -45,10 +45,12 @@ public final class SharedBrokerKey {
         STEPS.forEach(steps -> System.setProperty(steps, "1"));
         try (InputStream in = Files.newInputStream(key.store())) {
             char[] own = key.password().toCharArray();
-            KeyStore store = KeyStore.getInstance("PKCS12");
-            store.load(in, own);
-            String alias = store.aliases().nextElement();
-            store.setKeyEntry(alias, store.getKey(alias, own), own, store.getCertificateChain(alias));
+            KeyStore made = KeyStore.getInstance("PKCS12");
+            made.load(in, own);
+            String alias = made.aliases().nextElement();
+            KeyStore store = KeyStore.getInstance("PKCS12");        // one that was loaded keeps its number of steps
+            store.load(null, null);
+            store.setKeyEntry(alias, made.getKey(alias, own), own, made.getCertificateChain(alias));
             ByteArrayOutputStream bytes = new ByteArrayOutputStream();
             store.store(bytes, own);
             return bytes.toByteArray();

@@ -80,6 +80,7 @@ class TokenTest {
     @Test
     void aStoreOfAnEarlierVersionIsLockedAnewKeepsItsKeyAndIsRenewed() throws Exception {
         LeagueFolder league = new LeagueFolder(folder);
+        SharedBrokerKey.put(league);
         WorkerList.add(league, "a", folder.resolve("a.token"));
         BrokerKey key = new BrokerKey(league);
         var certificate = key.certificate();

@@ -9,6 +9,7 @@ import java.net.URI;
 import java.net.http.HttpClient;
 import java.net.http.HttpRequest;
 import java.net.http.HttpResponse;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
@@ -58,19 +59,25 @@ class LeagueMetricsTest {
             .mapToDouble(line -> Double.parseDouble(line.replaceAll(".* ", ""))).findFirst().orElseThrow();
     }
 
-    /** The league is served and has no worker, so it plays all by itself and nothing waits in the queue. */
+    /**
+     * The league is served and has no worker, so it plays all by itself and nothing waits in the queue. Its third game
+     * waits until the figures have been read.
+     */
     @Test
     void aServedLeagueTellsItsFiguresOverHttp() throws Exception {
         assumeTrue(ShellBots.runnable(), "skipped: there is no /bin/sh");
         ShellBots.shortDuel(folder);
         TextShellBots bots = new TextShellBots(folder);
+        Path script = Files.writeString(folder.resolve("gate.sh"), "cd '" + folder + "'; echo >>starts\n"
+            + "[ $(wc -l <starts) -le 4 ] || until [ -e go ]; do sleep 0.02; done\nexec \"$@\"\n");
+        String gate = "sh '" + script + "' ";
         Cli.league(folder, "init", "TMP/night", "--scene", "TMP/short.json").done();
-        Cli.league(folder, "add", "TMP/night", "a=codingame:" + bots.driver()).done();
-        Cli.league(folder, "add", "TMP/night", "b=codingame:" + bots.idler(0)).done();
+        Cli.league(folder, "add", "TMP/night", "a=codingame:" + gate + bots.driver()).done();
+        Cli.league(folder, "add", "TMP/night", "b=codingame:" + gate + bots.idler(0)).done();
         int page = FreePort.next();
         CompletableFuture<Cli> run = CompletableFuture.supplyAsync(() -> {
             try {
-                return Cli.league(folder, "run", "TMP/night", "--games", "200", "--threads", "1", "--json", "--watch",
+                return Cli.league(folder, "run", "TMP/night", "--games", "4", "--threads", "1", "--json", "--watch",
                     "--port", Integer.toString(page), "--serve", "127.0.0.1:" + FreePort.next()).done();
             } catch (IOException problem) {
                 throw new IllegalStateException(problem);
@@ -87,6 +94,7 @@ class LeagueMetricsTest {
                 TimeUnit.MILLISECONDS.sleep(50);
             }
         }
+        Files.createFile(folder.resolve("go"));
         assertForm(text);
         assertTrue(figure(text, "games_under_way") <= 1, text);
         assertEquals(0, figure(text, "workers"));
