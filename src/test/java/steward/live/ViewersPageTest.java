@@ -12,6 +12,9 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
+import org.junit.jupiter.api.parallel.ResourceLock;
 import steward.league.page.LeaguePage;
 import steward.replay.Recorded;
 import steward.replay.page.PageExtras;
@@ -22,6 +25,8 @@ import steward.replay.page.PageTestBrowser;
 @Tag("process")
 @Tag("slow")
 @Timeout(120)
+@Execution(ExecutionMode.CONCURRENT)
+@ResourceLock(PageTestBrowser.LOCK)
 class ViewersPageTest {
 
     private static final List<String> LINES = Recorded.of("duel", 5).lines();

@@ -13,10 +13,14 @@ import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
+import org.junit.jupiter.api.parallel.ResourceLock;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import steward.replay.page.PageTestBrowser;
 
 /**
  * Every page beside a reference picture of few large pixels, so that fonts and smoothing of another machine make no
@@ -26,6 +30,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 @Tag("process")
 @Tag("slow")
 @Timeout(300)
+@Execution(ExecutionMode.CONCURRENT)
+@ResourceLock(PageTestBrowser.LOCK)
 class PagePicturesTest extends GalleryTest {
 
     /** The side of a large pixel, in pixels of the page. */
