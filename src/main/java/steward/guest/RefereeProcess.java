@@ -29,7 +29,7 @@ final class RefereeProcess {
     private final Isolation isolation;
     private final HostedProcess process;
     private final BlockReader reader;
-    private final int limitMs;
+    private volatile int limitMs;
     private volatile boolean closed;
 
     private RefereeProcess(List<String> command, Isolation isolation, HostedProcess process, int limitMs) {
@@ -53,6 +53,11 @@ final class RefereeProcess {
     /** True if it was started so. */
     boolean isOf(List<String> otherCommand, Isolation otherIsolation) {
         return command.equals(otherCommand) && isolation.equals(otherIsolation);
+    }
+
+    /** Sets how long it may take each time that it speaks: the next game may be one of another scene. */
+    void limit(int ms) {
+        limitMs = ms;
     }
 
     /** Says blocks and returns those of the answer. */

@@ -23,6 +23,7 @@ final class ResidentReferees {
             for (RefereeProcess each : idle) {
                 if (each.isOf(command, isolation)) {
                     idle.remove(each);
+                    each.limit(limitMs);
                     return each;
                 }
             }

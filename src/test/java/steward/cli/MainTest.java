@@ -24,11 +24,15 @@ import steward.scene.SceneFiles;
 /** The program as a whole: help, version, completion, and how a call is taken apart. */
 class MainTest {
 
+    @TempDir
+    private static Path shared;
     private static String help;
+    private static Path completion;
 
     @BeforeAll
-    static void printHelp() {
+    static void printHelpAndCompletion() throws IOException {
         help = Cli.run("--help").out();
+        completion = Files.writeString(shared.resolve("completion"), Cli.run("completion").done().out());
     }
 
     @Test
@@ -100,15 +104,13 @@ class MainTest {
 
     @Test
     @Tag("process")
-    void completionIsAScriptThatBashTakes(@TempDir Path folder) throws IOException, InterruptedException {
+    void completionIsAScriptThatBashTakes() throws IOException, InterruptedException {
         assumeTrue(Files.isExecutable(Path.of("/bin/bash")), "there is no bash");
-        Cli cli = Cli.run("completion");
-        assertEquals(ExitStatus.DONE, cli.status());
-        Path script = Files.writeString(folder.resolve("completion"), cli.out());
-        assertEquals(0, new ProcessBuilder("/bin/bash", "-n", script.toString()).inheritIO().start().waitFor());
+        assertEquals(0, new ProcessBuilder("/bin/bash", "-n", completion.toString()).inheritIO().start().waitFor());
+        String script = Files.readString(completion);
         for (String word : List.of("--no-deadline", "mad-pod-racing", "builtin:veteran", "codingame", "compensated",
             "crowd of 1000, 10%", "crowds", "dense-box", "failed", "python")) {
-            assertTrue(cli.out().contains(word), word);
+            assertTrue(script.contains(word), word);
         }
     }
 
@@ -130,13 +132,11 @@ class MainTest {
         "steward demo --accuracy do | double", "steward play --json-league builtin : v | veteran",
         "steward referee -p1 builtin : v | veteran", "steward feed x --player 0 -- builtin : v | veteran",
         "steward feed x --protocol j | json", "steward replay x | "})
-    void everyFixedVocabularyIsCompleted(String line, String words, @TempDir Path folder)
-            throws IOException, InterruptedException {
+    void everyFixedVocabularyIsCompleted(String line, String words) throws IOException, InterruptedException {
         assumeTrue(Files.isExecutable(Path.of("/bin/bash")), "there is no bash");
         assumeTrue(!BuiltinBots.installed().names().isEmpty(), "the builtin bots are not on the class path");
-        Path script = Files.writeString(folder.resolve("completion"), Cli.run("completion").out());
         List<String> call = new ArrayList<>(List.of("/bin/bash", "-c", "source \"$0\"; COMP_WORDS=(\"$@\"); "
-            + "COMP_CWORD=$(($# - 1)); _steward_words; echo \"${COMPREPLY[*]}\"", script.toString()));
+            + "COMP_CWORD=$(($# - 1)); _steward_words; echo \"${COMPREPLY[*]}\"", completion.toString()));
         call.addAll(List.of(line.split(" ")));
         Process process = new ProcessBuilder(call).redirectErrorStream(true).start();
         String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);

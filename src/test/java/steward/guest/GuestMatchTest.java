@@ -55,12 +55,13 @@ class GuestMatchTest {
         return name + "=sh " + Files.writeString(folder.resolve(name + ".sh"), """
             turn=0
             while :; do
-              for k in $(seq %d); do IFS= read -r line || exit 0; echo "$line" >>%s; done
+              %s
               if [ $turn -ge %d ]; then %s; fi
               echo %s
               turn=$((turn + 1))
             done
-            """.formatted(lines, folder.resolve(name + ".txt"), turn, then, answer));
+            """.formatted("IFS= read -r line || exit 0; echo \"$line\" >>%s; ".formatted(folder.resolve(name + ".txt"))
+                .repeat(lines), turn, then, answer));
     }
 
     private Cli match(String scene, String... more) throws IOException {
@@ -237,7 +238,7 @@ class GuestMatchTest {
     @ValueSource(strings = {
         "exit     | exited with status 3 before answering; its stderr: the map is missing",
         "fail     | failed: java.lang.NullPointerException | at Referee.gameTurn",
-        "silence  | said nothing for 1500 ms that ends its turn to speak",
+        "silence  | said nothing for 500 ms that ends its turn to speak",
         "flood    | said more than 16 MiB at a time",
         "errors   | exited with status 4 before answering; its stderr: e",
         "unknown  | said '[[GARBAGE] 1]', expected a block such as [[VIEW] 3]",
@@ -265,7 +266,7 @@ class GuestMatchTest {
     private void assertFault(String line) throws IOException {
         String mode = line.split("\\|", 2)[0].strip();
         String problem = line.split("\\|", 2)[1].strip();
-        String limit = mode.equals("silence") ? ", \"limitMs\": 1500" : "";
+        String limit = mode.equals("silence") ? ", \"limitMs\": 500" : "";
         Cli cli = match(scene(mode, 2, limit));
         assertEquals(ExitStatus.FAILED, cli.status(), cli.out() + cli.err());
         assertTrue(cli.err().contains("the match could not be brought to a result: the referee " + problem),

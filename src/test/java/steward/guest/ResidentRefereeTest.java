@@ -119,14 +119,15 @@ class ResidentRefereeTest {
         assertEquals("level 2", other.get(1));
     }
 
+    /** The limit is that of the scene which is played, not of the one that started the JVM: its start is over. */
     @Test
     void aFaultIsTheRefereesAndTheNextGameIsPlayedByANewJvm() {
         String scene = scene(2, "");
-        play(scene, 200);
         assertFault("exited with status 7 before answering; its stderr: noise of the referee | leaving", scene,
             101);
         assertTrue(play(scene, 200).get(0).endsWith(" game 1"));
         assertFault("failed: java.lang.reflect.InvocationTargetException", scene, 102);
+        assertTrue(play(scene, 200).get(0).endsWith(" game 1"));
         assertFault("said nothing for 500 ms", scene(2, ", \"limitMs\": 500"), 103);
         assertTrue(play(scene, 200).get(0).endsWith(" game 1"));
     }

@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.TimeUnit;
+import javax.tools.ToolProvider;
 import steward.bot.Answer;
 import steward.bot.Player;
 import steward.bot.command.ProgramFinder;
@@ -78,6 +79,11 @@ public final class HeldLanguages {
         }
         String source = SOURCES.resolve(language.equals("java") ? "Threads.java" : "threads."
             + (language.equals("node") ? "js" : language.equals("go") ? "go" : "py")).toAbsolutePath().toString();
+        if (language.equals("java")) {                       // once, and not by each of the bots
+            boolean compiled = ToolProvider.getSystemJavaCompiler().run(null, null, null, "-proc:none", "-d",
+                work.toString(), source) == 0;
+            return compiled ? List.of(program.toString(), "-cp", work.toString(), "Threads") : null;
+        }
         if (!language.equals("go")) {
             return List.of(program.toString(), source);
         }

@@ -77,8 +77,8 @@ class HostileTest {
     }
 
     @Test
-    void manyMatchesInOneJvmLeaveNothing(TestReporter report) throws Exception {
-        run(report, Soak.class, "--matches", "100");
+    void fortyMatchesInOneJvmLeaveNothing(TestReporter report) throws Exception {
+        run(report, Soak.class, "--matches", "40");
     }
 
     @Test

@@ -29,12 +29,16 @@ final class HostileTrial {
 
     private final Programs programs;
     private final Path folder;
+    /** A duel of few turns, in which it shows whether an earlier match has left something. */
+    private final Path next;
     private final Path temporary = Path.of(System.getProperty("java.io.tmpdir"));
 
     /** @param folder for replays */
-    HostileTrial(Programs programs, Path folder) {
+    HostileTrial(Programs programs, Path folder) throws IOException {
         this.programs = programs;
         this.folder = folder;
+        next = Files.writeString(folder.resolve("next.json"), Files.readString(Path.of("config/scenes/duel.json"))
+            .replaceFirst("\"maximumTurns\": [0-9]+", "\"maximumTurns\": 10"));
     }
 
     /**
@@ -58,7 +62,7 @@ final class HostileTrial {
         Set<String> filesBefore = Machine.temporaryFiles(temporary);
         int descriptorsBefore = Machine.descriptors();
         long threadsBefore = Machine.threads();
-        List<String> call = call(level, replay, attack.factor(), programs.command(attack, mark),
+        List<String> call = call("duel", level, replay, attack.factor(), programs.command(attack, mark),
             programs.honest(mark));
         long start = System.nanoTime();
         Played played = attack.referee() ? inItsOwn(call) : here(call);
@@ -107,7 +111,7 @@ final class HostileTrial {
     String undisturbed(SandboxLevel level) throws IOException {
         Path replay = folder.resolve("next.jsonl");
         Files.deleteIfExists(replay);
-        Played played = here(call(level, replay, 20, programs.honest("a"), programs.honest("b")));
+        Played played = here(call(next.toString(), level, replay, 20, programs.honest("a"), programs.honest("b")));
         if (played.status() != 0) {
             return played.status() + " " + played.out() + played.err();
         }
@@ -117,8 +121,9 @@ final class HostileTrial {
         return last.substring(hash, Math.min(last.length(), hash + 26));
     }
 
-    private static List<String> call(SandboxLevel level, Path replay, int factor, String bot, String other) {
-        return List.of("match", "--scene", "duel", "--seed", "" + SEED, "--sandbox", level.word(), "--time-factor",
+    private static List<String> call(String scene, SandboxLevel level, Path replay, int factor, String bot,
+                                     String other) {
+        return List.of("match", "--scene", scene, "--seed", "" + SEED, "--sandbox", level.word(), "--time-factor",
             "" + factor, "--json", "--out", replay.toString(), "--bot", bot, "--bot", other);
     }
 

@@ -33,6 +33,8 @@ public final class KilledSeries {
 
     /** The latest moment, in milliseconds after the start of the JVM, or after the first replay was made. */
     private static final int LATEST_MS = 1500;
+    /** That of {@code --short}. */
+    private static final int LATEST_SHORT_MS = 300;
     /** For the first replay. */
     private static final int PATIENCE_MS = 60_000;
 
@@ -86,7 +88,8 @@ public final class KilledSeries {
                 for (int round = first; round < (isShort ? first + 1 : times); round += levels.size()) {
                     // By turns from the start on, and while it surely plays, however slow the machine is.
                     boolean playing = isShort ? nth % 2 == 0 : round / levels.size() % 2 == 1;
-                    series.round(signal, level, playing, (playing ? 0 : 100) + random.nextInt(LATEST_MS), row);
+                    series.round(signal, level, playing,
+                        (playing ? 0 : 100) + random.nextInt(isShort ? LATEST_SHORT_MS : LATEST_MS), row);
                 }
                 System.out.printf(HEAD, signal, level.word(), row.rounds, row.processes, row.files, row.replays,
                     row.whole, row.cut, row.empty, row.statuses, row.longestMs + " ms");

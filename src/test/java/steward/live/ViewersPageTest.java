@@ -12,6 +12,9 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
+import org.junit.jupiter.api.parallel.ResourceLock;
 import steward.league.page.LeaguePage;
 import steward.replay.Recorded;
 import steward.replay.page.PageExtras;
@@ -22,6 +25,8 @@ import steward.replay.page.PageTestBrowser;
 @Tag("process")
 @Tag("slow")
 @Timeout(120)
+@Execution(ExecutionMode.CONCURRENT)
+@ResourceLock(PageTestBrowser.LOCK)
 class ViewersPageTest {
 
     private static final List<String> LINES = Recorded.of("duel", 5).lines();
@@ -57,7 +62,7 @@ class ViewersPageTest {
         }
     }
 
-    /** 20 MB are more than the buffers between the two. The part of the browser that reads from networks is stopped. */
+    /** 8 MB are more than the buffers between the two. The part of the browser that reads from networks is stopped. */
     @Test
     void aPageThatReadsNothingIsDroppedAndSaysSo() throws IOException, InterruptedException {
         LiveRecording recording = new LiveRecording();
@@ -69,7 +74,7 @@ class ViewersPageTest {
             browser.await("a turn does not appear", () -> browser.is("steward.lastTurn() === 1"));
             signal("STOP");
             try {
-                String line = LINES.get(2).replace("\"outcome\"", "\"padding\":\"" + "x".repeat(20 << 20)
+                String line = LINES.get(2).replace("\"outcome\"", "\"padding\":\"" + "x".repeat(8 << 20)
                     + "\",\"outcome\"");
                 write(recording, line);
                 server.awaitDelivery(20_000, 0);

@@ -15,8 +15,6 @@ import org.junit.jupiter.api.parallel.Isolated;
 @Isolated("counts descriptors, threads and files of the whole JVM")
 class BotLeakTest {
 
-    private static final int BOTS = 300;
-
     @BeforeEach
     void groups() {
         ScriptedBots.assumeGroups();
@@ -55,7 +53,17 @@ class BotLeakTest {
     }
 
     @Test
+    void ninetyBotsInSequence() {
+        assertNothingIsLeft(90);
+    }
+
+    @Test
+    @Tag("campaign")
     void threeHundredBotsInSequence() {
+        assertNothingIsLeft(300);
+    }
+
+    private static void assertNothingIsLeft(int bots) {
         for (int number = 0; number < 8; number++) {
             play(number);
         }
@@ -63,13 +71,13 @@ class BotLeakTest {
         long threadsBefore = threads();
         Set<String> filesBefore = temporaryFiles();
         int descriptorsBefore = descriptors();
-        for (int number = 0; number < BOTS; number++) {
+        for (int number = 0; number < bots; number++) {
             play(number);
         }
         // The JDK closes its ends when it has taken note of an exit; class loading may have opened a few files.
         ScriptedBots.await("descriptors are left open", () -> descriptors() <= descriptorsBefore + 5);
         // If no spare thread is idle again when the next bot needs one, another is started: far from one per bot.
-        ScriptedBots.await("threads are left behind", () -> threads() <= threadsBefore + BOTS / 20);
+        ScriptedBots.await("threads are left behind", () -> threads() <= threadsBefore + bots / 20);
         Set<String> files = temporaryFiles();
         files.removeAll(filesBefore);
         assertEquals(Set.of(), files);

@@ -14,6 +14,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.ResourceLock;
 import steward.cli.Cli;
 import steward.cli.ShellBots;
 import steward.cli.TextShellBots;
@@ -26,6 +27,7 @@ import steward.replay.page.PageTestBrowser;
 @Tag("process")
 @Tag("slow")
 @Timeout(300)
+@ResourceLock(PageTestBrowser.LOCK)
 class LeaguePageTest {
 
     private static final int GAMES = 12;

@@ -81,7 +81,7 @@ final class PageGallery {
 
     private void openLines(PageTestBrowser browser, List<String> lines, String time) {
         browser.open(pages.live("Made up"), "");
-        lines.forEach(line -> browser.run("steward.addTurn(arguments[0])", line));
+        browser.run("arguments[0].forEach(line => steward.addTurn(line))", lines);
         browser.run("location.hash = '#t=" + time + "'");
         browser.await("the page does not go to " + time, () -> browser.is("steward.time() === " + time));
         browser.run("document.getElementById('notice').hidden = true");

@@ -17,8 +17,6 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
 import steward.bot.command.CommandLine;
 import steward.bot.process.ScriptedBots;
 import steward.cli.Cli;
@@ -138,10 +136,19 @@ class SeriesProcessTest {
         }
     }
 
+    @Test
+    void aReplayThatCannotGrowKeepsItsTurns() throws IOException, InterruptedException {
+        assertItCannotGrow(24);
+    }
+
+    @Test
+    @Tag("campaign")
+    void aReplayOfASeriesThatCannotGrowAndHasNoTurnIsRemoved() throws IOException, InterruptedException {
+        assertItCannotGrow(0);
+    }
+
     /** Where no file may grow beyond so many blocks of 512 bytes. */
-    @ParameterizedTest
-    @ValueSource(ints = {0, 24})
-    void aReplayThatCannotGrowIsRemovedUnlessItHasTurns(int blocks) throws IOException, InterruptedException {
+    private void assertItCannotGrow(int blocks) throws IOException, InterruptedException {
         String said = ProcessTest.shell("ulimit -f " + blocks + "; exec " + call("--quiet"));
         Path first = replays.resolve("game-0001.jsonl");
         assertTrue(said.contains("steward: game 1 could not be brought to a result: " + first + ": cannot be written: "

@@ -18,29 +18,20 @@ import org.junit.jupiter.api.io.TempDir;
 import org.w3c.dom.Element;
 import org.w3c.dom.NodeList;
 import org.xml.sax.SAXException;
+import steward.bots.meanmax.MeanMaxBots;
 import steward.cli.Cli;
-import steward.cli.shared.ExitStatus;
 import steward.cli.streams.Json;
+import steward.match.TestScenes;
+import steward.replay.Recorded;
 import steward.replay.RecordedTurn;
 import steward.replay.ReplayReader;
+import steward.replay.page.PageTestRaces;
 
 /** The moving picture of a match: every body is where the replay says, at the end of every turn. */
-@Tag("process")                                           // bundled bots
 class MovingPictureTest {
 
     @TempDir
     private Path folder;
-
-    private Path recorded(String scene, String... more) {
-        Path replay = folder.resolve(scene + ".jsonl");
-        List<String> call = new ArrayList<>(List.of(more));
-        call.addAll(List.of("--seed", "7", "--out", replay.toString()));
-        call.add(1, "--scene");
-        call.add(2, scene);
-        Cli cli = Cli.run(call.toArray(String[]::new));
-        assertEquals(ExitStatus.DONE, cli.status(), cli.err());
-        return replay;
-    }
 
     private String picture(Path replay, String... more) throws IOException {
         Path svg = folder.resolve(replay.getFileName() + ".svg");
@@ -54,17 +45,21 @@ class MovingPictureTest {
 
     /** The README's picture is made by the lines that the page on watching gives. */
     @Test
+    @Tag("process")                                       // bundled bots
     void theReadmesPictureIsOfOurs() throws IOException {
-        assertEquals(Files.readString(Path.of("docs/race.svg")),
-            picture(recorded("walled-race", "match", "--bot", "builtin:veteran", "--bot", "builtin:contender")));
+        Path replay = folder.resolve("race.jsonl");
+        Cli.run("match", "--scene", "walled-race", "--bot", "builtin:veteran", "--bot", "builtin:contender", "--seed",
+            "7", "--time-factor", "30", "--out", replay.toString()).done();
+        assertEquals(Files.readString(Path.of("docs/race.svg")), picture(replay));
     }
 
     @Test
     void bodiesAreWhereTheReplaySays() throws IOException, ParserConfigurationException, SAXException {
-        Path race = recorded("walled-race", "match", "--bot", "builtin:veteran", "--bot", "builtin:racer");
+        Path race = Files.write(folder.resolve("race.jsonl"), PageTestRaces.play(PageTestRaces.scene("walled-race"),
+            3));
         assertTrue(compare(race, picture(race), 0) > 200);
-        Path part = recorded("mean-max", "match", "--bot", "builtin:marauder", "--bot", "builtin:gatherer", "--bot",
-            "builtin:gatherer");
+        Path part = Files.write(folder.resolve("part.jsonl"), Recorded.of(TestScenes.open("mean-max"), 7,
+            List.of(MeanMaxBots.marauder(), MeanMaxBots.gatherer(), MeanMaxBots.gatherer())).bytes());
         assertTrue(compare(part, picture(part, "--from", "20", "--to", "60"), 20) > 41 * 9);
     }
 
@@ -129,7 +124,7 @@ class MovingPictureTest {
 
     @Test
     void nothingIsOverwrittenAndOptionsOfAStillPictureAreRefused() throws IOException {
-        Path replay = recorded("walled-race", "match", "--bot", "builtin:racer", "--bot", "builtin:racer");
+        Path replay = Files.write(folder.resolve("duel.jsonl"), Recorded.of("duel", 3).bytes());
         Path svg = Files.writeString(folder.resolve("x.svg"), "mine");
         Cli kept = Cli.run("replay", replay.toString(), "--picture", svg.toString());
         assertEquals("steward: " + svg + ": exists already, and is kept; --overwrite would replace it\n", kept.err());

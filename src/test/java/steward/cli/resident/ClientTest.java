@@ -114,7 +114,7 @@ class ClientTest {
     @Test
     @Tag("campaign")
     void manyMatchesAreThoseOfProcesses() throws IOException, InterruptedException {
-        sameAsProcesses(Integer.getInteger("steward.games", 200));
+        sameAsProcesses(Integer.getInteger("steward.games", 60));
     }
 
     private void killed(int clients) throws IOException, InterruptedException {

@@ -16,6 +16,7 @@ import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.ResourceLock;
 import steward.bot.Bot;
 import steward.game.Game;
 import steward.game.GameSetup;
@@ -172,6 +173,7 @@ class AirHockeyTest {
 
     @Test
     @Tag("browser")
+    @ResourceLock(PageTestBrowser.LOCK)
     void thePageDrawsEveryTurn() throws IOException {
         Path page = page();
         try (PageTestBrowser browser = PageTestBrowser.start()) {

@@ -8,12 +8,17 @@ import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
+import org.junit.jupiter.api.parallel.ResourceLock;
 import steward.bots.fantasticbits.FantasticBitsBots;
 import steward.match.TestScenes;
 import steward.replay.Recorded;
 
 /** The look of Fantastic Bits in a real browser: every turn is drawn without a complaint, goals and magic are told. */
 @Tag("browser")
+@Execution(ExecutionMode.CONCURRENT)
+@ResourceLock(PageTestBrowser.LOCK)
 class FantasticBitsPageTest {
 
     @TempDir

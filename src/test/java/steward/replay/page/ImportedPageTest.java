@@ -8,6 +8,9 @@ import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
+import org.junit.jupiter.api.parallel.ResourceLock;
 import steward.codingame.recording.GameRecordingImport;
 import steward.codingame.recording.OfficialGame;
 import steward.codingame.recording.RecordingImport;
@@ -16,6 +19,8 @@ import steward.match.TestScenes;
 
 /** The page of an imported match in a real browser: states without hashes and paths, turns without any state. */
 @Tag("browser")
+@Execution(ExecutionMode.CONCURRENT)
+@ResourceLock(PageTestBrowser.LOCK)
 class ImportedPageTest {
 
     private static final int TURNS = 33;
@@ -47,7 +52,7 @@ class ImportedPageTest {
         try (PageTestBrowser browser = PageTestBrowser.start()) {
             browser.open(page, "#turn=1");
             browser.run("steward.pause()");
-            browser.draw(0, TURNS, 0.5);
+            browser.draw(0, TURNS, 0.75);
             assertEquals(List.of(), browser.complaints());
             assertEquals(TURNS, browser.number("steward.lastTurn()"));
         }

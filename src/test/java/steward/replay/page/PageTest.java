@@ -14,6 +14,9 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
+import org.junit.jupiter.api.parallel.ResourceLock;
 import org.openqa.selenium.Keys;
 import tools.jackson.databind.JsonNode;
 
@@ -22,6 +25,8 @@ import tools.jackson.databind.JsonNode;
  * the page of one race.
  */
 @Tag("browser")
+@Execution(ExecutionMode.CONCURRENT)
+@ResourceLock(PageTestBrowser.LOCK)
 class PageTest {
 
     /** Places are computed in doubles from whole pixels; a hundredth of a pixel is far below what can be seen. */

@@ -24,10 +24,13 @@ import org.openqa.selenium.logging.LoggingPreferences;
 
 /**
  * A headless Chromium in which tests look at pages, through the page's own test hook {@code window.steward}. One serves
- * all classes of this JVM, which run one after another; who is done with it closes it, and the next finds it as new.
- * It ends with the JVM.
+ * all classes of this JVM, one after another by its {@link #LOCK}; who is done with it closes it, and the next finds it
+ * as new. It ends with the JVM.
  */
 public final class PageTestBrowser implements AutoCloseable {
+
+    /** Name of the lock of those who use it: {@code @ResourceLock}, beside the tag {@code browser}. */
+    public static final String LOCK = "browser";
 
     private static final Duration PATIENCE = Duration.ofSeconds(60);
 

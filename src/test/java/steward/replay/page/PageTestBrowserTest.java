@@ -7,12 +7,22 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.regex.MatchResult;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
+import org.junit.jupiter.api.parallel.ResourceLock;
 
 /** The one browser of the tests: nothing that a test did to it is there for the next. */
 @Tag("browser")
+@Execution(ExecutionMode.CONCURRENT)
+@ResourceLock(PageTestBrowser.LOCK)
 class PageTestBrowserTest {
 
     @TempDir
@@ -40,5 +50,26 @@ class PageTestBrowserTest {
             browser.openPlain(page);
             assertEquals(first, browser.run(look));
         }
+    }
+
+    /** Other classes run beside them: without the lock, two would want it at once now and then. */
+    @Test
+    void whoHasTheTagHasTheLock() throws IOException {
+        Pattern tag = Pattern.compile("(?m)^ *@Tag\\(\"browser\"\\)$[^{]*");
+        List<String> without = new ArrayList<>();
+        int with = 0;
+        try (Stream<Path> files = Files.walk(Path.of("src"))) {
+            for (Path file : files.filter(each -> each.toString().endsWith(".java")).toList()) {
+                for (MatchResult found : tag.matcher(Files.readString(file)).results().toList()) {
+                    if (found.group().contains("@ResourceLock(PageTestBrowser.LOCK)")) {
+                        with++;
+                    } else {
+                        without.add(file.toString());
+                    }
+                }
+            }
+        }
+        assertEquals(List.of(), without);
+        assertTrue(with > 10, with + " have it");
     }
 }

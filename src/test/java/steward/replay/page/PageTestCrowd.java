@@ -1,7 +1,6 @@
 package steward.replay.page;
 
 import java.util.List;
-import java.util.Locale;
 import java.util.SplittableRandom;
 import java.util.stream.Stream;
 
@@ -11,6 +10,9 @@ public final class PageTestCrowd {
     static final int TURNS = 60;
     private static final int WIDTH = 16_000;
     private static final int HEIGHT = 9_000;
+
+    /** Fields of a body, in the order of its numbers. */
+    private static final String[] NUMBERS = {",\"x\":", ",\"y\":", ",\"vx\":", ",\"vy\":"};
 
     private PageTestCrowd() {
     }
@@ -46,9 +48,11 @@ public final class PageTestCrowd {
     private static String state(double[][] bodies) {
         StringBuilder state = new StringBuilder("{\"bodies\":[");
         for (int k = 0; k < bodies.length; k++) {
-            state.append(k == 0 ? "" : ",").append(String.format(Locale.ROOT,
-                "{\"id\":%d,\"x\":%.2f,\"y\":%.2f,\"vx\":%.2f,\"vy\":%.2f}", k, bodies[k][0], bodies[k][1],
-                bodies[k][2], bodies[k][3]));
+            state.append(k == 0 ? "" : ",").append("{\"id\":").append(k);
+            for (int number = 0; number < NUMBERS.length; number++) {
+                state.append(NUMBERS[number]).append(Math.round(100 * bodies[k][number]) / 100.0);
+            }
+            state.append('}');
         }
         return state.append("]}").toString();
     }

@@ -8,12 +8,17 @@ import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
+import org.junit.jupiter.api.parallel.ResourceLock;
 import steward.bots.pokerchiprace.PokerChipRaceBots;
 import steward.match.TestScenes;
 import steward.replay.Recorded;
 
 /** The look of the Poker Chip Race in a real browser: every turn is drawn without a complaint, with areas and chips. */
 @Tag("browser")
+@Execution(ExecutionMode.CONCURRENT)
+@ResourceLock(PageTestBrowser.LOCK)
 class PokerChipRacePageTest {
 
     @TempDir

@@ -8,6 +8,9 @@ import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
+import org.junit.jupiter.api.parallel.ResourceLock;
 import steward.bots.searchrace.SearchRaceBots;
 import steward.match.TestScenes;
 import steward.replay.Recorded;
@@ -15,6 +18,8 @@ import steward.text.TextFormat;
 
 /** The look of the search race in a real browser: every turn is drawn without a complaint, the result is the time. */
 @Tag("browser")
+@Execution(ExecutionMode.CONCURRENT)
+@ResourceLock(PageTestBrowser.LOCK)
 class SearchRacePageTest {
 
     @TempDir

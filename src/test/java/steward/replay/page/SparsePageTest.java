@@ -8,11 +8,16 @@ import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
+import org.junit.jupiter.api.parallel.ResourceLock;
 import steward.match.TestScenes;
 import steward.replay.Recorded;
 
 /** A sparse replay in a real browser: 4,001 bodies, so that each third state is kept, and the last. */
 @Tag("browser")
+@Execution(ExecutionMode.CONCURRENT)
+@ResourceLock(PageTestBrowser.LOCK)
 class SparsePageTest {
 
     private static final String SCENE = """
