@@ -15,6 +15,7 @@ import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import steward.match.TestScenes;
+import steward.match.TestSize;
 import steward.numerics.SplitMix64;
 import steward.scene.Accuracy;
 import steward.scene.SceneFiles;
@@ -34,7 +35,7 @@ import tools.jackson.databind.node.ObjectNode;
 class SceneSchemaTest {
 
     private static final Schema SCHEMA = Schemas.open("scene");
-    private static final int MUTATIONS = 2000;
+    private static final int MUTATIONS = TestSize.of(2000, 8000);
 
     /** Every block and every kind of wall, with all their fields. */
     private static final String ALL = """
@@ -113,6 +114,7 @@ class SceneSchemaTest {
 
     @Test
     @Tag("slow")
+    @Tag("sized")
     void spoiltScenesAreRefusedByBothOrNeither() {
         List<JsonNode> scenes = new ArrayList<>();
         scenes.add(JsonMapper.shared().readTree(ALL));

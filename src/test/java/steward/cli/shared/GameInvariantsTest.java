@@ -14,6 +14,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import steward.game.Game;
 import steward.game.GameSetup;
 import steward.game.Pilot;
+import steward.match.TestSize;
 import steward.numerics.SplitMix64;
 import steward.physics.Bodies;
 import steward.physics.Impact;
@@ -40,24 +41,14 @@ class GameInvariantsTest {
     @ParameterizedTest
     @MethodSource("scenesAndRungs")
     @Tag("slow")
+    @Tag("sized")
     void everyTurnKeepsThem(String scene, String rung) {
-        keepsThem(scene, rung, 1, 10);
-    }
-
-    @ParameterizedTest
-    @MethodSource("scenesAndRungs")
-    @Tag("campaign")
-    void everyTurnOfSeveralGamesKeepsThem(String scene, String rung) {
-        keepsThem(scene, rung, 2, 40);
-    }
-
-    /** @param mostTurnsAlone turns of a scene without players: heaps of hundreds take long */
-    private static void keepsThem(String scene, String rung, int mostGames, int mostTurnsAlone) {
+        int mostTurnsAlone = TestSize.of(10, 40);                            // heaps of hundreds take long
         GameSetup setup = Games.open(scene, Accuracy.parse(rung));
         int impacts = 0;
         int turns = 0;
         boolean alone = setup.scene().players() == 0;
-        int games = alone ? 1 : mostGames;                                  // nobody plays otherwise there
+        int games = alone ? 1 : TestSize.of(1, 2);                                  // nobody plays otherwise there
         int mostTurns = alone ? mostTurnsAlone : MOST_TURNS;
         for (int seed = 1; seed <= games; seed++) {
             Game game = setup.create(seed);

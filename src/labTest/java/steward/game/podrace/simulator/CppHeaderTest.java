@@ -40,7 +40,7 @@ class CppHeaderTest {
 
     private final RandomTurns random = new RandomTurns(SEED);
     private final SplitMix64 choice = new SplitMix64(SEED);
-    private final long wanted = Long.getLong("steward.turns", isCampaign() ? 20_000 : 4_000);
+    private final long wanted = Long.getLong("steward.turns", isCampaign() ? 20_000 : 1_500);
     private CppHeader header;
 
     @BeforeEach
