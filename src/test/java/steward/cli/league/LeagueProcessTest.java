@@ -56,7 +56,8 @@ class LeagueProcessTest {
 
     private Process start(Path out, String... arguments) throws IOException {
         List<String> command = new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin", "java")
-            .toString(), "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC", "--enable-native-access=ALL-UNNAMED", "-Djava.io.tmpdir="
+            .toString(), "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC",
+            "--enable-native-access=ALL-UNNAMED", "-Djava.io.tmpdir="
             + Files.createDirectories(folder.resolve("tmp")), "-cp", absolute(), Main.class.getName()));
         command.addAll(List.of(arguments));
         return new ProcessBuilder(command).directory(folder.toFile()).redirectErrorStream(true)
@@ -195,7 +196,8 @@ class LeagueProcessTest {
             List.of("replay", "games/game-0001.jsonl", "--verify"), List.of("explain", "short.json"),
             List.of("--help"), List.of("league", "table", "none"), List.of("league", "run", "league", "--games", "1"));
         List<String> words = new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-            "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC", "-Xlog:class+load", "--enable-native-access=ALL-UNNAMED", "-cp", absolute(),
+            "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC", "-Xlog:class+load",
+            "--enable-native-access=ALL-UNNAMED", "-cp", absolute(),
             SeveralCalls.class.getName()));
         words.addAll(SeveralCalls.words(calls));
         int status = new ProcessBuilder(words).directory(folder.toFile()).redirectErrorStream(true)

@@ -58,7 +58,8 @@ class BrokerLoadingTest {
         Path out = folder.resolve("out.txt");
         Path err = folder.resolve("err.txt");
         List<String> words = new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-            "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC", "-XX:-UsePerfData", "-Xlog:class+load", "--enable-native-access=ALL-UNNAMED", "-cp", path(broker),
+            "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC", "-XX:-UsePerfData",
+            "-Xlog:class+load", "--enable-native-access=ALL-UNNAMED", "-cp", path(broker),
             program.getName()));
         words.addAll(call);
         Process process = new ProcessBuilder(words).directory(folder.toFile()).redirectOutput(out.toFile())
