@@ -44,7 +44,7 @@ def misbehave():
         while True:
             say("SUMMARY", "x" * 60000)
     if mode == "errors":
-        sys.stderr.write("e" * 100000000)
+        sys.stderr.write("e" * 10000000)
         sys.exit(4)
     if mode == "unknown":
         say("GARBAGE", "1")
