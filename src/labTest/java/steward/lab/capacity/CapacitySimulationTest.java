@@ -12,6 +12,7 @@ import steward.lab.capacity.CapacitySimulation.Load;
 import steward.lab.capacity.CapacitySimulation.Setting;
 import steward.lab.capacity.LeagueCosts.Part;
 import steward.lab.capacity.SaturationTable.Row;
+import steward.match.TestSize;
 
 /** The simulation against what is known of queues without it. */
 @Execution(ExecutionMode.CONCURRENT)
@@ -68,10 +69,11 @@ class CapacitySimulationTest {
     /** The bounds of closed queueing networks: no part does more than it has time for, the busiest does just that. */
     @Test
     @Tag("slow")
+    @Tag("sized")
     void whenSaturatedThePartThatIsBusiestDecidesHowManyGamesThereAre() {
         LeagueCosts costs = new LeagueCosts(300, 100, 400, 2000, 0.05, 50, 200);
         assertEquals(1150, costs.total(), 1e-9);
-        for (int processors : new int[] {1, 2, 4}) {
+        for (int processors : TestSize.isWhole() ? new int[] {1, 2, 4} : new int[] {2}) {
             Load load = CapacitySimulation.of(costs, new Setting(processors, 500, 10e6, 2500), 40_000, SEED);
             assertEquals(processors / 1150e-6, load.perSecond(), 0.01 * load.perSecond());
             assertEquals(load.perSecond(), load.stored(), 0.02 * load.stored());
@@ -88,9 +90,10 @@ class CapacitySimulationTest {
 
     /** Work half done before counting begins must not make more games than there is time for. */
     @Test
+    @Tag("sized")
     void whatIsSimulatedStaysWithinItsBound() {
         LeagueCosts costs = new LeagueCosts(1100, 70, 650, 0, 0, 420, 280);
-        for (int workers : new int[] {50, 200, 1000}) {
+        for (int workers : TestSize.isWhole() ? new int[] {50, 200, 1000} : new int[] {200}) {
             Row row = Row.of(costs, 2, workers, 20, 2500);
             double most = costs.most(Part.PROCESSORS, 2);
             assertEquals(most, row.load().perSecond(), 0.002 * most, () -> workers + " workers");
@@ -103,9 +106,10 @@ class CapacitySimulationTest {
      */
     @Test
     @Tag("slow")
+    @Tag("sized")
     void aQueueThatStillGrowsIsNotCounted() {
         LeagueCosts costs = new LeagueCosts(190, 22, 405, 3616, 0.05, 37, 67);
-        for (int processors : new int[] {16, 32}) {
+        for (int processors : TestSize.isWhole() ? new int[] {16, 32} : new int[] {32}) {
             Row row = Row.of(costs, processors, 1000, 20, 2500);
             double most = costs.most(Part.STORE, processors);
             assertEquals(most, row.load().perSecond(), 0.004 * most, () -> processors + " processors");

@@ -74,10 +74,11 @@ class EngineAgainstOracleTest {
     @ParameterizedTest
     @Tag("slow")
     @MethodSource("rungs")
+    @Tag("sized")
     void physicsAmongWalls(Rung rung) {
         Wall[] box = Wall.box(320, 240, 0.9);
         Wall[] round = {new Arena(120, 80, 230, 1), new Segment(0, 70, 200, 75, 0.7)};
-        for (long seed = 1; seed <= 24; seed++) {
+        for (long seed = 1; seed <= TestSize.of(8, 24); seed++) {
             SplitMix64 random = new SplitMix64(seed);
             Bodies bodies = crowd(random, 100, 300);
             for (int k = 0; k < 6; k++) {

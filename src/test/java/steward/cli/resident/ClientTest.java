@@ -28,6 +28,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import steward.cli.TextShellBots;
+import steward.match.TestSize;
 
 /** The compiled clients, {@code steward-referee} and {@code steward-play}, and the residents that they start. */
 @Tag("process")
@@ -107,14 +108,9 @@ class ClientTest {
     }
 
     @Test
+    @Tag("sized")
     void matchesAreThoseOfProcesses() throws IOException, InterruptedException {
-        sameAsProcesses(3);
-    }
-
-    @Test
-    @Tag("campaign")
-    void manyMatchesAreThoseOfProcesses() throws IOException, InterruptedException {
-        sameAsProcesses(Integer.getInteger("steward.games", 60));
+        sameAsProcesses(Integer.getInteger("steward.games", TestSize.of(2, 60)));
     }
 
     private void killed(int clients) throws IOException, InterruptedException {
@@ -133,14 +129,9 @@ class ClientTest {
     }
 
     @Test
+    @Tag("sized")
     void killedClientsLeaveNoBots() throws IOException, InterruptedException {
-        killed(20);
-    }
-
-    @Test
-    @Tag("campaign")
-    void hundredsOfKilledClientsLeaveNoBots() throws IOException, InterruptedException {
-        killed(100);
+        killed(TestSize.of(8, 100));
     }
 
     @Test
@@ -219,7 +210,7 @@ class ClientTest {
     void aResidentThatIsKilledIsReplaced() throws IOException, InterruptedException {
         takeAnInstallationOfItsOwn();
         Path slow = Files.writeString(folder.resolve("slow.sh"),
-            "once='" + folder + "/once'\n[ -e \"$once\" ] || { : >\"$once\"; sleep 9; }\n"
+            "once='" + folder + "/once'\n[ -e \"$once\" ] || { : >\"$once\"; sleep 3; }\n"
             + "while read -r line; do echo 0 0 0; done\n");
         Process client = home.builder(match(REFEREE, "sh " + slow, 1)).start();
         await("a match", () -> Files.exists(folder.resolve("once")));

@@ -4,10 +4,12 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.league.rating.AnytimeBar;
+import steward.match.TestSize;
 import steward.numerics.SplitMix64;
 
 /** Ranges against closed forms, and how often they hold. */
@@ -54,6 +56,8 @@ class SequentialBarTest {
     }
 
     @Test
+    @Tag("slow")
+    @Tag("sized")
     void rangesHoldWhereOneBotWinsNearlyEverything() {
         // One seed of fifty is lost from both seats. Of 20 to 300 such tests a bar of standard deviations, which are
         // estimated, misses at some look in one of six.
@@ -61,7 +65,8 @@ class SequentialBarTest {
         double deviations = (mean - 0.5) / Math.sqrt(mean * (1 - mean));
         SplitMix64 random = new SplitMix64(31);
         int missed = 0;
-        for (int trial = 0; trial < 200; trial++) {
+        int trials = TestSize.of(40, 200);
+        for (int trial = 0; trial < trials; trial++) {
             ScoreCounts scores = new ScoreCounts(2);
             boolean held = true;
             for (int n = 1; n <= 300; n++) {
@@ -74,6 +79,6 @@ class SequentialBarTest {
             }
             missed += held ? 0 : 1;
         }
-        assertTrue(missed <= 10, missed + " of 200 of seed 31");
+        assertTrue(missed <= trials / 20, missed + " of " + trials + " of seed 31");
     }
 }
