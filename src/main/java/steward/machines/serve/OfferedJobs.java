@@ -195,18 +195,23 @@ final class OfferedJobs {
         return null;
     }
 
-    /** Takes a worker's result of a job; of no consequence if it is not the worker's, or not any more. */
-    void told(String worker, WorkerWord.Result result) {
+    /**
+     * Takes a worker's result of a job; of no consequence if it is not the worker's, or not any more.
+     *
+     * @return true if it is late: the games have gone to others
+     */
+    boolean told(String worker, WorkerWord.Result result) {
         Offer offer = offers.get(result.job());
         if (!worker.equals(broker.holder(result.job()))) {
-            return;
+            return false;
         }
         if (offer == null) {
-            recalled.remove(result.job());             // too late, and no reason to complain
+            recalled.remove(result.job());             // no reason to complain
             broker.forget(result.job());
-            return;
+            return true;
         }
         offer.told().complete(new Told(worker, result.games(), broker.heldNanos(result.job())));
+        return false;
     }
 
     /** Some bots turn out not to run at a worker: what nobody can play goes to the league itself. */

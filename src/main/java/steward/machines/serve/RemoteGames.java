@@ -405,7 +405,9 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
             } else if (word instanceof WorkerWord.Fetch fetch) {
                 broker.tell(state.name, bundles.piece(fetch));
             } else if (word instanceof WorkerWord.Result result) {
-                offered.told(state.name, result);
+                if (offered.told(state.name, result)) {
+                    pauses.untested(state.name);
+                }
             } else if (word instanceof WorkerWord.Unfit unfit) {
                 unfit(state, unfit);
             } else if (word instanceof WorkerWord.Differs differs) {

@@ -17,7 +17,7 @@ final class WorkerGate implements Gate {
 
     void joined(String worker, int slots) {
         most.put(worker, 2 * slots + 2);
-        pauses.joined(worker);
+        pauses.untested(worker);
     }
 
     @Override

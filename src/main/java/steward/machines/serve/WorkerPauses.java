@@ -84,8 +84,8 @@ final class WorkerPauses {
         return pause == null || isDue(pause) && !tested.contains(worker);
     }
 
-    /** Notes that a worker has joined anew: a test that it was given before is void. */
-    synchronized void joined(String worker) {
+    /** Voids a test that a worker was given: it has joined anew, or the games of the test have gone to others. */
+    synchronized void untested(String worker) {
         tested.remove(worker);
     }
 

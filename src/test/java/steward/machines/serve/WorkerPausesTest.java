@@ -62,7 +62,7 @@ class WorkerPausesTest {
         seconds += 1;
         pauses.took("a");
         assertFalse(pauses.mayTake("a"));
-        pauses.joined("a");
+        pauses.untested("a");
         assertTrue(pauses.mayTake("a"));
     }
 

@@ -22,8 +22,11 @@ import steward.league.StoredGame;
 import steward.league.play.Elsewhere;
 import steward.machines.broker.BrokerClient;
 import steward.machines.broker.BrokerClient.BrokenException;
+import steward.machines.bundle.Bundle;
 import steward.machines.serve.HostileWorker.Way;
 import steward.machines.token.WorkerToken;
+import steward.machines.wire.GameJob;
+import steward.machines.wire.WorkerWord;
 
 /** What becomes of workers that lie, fail or keep games, and of honest ones with unusual bots. */
 @Tag("process")
@@ -203,13 +206,24 @@ class WorkerVerdictsTest extends ServedLeague {
         assertEquals(alone, counting("many"), said);
     }
 
+    /** Result of the league's first game, offered to its workers. */
+    private CompletableFuture<List<List<StoredGame>>> played(RemoteGames games) {
+        Elsewhere.Game game = firstGame("many");
+        return CompletableFuture.supplyAsync(() -> {
+            try {
+                return games.play(List.of(game));
+            } catch (InterruptedException end) {
+                return List.of();
+            }
+        });
+    }
+
     /** With bots that have not played yet a worker may take the lease, 4 s, and in a hurry a quarter of it. */
     @Test
     void whoHasNothingElseToPlayWaitsForNoLeaseAndTheWorkerIsBlamedWhenItEnds() throws Exception {
         make("many");
         WorkerToken token = token("many", "bad");
         List<String> told = new CopyOnWriteArrayList<>();
-        Elsewhere.Game game = firstGame("many");
         AtomicBoolean over = new AtomicBoolean();
         try (RemoteGames games = served("many", false, TimeUnit.SECONDS.toNanos(4), told::add);
              BrokerClient client = client(token)) {
@@ -223,13 +237,7 @@ class WorkerVerdictsTest extends ServedLeague {
             while (told.isEmpty()) {
                 TimeUnit.MILLISECONDS.sleep(10);       // until it has joined
             }
-            CompletableFuture<List<List<StoredGame>>> played = CompletableFuture.supplyAsync(() -> {
-                try {
-                    return games.play(List.of(game));
-                } catch (InterruptedException end) {
-                    return List.of();
-                }
-            });
+            CompletableFuture<List<List<StoredGame>>> played = played(games);
             while (!played.isDone()) {
                 games.hurry();
                 TimeUnit.MILLISECONDS.sleep(50);
@@ -244,5 +252,43 @@ class WorkerVerdictsTest extends ServedLeague {
             over.set(true);
             keeping.get(20, TimeUnit.SECONDS);
         }
+    }
+
+    /** A worker that fails is paused, and its test has gone to others before it has played it. */
+    @Test
+    void aTestWhoseGamesHaveGoneToOthersIsGivenAnew() throws Exception {
+        make("many");
+        try (RemoteGames games = served("many", false, TimeUnit.SECONDS.toNanos(4), told -> { });
+             BrokerClient client = client(token("many", "slow"))) {
+            hello(client, "slow");
+            try (BrokerClient.Taker taker = client.taker(List.of())) {
+                CompletableFuture<List<List<StoredGame>>> first = played(games);
+                fail(taker, take(taker));
+                assertEquals(Collections.singletonList(null), first.get());
+                CompletableFuture<List<List<StoredGame>>> second = played(games);
+                GameJob test = take(taker);
+                while (!second.isDone()) {
+                    games.hurry();
+                    TimeUnit.MILLISECONDS.sleep(50);
+                }
+                fail(taker, test);
+                CompletableFuture<List<List<StoredGame>>> third = played(games);
+                fail(taker, take(taker));
+                assertEquals(Collections.singletonList(null), third.get());
+            }
+        }
+    }
+
+    private static GameJob take(BrokerClient.Taker taker) throws Exception {
+        byte[] job = null;
+        while (job == null) {
+            job = taker.take(500);
+        }
+        return GameJob.read(job, "a job", Bundle.LARGEST);
+    }
+
+    private static void fail(BrokerClient.Taker taker, GameJob job) throws BrokenException {
+        taker.finish(new WorkerWord.Result(job.id(), List.of(new WorkerWord.Played(List.of(), List.of(),
+            "no space left on device"))).bytes());
     }
 }
