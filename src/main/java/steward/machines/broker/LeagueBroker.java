@@ -31,6 +31,7 @@ import org.apache.activemq.artemis.core.filter.impl.FilterImpl;
 import org.apache.activemq.artemis.core.remoting.impl.invm.InVMAcceptorFactory;
 import org.apache.activemq.artemis.core.remoting.impl.invm.InVMConnectorFactory;
 import org.apache.activemq.artemis.core.remoting.impl.netty.TransportConstants;
+import org.apache.activemq.artemis.core.server.Queue;
 import org.apache.activemq.artemis.core.server.ServerSession;
 import org.apache.activemq.artemis.core.server.impl.ActiveMQServerImpl;
 import org.apache.activemq.artemis.core.settings.impl.AddressFullMessagePolicy;
@@ -276,7 +277,9 @@ public final class LeagueBroker implements AutoCloseable {
 
     /** Offers what waits once more to workers that the gate has refused. */
     public void offerAgain() {
-        server.locateQueue(SimpleString.of(Queues.JOBS)).deliverAsync();
+        Queue jobs = server.locateQueue(SimpleString.of(Queues.JOBS));
+        jobs.resetAllIterators();                      // each consumer's is behind what was refused
+        jobs.deliverAsync();
     }
 
     /** Who has a job, or {@code null}. */
