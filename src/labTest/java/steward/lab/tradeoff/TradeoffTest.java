@@ -268,7 +268,8 @@ class TradeoffTest {
     @Tag("process")
     void aDisplayThatIsNotThereIsNoHindrance() throws IOException, InterruptedException {
         ProcessBuilder other = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-            "-XX:TieredStopAtLevel=1", "-cp", System.getProperty("java.class.path"), TradeoffTest.class.getName(), folder.toString());
+            "-XX:TieredStopAtLevel=1", "-cp", System.getProperty("java.class.path"), TradeoffTest.class.getName(),
+            folder.toString());
         other.environment().put("DISPLAY", ":99");
         Process process = other.redirectErrorStream(true).start();
         String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
