@@ -3,6 +3,7 @@ package steward.numerics;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
@@ -37,6 +38,7 @@ class ShortestDecimalTest {
     }
 
     @Test
+    @Tag("slow")
     void theSameAsJackson() {
         SplitMix64 random = new SplitMix64(20);
         long least = Double.doubleToLongBits(1e-3);

@@ -2,6 +2,7 @@ package steward.numerics;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestReporter;
 import org.junit.jupiter.api.parallel.Execution;
@@ -24,6 +25,7 @@ class StrictAnglesTest {
     private final StrictAngles angles = new StrictAngles();
 
     @Test
+    @Tag("slow")
     void everyBitIsThatOfStrictMath(TestReporter report) {
         report.publishEntry("seed " + SEED + ", " + COUNT + " arguments");
         for (long k = 0; k < COUNT; k++) {

@@ -3,6 +3,7 @@ package steward.numerics;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.math.BigInteger;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /** Fractions of a turn against a division by pi in whole numbers. */
@@ -11,6 +12,7 @@ class TurnFractionTest {
     private final TurnFraction turns = new TurnFraction();
 
     @Test
+    @Tag("slow")
     void itIsTheFractionOfTheQuotient() {
         SplitMix64 random = new SplitMix64(5);
         for (int exponent = -28; exponent < 1024; exponent++) {

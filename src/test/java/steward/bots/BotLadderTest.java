@@ -76,6 +76,7 @@ class BotLadderTest {
 
     @ParameterizedTest
     @CsvSource({"1, 2", "3, 2", "8, 2", "2, 4", "8, 8"})
+    @Tag("slow")
     void theMiddleStepsPlayAnyNumberOfPodsAndPlayers(int pods, int players) {
         PodBot[] bots = new PodBot[players];
         for (int player = 0; player < players; player++) {

@@ -74,6 +74,7 @@ class BrokenInputTest {
     /** Inputs that are refused whatever is done to them show nothing. */
     @ParameterizedTest
     @MethodSource("kinds")
+    @Tag("slow")
     void theOriginalIsSound(Kind kind) throws IOException {
         BrokenInputs inputs = new BrokenInputs(folder, SEED);
         inputs.prepare(kind);

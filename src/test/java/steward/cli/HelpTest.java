@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
@@ -79,6 +80,7 @@ class HelpTest {
     }
 
     @Test
+    @Tag("slow")
     void helpIsACommandToo() {
         assertEquals(Cli.run("--help").out(), Cli.run("help").out());
         assertEquals(Cli.run("match", "--help").out(), Cli.run("help", "match").out());

@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import java.util.TreeMap;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import steward.league.Schedule.Task;
 
@@ -54,6 +55,7 @@ class PausedBotsTest {
     }
 
     @Test
+    @Tag("slow")
     void neitherThreadsNorInterruptionsChangeWhoIsPausedWhen() {
         for (int lag : new int[] {1, 4, 16, 64}) {
             TreeMap<String, Task> plain = new TreeMap<>();

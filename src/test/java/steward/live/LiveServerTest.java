@@ -17,6 +17,7 @@ import java.util.List;
 import java.util.Locale;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import steward.replay.Recorded;
@@ -89,6 +90,7 @@ class LiveServerTest {
 
     /** 12 MB are more than all buffers between the two; the match must not wait for any of it. */
     @Test
+    @Tag("slow")
     void aViewerWhoReadsNothingHoldsNobodyUp() throws Exception {
         Clients.Feed slow = clients.feed();
         Clients.Feed quick = clients.feed();
@@ -138,6 +140,7 @@ class LiveServerTest {
     }
 
     @Test
+    @Tag("slow")
     void whoeverFindsAllPlacesTakenIsToldAndComesInWhenOneHasLeft() throws Exception {
         List<Clients.Feed> feeds = new ArrayList<>();
         for (int k = 0; k < VIEWERS; k++) {
@@ -158,6 +161,7 @@ class LiveServerTest {
 
     /** 8 MB are more than all buffers between the two. A browser connects again by itself, with the last id. */
     @Test
+    @Tag("slow")
     void aViewerWhoReadsNothingIsDroppedAndToldWhenItComesAgain() throws Exception {
         LiveRecording lines = new LiveRecording();
         try (LiveServer impatient = LiveServer.start(null, 0, 2, "b", lines, PageExtras.NONE, 300_000_000);

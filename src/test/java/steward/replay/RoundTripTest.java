@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
@@ -41,6 +42,7 @@ class RoundTripTest {
 
     @ParameterizedTest
     @CsvSource({"mad-pod-racing", "walled-race"})
+    @Tag("slow")
     void sixteenPodsThatRamEachOtherVerify(String scene) {
         GameSetup crowd = TestScenes.changed(scene, "\"perPlayer\": 2", "\"perPlayer\": 8");
         Recorded match = Recorded.of(crowd, 5, 0.9);

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import com.networknt.schema.Schema;
 import java.util.ArrayList;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -42,6 +43,7 @@ class FantasticBitsSchemaTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"fantastic-bits", "fantastic-bits-contest"})
+    @Tag("slow")
     void everyLineOfAWholeMatchIsValid(String scene) {
         List<String> lines = new ArrayList<>();
         Recorded match = Recorded.of(TestScenes.open(scene), 4,

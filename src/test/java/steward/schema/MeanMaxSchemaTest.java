@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import com.networknt.schema.Schema;
 import java.util.ArrayList;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -40,6 +41,7 @@ class MeanMaxSchemaTest {
     }
 
     @Test
+    @Tag("slow")
     void everyLineOfAWholeMatchIsValid() {
         List<String> lines = new ArrayList<>();
         Recorded match = Recorded.of(TestScenes.open("mean-max"), 4,
@@ -56,6 +58,7 @@ class MeanMaxSchemaTest {
 
     /** It waits, casts at decimal places, and fails in turn 5; the others go on. */
     @Test
+    @Tag("slow")
     void aMatchWithAFaultIsValid() {
         Recorded match = Recorded.of(TestScenes.open("mean-max"), 4, List.of(new Bot() {
 

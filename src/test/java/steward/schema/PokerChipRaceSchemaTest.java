@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import com.networknt.schema.Schema;
 import java.util.ArrayList;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -41,6 +42,7 @@ class PokerChipRaceSchemaTest {
 
     @ParameterizedTest
     @CsvSource({"2", "3", "4"})
+    @Tag("slow")
     void everyLineOfAWholeMatchIsValid(int players) {
         List<String> lines = new ArrayList<>();
         List<Bot> bots = new ArrayList<>(List.of(PokerChipRaceBots.glutton(lines::add)));

@@ -8,6 +8,7 @@ import java.io.ByteArrayOutputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
@@ -79,12 +80,14 @@ class TrafficTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"mad-pod-racing", "walled-race", "duel"})
+    @Tag("slow")
     void wholeMatchesOfTheShippedScenes(String scene) {
         check(TestScenes.open(scene), Integer.MAX_VALUE);
     }
 
     @ParameterizedTest
     @ValueSource(strings = {"mad-pod-racing", "walled-race"})
+    @Tag("slow")
     void aCrowdOfThreeInWhichOneFails(String scene) {
         check(TestScenes.changed(scene, "\"players\": 2", "\"players\": 3"), 12);
     }

@@ -17,6 +17,7 @@ import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.zip.GZIPInputStream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestReporter;
 import org.junit.jupiter.api.parallel.Execution;
@@ -54,6 +55,7 @@ class FantasticBitsRecordingsTest {
 
     /** Changes each number and word of a turn in which wizards throw, and of one in which one casts, one at a time. */
     @Test
+    @Tag("slow")
     void everyWordOfATurnIsCompared(TestReporter report) throws IOException {
         List<String> lines = lines(GroundTruth.RECORDINGS.files("fantastic-bits", "sample3-turns1-60.txt.gz").get(0));
         Set<String> missed = new TreeSet<>();

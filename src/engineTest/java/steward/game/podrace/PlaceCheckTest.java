@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
@@ -193,6 +194,7 @@ class PlaceCheckTest {
 
     /** Random fields: what the check finds overlaps, and where it finds nothing, no draw of many does. */
     @Test
+    @Tag("slow")
     void itAgreesWithWhatIsDrawn() {
         SplitMix64 random = new SplitMix64(20);
         int[] verdicts = new int[2];

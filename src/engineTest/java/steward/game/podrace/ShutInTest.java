@@ -198,6 +198,7 @@ class ShutInTest {
 
     @Test
     @Tag("sized")
+    @Tag("slow")
     void itAgreesWithAWalk() {
         agreesWithAWalk(TestSize.of(3, 120), 1);
     }
@@ -246,6 +247,7 @@ class ShutInTest {
 
     /** A thousand bumpers in each other and 901 maps with a warning each: after the steps allowed there are no more. */
     @Test
+    @Tag("slow")
     void whereThereIsTooMuchToLookAtThereIsNoWarning() {
         List<String> bumpers = new ArrayList<>();
         for (int k = 0; k < 1000; k++) {

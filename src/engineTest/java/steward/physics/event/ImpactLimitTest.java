@@ -54,6 +54,7 @@ class ImpactLimitTest {
      * </pre>
      */
     @Test
+    @Tag("slow")
     void anInelasticCollapseBetweenWallsEnds() {
         collapse(40);
     }
@@ -119,6 +120,7 @@ class ImpactLimitTest {
      * </pre>
      */
     @Test
+    @Tag("slow")
     void anImpossibleSqueezeStandsStill() {
         squeeze(5);
     }

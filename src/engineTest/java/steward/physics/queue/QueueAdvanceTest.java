@@ -344,6 +344,7 @@ class QueueAdvanceTest {
     /** Cells that are full, bodies in none, and rings shorter than what is read of them. */
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 40, 400})
+    @Tag("slow")
     void readingAheadChangesNothing(int count) {
         for (Arithmetic arithmetic : List.of(Arithmetic.DOUBLE, Arithmetic.EXACT)) {
             SplitMix64 random = new SplitMix64(count);

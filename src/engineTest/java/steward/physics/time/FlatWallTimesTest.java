@@ -154,6 +154,7 @@ class FlatWallTimesTest {
     }
 
     @Test
+    @Tag("slow")
     void segmentTimesAreExactToTheBound() {
         checkSegmentTimes(CASES / 5);
     }

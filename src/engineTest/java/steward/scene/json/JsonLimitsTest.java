@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.Collections;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /** A file beyond a limit is refused at the first value too many, before the rest is read. */
@@ -36,6 +37,7 @@ class JsonLimitsTest {
     }
 
     @Test
+    @Tag("slow")
     void theWholeFileEndsAtAQuarterOfAMillionValues() {
         String row = "[" + "1,".repeat(999) + "1]";
         String text = "{\"a\":[" + String.join(",", Collections.nCopies(251, row))

@@ -123,6 +123,7 @@ class CalibrationTest {
 
     /** One look for one pair and step; steps that are halved miss less, and exact is the best. */
     @Test
+    @Tag("slow")
     void workIsCountedAndGrowsWithTheSteps() throws InterruptedException {
         Calibration calibration = calibration(1000);
         calibration.run(2, () -> { });

@@ -49,6 +49,7 @@ class CapacityDocsTest {
 
     @ParameterizedTest
     @ValueSource(ints = {10, 200})
+    @Tag("slow")
     void aRowFollowsFromThePrices(int workers) throws IOException {
         String text = printed();
         String row = CapacityText.row(Row.of(costs(text), processors(text), workers, PER_SECOND, RemoteGames.MOST));

@@ -132,6 +132,7 @@ class CapacitySimulationTest {
     }
 
     @Test
+    @Tag("slow")
     void theSameArgumentsGiveTheSameResult() {
         LeagueCosts costs = new LeagueCosts(300, 100, 400, 2000, 0.05, 50, 200);
         Setting setting = new Setting(2, 20, 50e6, 2500);
@@ -147,6 +148,7 @@ class CapacitySimulationTest {
     }
 
     @Test
+    @Tag("slow")
     void theSentenceNamesThePartOfTheFigures() {
         LeagueCosts costs = new LeagueCosts(300, 100, 400, 2000, 0.05, 50, 700);
         Row row = Row.of(costs, 2, 20, 200, 2500);

@@ -153,6 +153,7 @@ class CalibrateTest {
 
     /** Where a step costs less than exact times. */
     @Test
+    @Tag("slow")
     void aRougherDemandHasACheaperRung() throws Exception {
         Path scene = scene("{ \"maxPositionError\": 400, \"share\": 0.99 }");
         calibrate(scene, folder.resolve("mine.accuracy.json"), MADE_TIMES);
@@ -222,6 +223,7 @@ class CalibrateTest {
 
     /** Figures of fewer states do not replace older figures of more states. */
     @Test
+    @Tag("slow")
     void anInterruptedRunLeavesOlderFiguresWhereTheyAre() throws Exception {
         Path file = Files.writeString(folder.resolve("d.accuracy.json"), "older");
         ByteArrayOutputStream err = new ByteArrayOutputStream();

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.math.BigDecimal;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
@@ -178,6 +179,7 @@ class OracleTest {
     /** The blocks of G. Galperin, "Playing pool with pi", 2003: a wall, mass 1, mass 100^k: the first digits of pi. */
     @ParameterizedTest
     @CsvSource({"0, 3", "1, 31", "2, 314", "3, 3141"})
+    @Tag("slow")
     void piBlocks(int k, int impacts) {
         Bodies bodies = new Bodies(2);
         bodies.add(10, 0, 1, 1);

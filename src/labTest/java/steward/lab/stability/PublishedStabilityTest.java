@@ -14,6 +14,7 @@ import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import steward.lab.stability.crowds.TruePathCase;
@@ -92,6 +93,7 @@ class PublishedStabilityTest {
     }
 
     @Test
+    @Tag("slow")
     void thePictureShowsEveryRungAndThePageItsRange() throws IOException {
         List<StabilityRow> rows = List.of(path("step/1", 0, 0), path("double", 40, 20), path("exact", 41, 19),
             new StabilityRow("rounding", "a | b", "double", Finding.demanded(false, "1 | 2"), 1));

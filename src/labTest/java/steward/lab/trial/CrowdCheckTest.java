@@ -70,6 +70,7 @@ class CrowdCheckTest {
     @CsvSource({"100, 0.1, EXACT", "129, 0.1, EXACT", "200, 0.01, EXACT", "100, 0.7, EXACT", "1000, 0.1, DOUBLE",
         "1000, 0.1, EXACT", "1023, 0.5, EXACT", "1025, 0.001, COMPENSATED",
         "1025, 0.001, EXACT", "4097, 0.1, DOUBLE"})
+    @Tag("slow")
     void aBodyTakesFewBytes(int bodies, double coverage, Arithmetic arithmetic) {
         assertFewBytes(bodies, coverage, arithmetic);
     }

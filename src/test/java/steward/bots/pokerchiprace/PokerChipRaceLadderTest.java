@@ -40,6 +40,7 @@ class PokerChipRaceLadderTest {
 
     /** A debugger that is fed the frames from some turn on sees the same bot. */
     @Test
+    @Tag("slow")
     void anAnswerFollowsFromTheSetupAndTheTurnAlone() {
         List<String> lines = new ArrayList<>();
         Recorded.of(TestScenes.open("poker-chip-race"), 2,

@@ -22,6 +22,7 @@ class SearchRaceBotsTest {
     }
 
     @Test
+    @Tag("slow")
     void thePlainBotFinishesEveryOfficialMap() {
         for (long seed = 0; seed < 50; seed++) {
             assertTrue(time(SearchRaceBots.driver(), seed) < 600);

@@ -86,6 +86,7 @@ class LeagueCommandTest {
     }
 
     @Test
+    @Tag("slow")
     void gamesThatAreExportedAndImportedMakeTheSameTable() throws IOException {
         generated("a", 300);
         String table = done("table", "TMP/a", "--json");
@@ -113,6 +114,7 @@ class LeagueCommandTest {
     }
 
     @Test
+    @Tag("slow")
     void theTableComesInEveryForm() {
         generated("a", 200);
         assertTrue(done("table", "TMP/a").startsWith("200 games of duel\n\n  # bot"));
@@ -236,6 +238,7 @@ class LeagueCommandTest {
 
     /** A league of before: its season is that of the shipped scene without the word of the rules, its form an older. */
     @Test
+    @Tag("slow")
     void aLeagueWhoseRulesHaveBecomeTheLiveServersGoesOnByTheOldOnesOrBeginsANewSeason()
             throws IOException, SQLException {
         done("init", "TMP/a", "--scene", "duel", "--seed", "1");
@@ -275,6 +278,7 @@ class LeagueCommandTest {
     }
 
     @Test
+    @Tag("slow")
     void everyCommandHasHelpThatFits() {
         CommandLine program = Main.program(Streams.standard(), "league");
         var commands = program.getSubcommands().get("league").getSubcommands();

@@ -51,6 +51,7 @@ class VerifyTest {
         UPDATE version SET bot = x'00' WHERE id = 1 | table version, row id = 1, column bot: found X'00'
         UPDATE game SET seed = 0.5 WHERE id = 6 | table game, row id = 6, column seed: found 0.5
         """)
+    @Tag("slow")
     void aBadRowIsRefusedByItsName(String change, String message) throws IOException {
         Cli table = rows.table(change);
         table.assertRefused("league.db: table ");

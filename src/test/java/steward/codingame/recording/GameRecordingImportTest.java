@@ -126,6 +126,7 @@ class GameRecordingImportTest {
 
     @Test
     @Tag("sized")
+    @Tag("slow")
     void severalGamesVerify() {
         Set<String> endings = new TreeSet<>();
         for (long seed = 14; seed < TestSize.of(16, 20); seed++) {
@@ -150,6 +151,7 @@ class GameRecordingImportTest {
     }
 
     @Test
+    @Tag("slow")
     void everyDigitOfAPodIsCompared() {
         int frame = OfficialGame.keyFrame(40);
         assertFound(40, "state.bodies[0].x", spoilt(frame, 1, word(0, GameRecordingImportTest::plusOne)));
@@ -166,6 +168,7 @@ class GameRecordingImportTest {
 
     /** By live rules the last frame shows 0 for the pod that has finished, which the count alone would not tell. */
     @Test
+    @Tag("slow")
     void theNextCheckpointsOfTheLastFrameAreCompared() {
         assertTrue(imported(GAME.json()).ending().startsWith("finished"));
         for (int pod = 0; pod < GameRecording.PODS; pod++) {
@@ -183,6 +186,7 @@ class GameRecordingImportTest {
     }
 
     @Test
+    @Tag("slow")
     void everythingOfAnImpactIsCompared() {
         int turn = GAME.impactTurns().get(3);
         int frame = OfficialGame.keyFrame(turn);

@@ -12,6 +12,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.zip.GZIPInputStream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.TestReporter;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
@@ -32,6 +33,7 @@ class RecordingsTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"pod-race", "mean-max", "poker-chip-race", "fantastic-bits", "search-race"})
+    @Tag("slow")
     void everyGameOfTheServerVerifies(String game, TestReporter report) throws IOException {
         GroundTruth.Report all = new GroundTruth.Report(report, game);
         for (Path file : GroundTruth.RECORDINGS.files(game, ".json", ".json.gz")) {

@@ -49,6 +49,7 @@ class ServerGameImportTest {
     }
 
     @Test
+    @Tag("slow")
     void aWholeGameVerifiesInAllThatIsShown() {
         Verification found = verified(GAME.json());
         assertNull(found.difference());
@@ -71,11 +72,13 @@ class ServerGameImportTest {
     @CsvSource(delimiter = '|', value = {
         "1 | 7 | turn 20, scores[0]: recorded 7",
         "4 | 299 | turn 20, resources[0].rage: recorded 299"})
+    @Tag("slow")
     void aChangedNumberOfAPlayerIsFound(int line, String to, String expected) {
         assertTrue(verified(spoilt(20, line, to)).difference().toString().startsWith(expected), expected);
     }
 
     @Test
+    @Tag("slow")
     void aChangedPlaceIsFound() {
         assertAChangedPlaceIsFound(100);
     }

@@ -8,6 +8,7 @@ import java.io.ByteArrayOutputStream;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
@@ -42,6 +43,7 @@ class UndecidedPairTest {
     }
 
     @Test
+    @Tag("slow")
     void ofManyBotsNeighboursAreComparedByTheirOwnPairings() {
         Season season = Season.of("duel", "key", "limits", "rules", 2, false);
         for (int bots : new int[] {100, 101}) {

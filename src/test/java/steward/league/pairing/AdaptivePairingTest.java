@@ -117,6 +117,7 @@ class AdaptivePairingTest {
 
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 3})
+    @Tag("slow")
     void threadsAndInterruptionsDoNotMatter(int players) {
         assertThreadsAndInterruptionsDoNotMatter(players, 3);
     }

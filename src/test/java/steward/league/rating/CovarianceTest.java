@@ -8,6 +8,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
@@ -40,6 +41,7 @@ class CovarianceTest {
     }
 
     @Test
+    @Tag("slow")
     void variancesAndRanksAreThoseThatPairsHaveOneByOne() {
         for (long number = 0; number < 60; number++) {
             RatingFit fit = fit(number);

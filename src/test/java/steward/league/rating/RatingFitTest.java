@@ -169,6 +169,7 @@ class RatingFitTest {
     }
 
     @Test
+    @Tag("slow")
     void whatIsSaidOfEqualBotsIsRarelyWrong() {
         // Looked at after each of 100 seeds; 5% are promised, and bounds for all sums of all games are wide.
         int wrong = 0;

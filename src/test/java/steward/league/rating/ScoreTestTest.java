@@ -75,6 +75,7 @@ class ScoreTestTest {
 
     /** In a table of 40 the others are held; its bound holds for at least 95% of leagues, too. */
     @Test
+    @Tag("slow")
     void theBoundOfABotAheadOfAFieldHolds() {
         assertTheBoundOfABotAheadOfAFieldHolds(80);
     }

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.List;
 import java.util.stream.IntStream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.parallel.Execution;
@@ -43,6 +44,7 @@ class SharedSeedsTest {
     /** All pairs of 250 bots on one seed, 62,250 games: joined one by one they took minutes. */
     @Test
     @Timeout(20)
+    @Tag("slow")
     void allPairsOnOneSeedAreJoinedInTime() {
         Results results = results();
         for (int one = 0; one < 250; one++) {

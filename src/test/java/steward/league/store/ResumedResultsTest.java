@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import steward.league.EarlierGames;
@@ -68,6 +69,7 @@ class ResumedResultsTest {
     }
 
     @Test
+    @Tag("slow")
     void resultsThatAreReadTogetherAreThoseThatAreReadOneByOne() throws IOException {
         for (int players = 1; players <= 3; players++) {
             Season season = Season.of("crowd", "key", "limits", "rules", players, false);

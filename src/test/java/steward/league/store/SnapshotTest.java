@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import steward.league.LeagueFolder;
@@ -21,6 +22,7 @@ class SnapshotTest {
 
     /** A run stores games of new pairings, and its page reads the table, between whose queries it stores more. */
     @Test
+    @Tag("slow")
     void whatIsReadByMoreThanOneQueryIsOfOneMoment() {
         try (GameStore writer = GameStore.write(new LeagueFolder(folder))) {
             int season = writer.open(GameStoreTest.SEASON);

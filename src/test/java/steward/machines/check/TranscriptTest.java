@@ -50,6 +50,7 @@ class TranscriptTest {
     @ParameterizedTest
     @ValueSource(strings = {"mad-pod-racing", "walled-race", "search-race", "mean-max", "fantastic-bits",
         "poker-chip-race"})
+    @Tag("slow")
     void theReplayOfEveryGameComesBackByteForByte(String scene) throws Exception {
         for (Pilot.Aim aim : Pilot.Aim.values()) {
             PlayedGame game = PlayedGame.of(PlayedGame.piloted(scene, aim), SEED);

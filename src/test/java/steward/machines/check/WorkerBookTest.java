@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import steward.league.StoredGame;
 import steward.league.StoredGame.StoredSeat;
@@ -89,6 +90,7 @@ class WorkerBookTest {
 
     /** At most 1 in 100 by construction; 11 or more of 300 would come by chance once in some thousand. */
     @Test
+    @Tag("slow")
     void honestWorkersAreSeldomDoubtful() {
         int found = 0;
         for (int league = 0; league < 300; league++) {

@@ -110,6 +110,7 @@ class EditedReplayTest {
     }
 
     @Test
+    @Tag("slow")
     void oneDigitOfATurnOrOfTheResult() {
         editOneDigit(20);
     }

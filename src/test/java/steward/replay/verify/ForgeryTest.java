@@ -19,6 +19,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.UnaryOperator;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
@@ -331,6 +332,7 @@ class ForgeryTest {
     }
 
     @Test
+    @Tag("slow")
     void everyForgeryHasItsVerdict() {
         assertTrue(FORGERIES.size() >= 57, "forgeries: " + FORGERIES.size());
         List<String> expected = new ArrayList<>();

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.ByteArrayOutputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -36,6 +37,7 @@ class PlainCommandsTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"mad-pod-racing", "walled-race"})
+    @Tag("slow")
     void readsWhatTheFullReaderReads(String scene) {
         GameSetup setup = Games.open(scene);
         Resimulation fast = new Resimulation(setup, SEED);

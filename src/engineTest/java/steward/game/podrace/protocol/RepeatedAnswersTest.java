@@ -70,6 +70,7 @@ class RepeatedAnswersTest {
      * must say the same, to the bit, of good lines and of lines in which something is out of place.
      */
     @Test
+    @Tag("slow")
     void plainLinesAreReadAsByTheParser() {
         readPlainLines(4_000);
     }

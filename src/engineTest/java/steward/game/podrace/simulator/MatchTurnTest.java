@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
@@ -58,6 +59,7 @@ class MatchTurnTest {
     }
 
     @Test
+    @Tag("slow")
     void otherNumbersOfPods() {
         check(TestScenes.changed(OFFICIAL, "\"perPlayer\": 2", "\"perPlayer\": 1"));
         check(TestScenes.changed(OFFICIAL, "\"players\": 2", "\"players\": 1"));

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
 import java.util.function.Supplier;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.function.Executable;
 import org.junit.jupiter.api.parallel.Execution;
@@ -41,6 +42,7 @@ class CommandsByAngleTest {
 
     /** Some pods by angle, some by target; and a batch does the same. */
     @Test
+    @Tag("slow")
     void everyAngleIsThatOfTheTextbook() {
         PodRaceBatch batch = new PodRaceBatch(MAP, 1);
         PodRaceBatch.Commands batchCommands = new PodRaceBatch.Commands(1);
@@ -86,6 +88,7 @@ class CommandsByAngleTest {
 
     /** Also when nobody asks for a heading in 60 turns. */
     @Test
+    @Tag("slow")
     void theGreatestTurnIsThatOfTheRaceWithATargetAside() {
         for (int game = 0; game < 1000; game++) {
             drawState();

@@ -55,6 +55,7 @@ class SimultaneousImpactsTest {
     }
 
     @Test
+    @Tag("slow")
     void everyTieReactsByTheRule() {
         reactByTheRule(150);
     }

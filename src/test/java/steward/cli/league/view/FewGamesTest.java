@@ -81,6 +81,7 @@ class FewGamesTest {
     }
 
     @Test
+    @Tag("slow")
     void everyFormHasNumbersOrNothing() throws IOException {
         for (Results results : beginnings()) {
             List<LeagueTable.Entry> entries = entries(5);
@@ -105,6 +106,7 @@ class FewGamesTest {
     }
 
     @Test
+    @Tag("slow")
     void theCommandsSayNothingOfWhatIsNotKnown() {
         assertTheCommandsSayNothingOfWhatIsNotKnown(1, 2);
     }
@@ -145,6 +147,7 @@ class FewGamesTest {
 
     /** Residuals beside ratings are told only where the two shares can be told apart. */
     @Test
+    @Tag("slow")
     void noBotBeatsAnotherMoreThanRatingsTellByNothing() {
         Results results = new Results(SEASON);
         // Each beats the next in 299 of 300 games, or in all: 1 against 3 is nearly certain in any case.
