@@ -55,7 +55,7 @@ final class RefereeProcess {
         return command.equals(otherCommand) && isolation.equals(otherIsolation);
     }
 
-    /** Sets how long it may take each time that it speaks: the next game may be one of another scene. */
+    /** Sets the limit of each answer, in milliseconds: the next game may be of another scene. */
     void limit(int ms) {
         limitMs = ms;
     }

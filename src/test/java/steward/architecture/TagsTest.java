@@ -30,12 +30,16 @@ import org.junit.jupiter.api.Tags;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.junit.platform.commons.annotation.Testable;
 import org.openqa.selenium.chrome.ChromeDriver;
+import steward.match.TestSize;
 
 /**
  * Tests that start a process carry the tag {@code process}, those that start a browser the tag {@code browser}, at the
- * test or at its class, so that {@code gradle quickTest} can leave them out.
+ * test or at its class, so that {@code gradle quickTest} can leave them out; those that ask {@link TestSize} the tag
+ * {@code sized}, so that {@code gradle campaigns} runs them too.
  *
  * <p>Calls are followed through the sources of the tests, from a test and from what is run around it. They are not
  * followed through the program, whose input alone decides whether it starts a bot: a test that has it do so and lacks
@@ -76,10 +80,13 @@ class TagsTest {
         return type.isEquivalentTo(Process.class) || type.isEquivalentTo(ProcessBuilder.class);
     }
 
-    /** The tags of what a call of this class starts. */
+    /** The tags of what a call of this class starts, or of the size that it asks for. */
     private static Set<String> startedBy(JavaClass type) {
         if (type.getName().startsWith(BROWSERS)) {
             return Set.of("browser");
+        }
+        if (type.isEquivalentTo(TestSize.class)) {
+            return Set.of("sized");
         }
         return isProcess(type) || starters.contains(type) ? Set.of("process") : Set.of();
     }
@@ -92,7 +99,8 @@ class TagsTest {
     @Test
     void whatIsPlantedIsFound() {
         assertEquals(new TreeSet<>(Set.of("Planted.startsItself: process", "Planted.hasAHelperStart: process",
-            "Planted.hasACallbackStart: process", "Planted.looksAtAPage: browser", "Around.isStartedBefore: process")),
+            "Planted.hasACallbackStart: process", "Planted.looksAtAPage: browser", "Planted.hasASize: sized",
+            "Around.isStartedBefore: process")),
             untagged(all.stream().filter(TagsTest::isPlanted).toList()));
     }
 
@@ -116,6 +124,9 @@ class TagsTest {
                     Set<String> started = started(test);
                     started.removeAll(tags(test));
                     started.removeAll(tags(type));
+                    if (tags(test).contains("campaign")) {
+                        started.remove("sized");              // it is large anyway
+                    }
                     started.forEach(tag -> found.add(type.getSimpleName() + "." + test.getName() + ": " + tag));
                 }
             }
@@ -184,6 +195,12 @@ class TagsTest {
         @Test
         void looksAtAPage() {
             new ChromeDriver().get("about:blank");
+        }
+
+        @ParameterizedTest
+        @ValueSource(ints = {10, 20})
+        void hasASize(int whole) {
+            assertTrue(TestSize.of(1, whole) > 0);
         }
 
         @Test

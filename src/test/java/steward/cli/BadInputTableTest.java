@@ -46,7 +46,7 @@ class BadInputTableTest {
     private static final String NO_PROCESSES = "this JVM cannot start programs";
     /** One entry in so many is called in quickTest. */
     private static final int SAMPLE = 8;
-    /** One of so many others is called in {@code test}. */
+    /** Share of the others that is called in {@code test}: one of so many. */
     private static final int OTHERS = 3;
     /** Least entries of the whole table. */
     private static final int LEAST_ENTRIES = 590;

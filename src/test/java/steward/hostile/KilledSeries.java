@@ -33,7 +33,7 @@ public final class KilledSeries {
 
     /** The latest moment, in milliseconds after the start of the JVM, or after the first replay was made. */
     private static final int LATEST_MS = 1500;
-    /** That of {@code --short}. */
+    /** The latest moment with {@code --short}. */
     private static final int LATEST_SHORT_MS = 300;
     /** For the first replay. */
     private static final int PATIENCE_MS = 60_000;

@@ -62,7 +62,7 @@ class ViewersPageTest {
         }
     }
 
-    /** 8 MB are more than the buffers between the two. The part of the browser that reads from networks is stopped. */
+    /** 20 MB are more than the buffers between the two. The part of the browser that reads from networks is stopped. */
     @Test
     void aPageThatReadsNothingIsDroppedAndSaysSo() throws IOException, InterruptedException {
         LiveRecording recording = new LiveRecording();
@@ -74,7 +74,7 @@ class ViewersPageTest {
             browser.await("a turn does not appear", () -> browser.is("steward.lastTurn() === 1"));
             signal("STOP");
             try {
-                String line = LINES.get(2).replace("\"outcome\"", "\"padding\":\"" + "x".repeat(8 << 20)
+                String line = LINES.get(2).replace("\"outcome\"", "\"padding\":\"" + "x".repeat(20 << 20)
                     + "\",\"outcome\"");
                 write(recording, line);
                 server.awaitDelivery(20_000, 0);

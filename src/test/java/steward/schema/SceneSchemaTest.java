@@ -35,7 +35,6 @@ import tools.jackson.databind.node.ObjectNode;
 class SceneSchemaTest {
 
     private static final Schema SCHEMA = Schemas.open("scene");
-    private static final int MUTATIONS = TestSize.of(2000, 8000);
 
     /** Every block and every kind of wall, with all their fields. */
     private static final String ALL = """
@@ -128,7 +127,8 @@ class SceneSchemaTest {
         seen.add(Beyond.ENDS_OF_A_SEGMENT_APART);     // rare by lot
         List<String> differences = new ArrayList<>();
         int accepted = 0;
-        for (int k = 0; k < MUTATIONS; k++) {
+        int mutations = TestSize.of(2000, 8000);
+        for (int k = 0; k < mutations; k++) {
             JsonNode scene = scenes.get(random.nextInt(2) == 0 ? 0 : random.nextInt(scenes.size())).deepCopy();
             for (int change = 0; change <= random.nextInt(2); change++) {
                 spoil(scene, random);
@@ -151,7 +151,7 @@ class SceneSchemaTest {
         }
         assertEquals(List.of(), differences.subList(0, Math.min(5, differences.size())));
         assertEquals(EnumSet.allOf(Beyond.class), seen, "rules that are beyond a schema, each met");
-        assertTrue(accepted > MUTATIONS / 10 && accepted < MUTATIONS * 9 / 10, accepted + " accepted");
+        assertTrue(accepted > mutations / 10 && accepted < mutations * 9 / 10, accepted + " accepted");
     }
 
     /** Returns the refusal of the reader; on a rung of its own, so that a demand of accuracy needs no figures. */

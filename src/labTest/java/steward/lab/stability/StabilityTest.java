@@ -40,7 +40,7 @@ import steward.physics.PhysicsParts;
 import steward.physics.event.EventAdvance;
 import steward.physics.queue.QueueAdvance;
 
-/** Every case of the stability table on every rung, in its short version. */
+/** Every case of the stability table in its short version; in campaigns on every rung. */
 @Execution(ExecutionMode.CONCURRENT)
 class StabilityTest {
 
@@ -51,7 +51,7 @@ class StabilityTest {
     private static final Set<String> ONLY_EXACT = Set.of("grazing passes", "simultaneous impacts");
     /** Seconds on one rung already. */
     private static final Set<String> LONGEST = Set.of("long run of 100", "long run of 1000", "crowd of 1000, 80%",
-        "random pairs, 2^+-200", "random pairs, 2^+-900", "rest");
+        "random pairs, 2^+-200", "random pairs, 2^+-900");
     private static final Rung BLIND = new Rung("blind", true, true, Arithmetic.EXACT,
         parts -> (bodies, sink) -> { });
 
@@ -59,7 +59,7 @@ class StabilityTest {
         return rows(each -> !takesLong(each)).filter(StabilityTest::isWhereGamesArePlayed);
     }
 
-    /** In {@code test} on the exact rung alone. */
+    /** Rows of the rungs but that of most games; in {@code test} the exact one alone. */
     static Stream<Arguments> rowsOfOtherRungs() {
         return rows(each -> !takesLong(each)).filter(row -> !isWhereGamesArePlayed(row))
             .filter(row -> TestSize.isWhole() || Arithmetic.EXACT.text().equals(row.get()[1]));

@@ -228,8 +228,8 @@ class SelfCheckTest {
         for (String part : TestSize.isWhole() ? List.of("fixed", "pairings") : List.of("pairings")) {
             List<String> other = new ArrayList<>();
             one.clear();
-            new SelfCheck(4, 1, one::add).print(part);
-            new SelfCheck(4, 3, other::add).print(part);
+            new SelfCheck(TestSize.of(4, 10), 1, one::add).print(part);
+            new SelfCheck(TestSize.of(4, 10), 3, other::add).print(part);
             assertEquals(one, other);
             assertTrue(one.size() >= 50, "it has its rows");
         }

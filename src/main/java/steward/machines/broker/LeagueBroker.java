@@ -278,7 +278,7 @@ public final class LeagueBroker implements AutoCloseable {
     /** Offers what waits once more to workers that the gate has refused. */
     public void offerAgain() {
         Queue jobs = server.locateQueue(SimpleString.of(Queues.JOBS));
-        jobs.resetAllIterators();                      // each consumer's is behind what was refused
+        jobs.resetAllIterators();                      // they have passed the jobs that the gate refused
         jobs.deliverAsync();
     }
 

@@ -15,6 +15,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.function.BiConsumer;
 import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import steward.machines.broker.LeagueBroker;
@@ -38,6 +39,7 @@ final class OfferedJobs {
     private final BooleanSupplier anyConnected;
     private final Predicate<Collection<String>> canPlay;
     private final BiConsumer<String, String> ended;
+    private final Consumer<String> lost;
     private final SecureRandom random = new SecureRandom();
     /** Jobs that others play while the worker may still finish them, and until when, as {@link System#nanoTime}. */
     private final Map<String, Long> recalled = new ConcurrentHashMap<>();
@@ -72,13 +74,15 @@ final class OfferedJobs {
      * @param anyConnected whether a worker plays
      * @param canPlay      whether one that plays has these bundles, or may have them
      * @param ended        is told which worker has kept a job for too long, and what to say of it
+     * @param lost         is told which worker had a job whose games have gone to others
      */
     OfferedJobs(LeagueBroker broker, BooleanSupplier anyConnected, Predicate<Collection<String>> canPlay,
-                BiConsumer<String, String> ended) {
+                BiConsumer<String, String> ended, Consumer<String> lost) {
         this.broker = broker;
         this.anyConnected = anyConnected;
         this.canPlay = canPlay;
         this.ended = ended;
+        this.lost = lost;
     }
 
     /** Returns how many games nobody has taken yet. */
@@ -121,7 +125,11 @@ final class OfferedJobs {
             broker.offer(job, offer.needs(), new GameJob(job, asked).bytes());
             Told told = await(job, offer, patience);
             if (told == null) {
+                String holder = broker.holder(job);
                 broker.withdraw(job);
+                if (holder != null && !recalled.containsKey(job)) {
+                    lost.accept(holder);
+                }
                 return null;
             }
             return told.games().size() <= asked.size() ? told
@@ -195,23 +203,19 @@ final class OfferedJobs {
         return null;
     }
 
-    /**
-     * Takes a worker's result of a job; of no consequence if it is not the worker's, or not any more.
-     *
-     * @return true if it is late: the games have gone to others
-     */
-    boolean told(String worker, WorkerWord.Result result) {
+    /** Takes a worker's result of a job; of no consequence if it is not the worker's, or not any more. */
+    void told(String worker, WorkerWord.Result result) {
         Offer offer = offers.get(result.job());
         if (!worker.equals(broker.holder(result.job()))) {
-            return false;
+            return;
         }
         if (offer == null) {
-            recalled.remove(result.job());             // no reason to complain
+            recalled.remove(result.job());             // too late, and no reason to complain
             broker.forget(result.job());
-            return true;
+            lost.accept(worker);
+            return;
         }
         offer.told().complete(new Told(worker, result.games(), broker.heldNanos(result.job())));
-        return false;
     }
 
     /** Some bots turn out not to run at a worker: what nobody can play goes to the league itself. */

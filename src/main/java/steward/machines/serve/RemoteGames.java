@@ -127,7 +127,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
             door, gate);
         pace = new GamePace(service.leaseNanos());
         offered = new OfferedJobs(broker, () -> anyConnected, this::canPlay, (worker, why) ->
-            unplayed(state(worker), why));
+            unplayed(state(worker), why), pauses::untested);
         listening.setDaemon(true);
         listening.start();
     }
@@ -405,9 +405,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
             } else if (word instanceof WorkerWord.Fetch fetch) {
                 broker.tell(state.name, bundles.piece(fetch));
             } else if (word instanceof WorkerWord.Result result) {
-                if (offered.told(state.name, result)) {
-                    pauses.untested(state.name);
-                }
+                offered.told(state.name, result);
             } else if (word instanceof WorkerWord.Unfit unfit) {
                 unfit(state, unfit);
             } else if (word instanceof WorkerWord.Differs differs) {
@@ -467,6 +465,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
             say("worker " + state.name + " cannot play a bot: " + shown(unfit.reason()));
             offered.lookWhoCanPlay();
         }
+        pauses.untested(state.name);                   // it gives the job back
     }
 
     private synchronized void leave(WorkerState state) {

@@ -84,14 +84,14 @@ final class WorkerPauses {
         return pause == null || isDue(pause) && !tested.contains(worker);
     }
 
-    /** Voids a test that a worker was given: it has joined anew, or the games of the test have gone to others. */
+    /** Voids a test that a worker was given: it has joined anew, or the games of the test go to others. */
     synchronized void untested(String worker) {
         tested.remove(worker);
     }
 
     /**
-     * Notes that a worker has been handed a job. One that was on its way when the pause began is no test: it says
-     * nothing after the pause, and another test would never be given.
+     * Notes that a worker has been handed a job. One that was handed over before the pause was over is no test: its
+     * failure is ignored, so that no other test would ever follow.
      */
     synchronized void took(String worker) {
         Pause pause = pauses.get(worker);

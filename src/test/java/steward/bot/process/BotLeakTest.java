@@ -77,7 +77,7 @@ class BotLeakTest {
         // The JDK closes its ends when it has taken note of an exit; class loading may have opened a few files.
         ScriptedBots.await("descriptors are left open", () -> descriptors() <= descriptorsBefore + 5);
         // If no spare thread is idle again when the next bot needs one, another is started: far from one per bot.
-        ScriptedBots.await("threads are left behind", () -> threads() <= threadsBefore + bots / 20);
+        ScriptedBots.await("threads are left behind", () -> threads() <= threadsBefore + 10);
         Set<String> files = temporaryFiles();
         files.removeAll(filesBefore);
         assertEquals(Set.of(), files);

@@ -26,7 +26,7 @@ class PokerChipRaceLadderTest {
     @Tag("slow")
     @Tag("sized")
     void theBetterOneWins() {
-        int games = TestSize.of(2, 24);
+        int games = TestSize.of(4, 24);
         int won = 0;
         for (int game = 0; game < games; game++) {
             List<Bot> bots = game % 2 == 0 ? List.of(PokerChipRaceBots.glutton(), PokerChipRaceBots.nibbler())

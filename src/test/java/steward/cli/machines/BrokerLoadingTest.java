@@ -126,7 +126,7 @@ class BrokerLoadingTest {
                 List.of("league", "merge", "parts", "part.db"));
     }
 
-    /** Two that do load it, the second also in vain: {@link #noOtherCommandLoadsTheBroker} would see it. */
+    /** Commands that do load it, the second also in vain: {@link #noOtherCommandLoadsTheBroker} would see it. */
     @Test
     @Tag("campaign")
     void aWorkerAndAServedLeagueLoadTheBroker() throws IOException, InterruptedException {

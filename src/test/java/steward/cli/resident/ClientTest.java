@@ -115,7 +115,7 @@ class ClientTest {
     @Test
     @Tag("sized")
     void matchesAreThoseOfProcesses() throws IOException, InterruptedException {
-        sameAsProcesses(Integer.getInteger("steward.games", TestSize.of(2, 60)));
+        sameAsProcesses(Integer.getInteger("steward.games", TestSize.of(2, 100)));
     }
 
     private void killed(int clients) throws IOException, InterruptedException {

@@ -43,12 +43,12 @@ class GameInvariantsTest {
     @Tag("slow")
     @Tag("sized")
     void everyTurnKeepsThem(String scene, String rung) {
-        int mostTurnsAlone = TestSize.of(10, 40);                            // heaps of hundreds take long
+        int mostTurnsAlone = TestSize.of(10, 40);         // heaps of hundreds take long
         GameSetup setup = Games.open(scene, Accuracy.parse(rung));
         int impacts = 0;
         int turns = 0;
         boolean alone = setup.scene().players() == 0;
-        int games = alone ? 1 : TestSize.of(1, 2);                                  // nobody plays otherwise there
+        int games = alone ? 1 : TestSize.of(1, 2);             // nobody plays otherwise there
         int mostTurns = alone ? mostTurnsAlone : MOST_TURNS;
         for (int seed = 1; seed <= games; seed++) {
             Game game = setup.create(seed);

@@ -23,8 +23,6 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.api.parallel.Execution;
-import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.bot.TimeBasis;
 import steward.bot.command.ProgramFinder;
 import steward.bot.hold.HoldPolicy;
@@ -52,7 +50,6 @@ import steward.machines.worker.Worker;
 @Tag("process")
 @Tag("slow")
 @Timeout(300)
-@Execution(ExecutionMode.CONCURRENT)
 class GuestWorkerTest extends ServedLeague {
 
     @AfterEach

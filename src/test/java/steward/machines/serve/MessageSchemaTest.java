@@ -96,6 +96,15 @@ class MessageSchemaTest {
         return type;
     }
 
+    /** Connection to a league; otherwise an error with what the league has said. */
+    private static BrokerClient joined(int port, WorkerToken token, CompletableFuture<Cli> run) throws Exception {
+        try {
+            return WorkerTest.join(port, token);
+        } catch (BrokenException problem) {
+            throw new AssertionError(run.isDone() ? run.get().err() : "the league has not ended", problem);
+        }
+    }
+
     private void done(String... words) {
         Cli cli = Cli.run(words);
         assertEquals(0, cli.status(), cli.err());
@@ -135,7 +144,7 @@ class MessageSchemaTest {
             "20", "--quiet", "--serve", "127.0.0.1:" + serving));
         byte[] welcome;
         byte[] job;
-        try (BrokerClient client = WorkerTest.join(serving, token)) {
+        try (BrokerClient client = joined(serving, token, run)) {
             client.say(hello("0123456789abcdef"));
             assertEquals("refused", WireMessage.read(listen(client), "m").header().text("type"));
             client.say(hello(RungLaw.WHOLE_LADDER));

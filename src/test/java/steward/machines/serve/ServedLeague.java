@@ -15,6 +15,7 @@ import java.util.Map;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.io.TempDir;
@@ -160,7 +161,7 @@ abstract class ServedLeague {
             try {
                 return new BrokerClient("127.0.0.1", port, token, "process of " + token.worker());
             } catch (BrokenException notYet) {
-                if (notYet.isRefused() || tries == 300) {
+                if (notYet.isRefused() || tries == 1200) {
                     throw notYet;
                 }
                 TimeUnit.MILLISECONDS.sleep(100);
@@ -235,8 +236,13 @@ abstract class ServedLeague {
 
     /** A game of the first two bots of a league, which is not asked for by a run. */
     Elsewhere.Game firstGame(String league) {
+        return game(league, 0, 1);
+    }
+
+    /** A game of two bots of a league, by their places in the settings. */
+    Elsewhere.Game game(String league, int one, int other) {
         LeagueSettings settings = new LeagueFolder(folder.resolve(league)).read();
-        List<Member> members = settings.active().subList(0, 2).stream().map(bot -> new Member(bot,
+        List<Member> members = Stream.of(one, other).map(settings.active()::get).map(bot -> new Member(bot,
             new GameStore.Version(1, bot.name(), 1, bot.command(), false, bot.name(), 0),
             Contest.entrant(bot.typed(), Protocol.JSON), "")).toList();
         return new Elsewhere.Game(new Schedule.Task(0, 5, 1, 1), settings, members);

@@ -26,6 +26,8 @@ import steward.machines.bundle.Bundle;
 import steward.machines.serve.HostileWorker.Way;
 import steward.machines.token.WorkerToken;
 import steward.machines.wire.GameJob;
+import steward.machines.wire.HeaderText;
+import steward.machines.wire.WireMessage;
 import steward.machines.wire.WorkerWord;
 
 /** What becomes of workers that lie, fail or keep games, and of honest ones with unusual bots. */
@@ -156,8 +158,8 @@ class WorkerVerdictsTest extends ServedLeague {
 
     @Test
     void latenessThatTheWorkersOwnTimesDoNotAllowIsNotBelieved() throws Exception {
-        alone(20);
-        String said = beside(hostile(Way.EARLY), 20, "--threads", "1", "--pause-after", "0");
+        alone(60);                                     // so many that it has joined before they are played
+        String said = beside(hostile(Way.EARLY), 60, "--threads", "1", "--pause-after", "0");
         assertTrue(said.contains("worker bad could not play a game: game "), said);
         assertTrue(said.contains("after 0 us, expected a late answer only after 60"), said);
         assertEquals(alone, counting("many"), said);
@@ -165,8 +167,8 @@ class WorkerVerdictsTest extends ServedLeague {
 
     @Test
     void latenessThatHasNotPassedIsNotBelieved() throws Exception {
-        alone(20);
-        String said = beside(hostile(Way.LATE), 20, "--threads", "1", "--pause-after", "0");
+        alone(60);                                     // so many that it has joined before they are played
+        String said = beside(hostile(Way.LATE), 60, "--threads", "1", "--pause-after", "0");
         assertTrue(said.contains("us, expected no more than the time since the worker was handed the game"), said);
         assertEquals(alone, counting("many"), said);
     }
@@ -197,18 +199,21 @@ class WorkerVerdictsTest extends ServedLeague {
     /** A full disk, say: it is told once, and the worker is tried less and less often. */
     @Test
     void aWorkerThatFailsAtEachGameIsPaused() throws Exception {
-        alone(20);
+        alone(60);
         HostileWorker full = hostile(Way.FAILS);
-        String said = beside(full, 20, "--threads", "1", "--pause-after", "0");
+        String said = beside(full, 60, "--threads", "1", "--pause-after", "0");
         assertEquals(2, said.split("bad could not play a game: no space left", -1).length, said);
         assertTrue(said.contains("; it is paused, and tried with one job after 1 s, 2 s, 4 s and so on\n"), said);
-        assertTrue(full.jobs() <= 8, () -> "found " + full.jobs() + " jobs: " + said);
+        assertTrue(full.jobs() <= 15, () -> "found " + full.jobs() + " jobs: " + said);
         assertEquals(alone, counting("many"), said);
     }
 
     /** Result of the league's first game, offered to its workers. */
     private CompletableFuture<List<List<StoredGame>>> played(RemoteGames games) {
-        Elsewhere.Game game = firstGame("many");
+        return played(games, firstGame("many"));
+    }
+
+    private static CompletableFuture<List<List<StoredGame>>> played(RemoteGames games, Elsewhere.Game game) {
         return CompletableFuture.supplyAsync(() -> {
             try {
                 return games.play(List.of(game));
@@ -254,7 +259,7 @@ class WorkerVerdictsTest extends ServedLeague {
         }
     }
 
-    /** A worker that fails is paused, and its test has gone to others before it has played it. */
+    /** Tests of a worker that is paused: its games have gone to others, or a bot does not run there. */
     @Test
     void aTestWhoseGamesHaveGoneToOthersIsGivenAnew() throws Exception {
         make("many");
@@ -273,8 +278,20 @@ class WorkerVerdictsTest extends ServedLeague {
                 }
                 fail(taker, test);
                 CompletableFuture<List<List<StoredGame>>> third = played(games);
-                fail(taker, take(taker));
-                assertEquals(Collections.singletonList(null), third.get());
+                GameJob another = take(taker);
+                client.say(WireMessage.bytes(new HeaderText().put("type", "unfit").put("bundle",
+                    another.games().get(0).seats().get(1).bundle()).put("reason", "no such program")));
+                assertEquals(Collections.singletonList(null), third.get(), "nobody can play it");
+            }
+            try (BrokerClient.Taker taker = client.taker(List.of())) {
+                Elsewhere.Game others = game("many", 0, 2);
+                CompletableFuture<List<List<StoredGame>>> fourth = played(games, others);
+                while (!fourth.isDone()) {
+                    byte[] job = taker.take(200);
+                    if (job != null) {                 // what it gave back may come before
+                        fail(taker, GameJob.read(job, "a job", Bundle.LARGEST));
+                    }
+                }
             }
         }
     }

@@ -52,7 +52,7 @@ class PageTestBrowserTest {
         }
     }
 
-    /** Other classes run beside them: without the lock, two would want it at once now and then. */
+    /** Tests of pages run beside each other: without the lock two would want the browser at once now and then. */
     @Test
     void whoHasTheTagHasTheLock() throws IOException {
         Pattern tag = Pattern.compile("(?m)^ *@Tag\\(\"browser\"\\)$[^{]*");
