@@ -27,17 +27,12 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.api.parallel.Execution;
-import org.junit.jupiter.api.parallel.ExecutionMode;
-import org.junit.jupiter.api.parallel.ResourceLock;
 import steward.cli.TextShellBots;
 import steward.match.TestSize;
 
 /** The compiled clients, {@code steward-referee} and {@code steward-play}, and the residents that they start. */
 @Tag("process")
 @Tag("slow")
-@Execution(ExecutionMode.CONCURRENT)
-@ResourceLock("residents")                             // so its methods, which share one, run one after another
 class ClientTest {
 
     private static final String REFEREE = "bin/steward-referee";

@@ -15,7 +15,6 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import javax.net.ssl.SSLSocket;
 import org.apache.activemq.artemis.api.core.ActiveMQException;
@@ -58,17 +57,12 @@ class HostileClientsTest {
     /** Connections that are made before all tests and do not log in. */
     private static final List<SSLSocket> STRANGERS = new ArrayList<>();
 
-    /** Signs of life over a connection on which nobody says anything, from the beginning of the class on. */
-    private static CutProxy between;
-    private static BrokerClient silent;
-    private static CompletableFuture<Void> signs;
-
     @TempDir
     private Path folder;
 
     @BeforeAll
     static void serve() throws Exception {
-        served = new ServedBroker(shared, QUOTA, "one", "two", "silent");
+        served = new ServedBroker(shared, QUOTA, "one", "two");
         for (int k = 0; k < IDLE; k++) {
             SSLSocket stranger = served.stranger();
             STRANGERS.add(stranger);
@@ -76,34 +70,12 @@ class HostileClientsTest {
                 stranger.getOutputStream().write(k % 4 == 0 ? PREAMBLE : frame(100, CREATE_SESSION));
             }
         }
-        between = new CutProxy(served.port());
-        silent = new BrokerClient("127.0.0.1", between.port(), served.token("silent"), "silent");
-        signs = CompletableFuture.runAsync(HostileClientsTest::awaitSigns);
-    }
-
-    private static void awaitSigns() {
-        try {
-            for (int sign = 0; sign < 2; sign++) {               // the first might still be of the login
-                int worker = between.heardOfWorkers();
-                int league = between.heardOfLeague();
-                while (between.heardOfWorkers() == worker || between.heardOfLeague() == league) {
-                    TimeUnit.MILLISECONDS.sleep(20);
-                }
-                TimeUnit.MILLISECONDS.sleep(500);
-            }
-        } catch (InterruptedException end) {
-            throw new IllegalStateException(end);
-        }
     }
 
     @AfterAll
     static void end() throws IOException {
         for (SSLSocket stranger : STRANGERS) {
             stranger.close();
-        }
-        if (silent != null) {
-            silent.close();
-            between.close();
         }
         if (served != null) {
             served.close();
@@ -169,11 +141,20 @@ class HostileClientsTest {
 
     /** It is why silence does not end a connection: without them it would be closed before the proxy hears any. */
     @Test
-    @Order(Integer.MAX_VALUE - 1)
     void aBrokerAndAWorkerThatAreSilentGiveSignsOfLife() throws Exception {
-        signs.get(100, TimeUnit.SECONDS);
-        silent.say("still here".getBytes(StandardCharsets.UTF_8));
-        assertEquals(List.of("silent", "still here"), served.report());
+        try (CutProxy between = new CutProxy(served.port());
+             BrokerClient client = new BrokerClient("127.0.0.1", between.port(), served.token("one"), "silent")) {
+            for (int sign = 0; sign < 2; sign++) {               // the first might still be of the login
+                int worker = between.heardOfWorkers();
+                int league = between.heardOfLeague();
+                while (between.heardOfWorkers() == worker || between.heardOfLeague() == league) {
+                    TimeUnit.MILLISECONDS.sleep(20);
+                }
+                TimeUnit.MILLISECONDS.sleep(500);
+            }
+            client.say("still here".getBytes(StandardCharsets.UTF_8));
+            assertEquals(List.of("one", "still here"), served.report());
+        }
     }
 
     @Test
