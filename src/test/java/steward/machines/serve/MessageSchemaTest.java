@@ -140,8 +140,9 @@ class MessageSchemaTest {
         WorkerToken token = WorkerToken.read(folder.resolve("pen.token"));
         int serving = FreePort.next();
         Map<String, byte[]> bundles = new HashMap<>();
+        // So many games that the league has not played them itself before somebody joins.
         CompletableFuture<Cli> run = CompletableFuture.supplyAsync(() -> Cli.run("league", "run", league, "--games",
-            "20", "--quiet", "--serve", "127.0.0.1:" + serving));
+            "300", "--quiet", "--serve", "127.0.0.1:" + serving));
         byte[] welcome;
         byte[] job;
         try (BrokerClient client = joined(serving, token, run)) {
