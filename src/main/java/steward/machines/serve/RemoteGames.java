@@ -464,8 +464,8 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
         if (isNew) {
             say("worker " + state.name + " cannot play a bot: " + shown(unfit.reason()));
             offered.lookWhoCanPlay();
+            pauses.untested(state.name);               // it gives the job back
         }
-        pauses.untested(state.name);                   // it gives the job back
     }
 
     private synchronized void leave(WorkerState state) {
