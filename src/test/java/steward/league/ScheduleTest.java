@@ -25,6 +25,7 @@ import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import steward.match.TestSize;
 
 /** The order of games: the same however many threads play them and wherever a run is interrupted. */
 @Execution(ExecutionMode.CONCURRENT)
@@ -235,22 +236,12 @@ class ScheduleTest {
     /** Random numbers of threads, games that end in random order, and interruptions that lose what is under way. */
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 3})
+    @Tag("sized")
     void threadsAndInterruptionsDoNotMatter(int players) {
-        assertThreadsAndInterruptionsDoNotMatter(players, 60);
-    }
-
-    @ParameterizedTest
-    @ValueSource(ints = {1, 2, 3})
-    @Tag("campaign")
-    void threadsAndMoreInterruptionsDoNotMatter(int players) {
-        assertThreadsAndInterruptionsDoNotMatter(players, 600);
-    }
-
-    private static void assertThreadsAndInterruptionsDoNotMatter(int players, int seeds) {
         Integer[] bots = {1, 2, 3, 4};
         TreeSet<String> expected = new TreeSet<>(straight(players, bots));
         assertEquals(GAMES, expected.size());
-        for (long seed = 0; seed < seeds; seed++) {
+        for (long seed = 0; seed < TestSize.of(60, 600); seed++) {
             assertEquals(expected, interrupted(players, bots, new SplittableRandom(seed)), "seed " + seed);
         }
     }
@@ -285,19 +276,9 @@ class ScheduleTest {
      */
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 3})
+    @Tag("sized")
     void aResumedScheduleIsThatOfAPlainWalkThroughAllDecisions(int players) {
-        assertAResumedScheduleIsThatOfAPlainWalk(players, 80);
-    }
-
-    @ParameterizedTest
-    @ValueSource(ints = {1, 2, 3})
-    @Tag("campaign")
-    void moreResumedSchedulesAreThoseOfAPlainWalk(int players) {
-        assertAResumedScheduleIsThatOfAPlainWalk(players, 1000);
-    }
-
-    private static void assertAResumedScheduleIsThatOfAPlainWalk(int players, int seeds) {
-        for (long seed = 0; seed < seeds; seed++) {
+        for (long seed = 0; seed < TestSize.of(80, 1000); seed++) {
             SplittableRandom random = new SplittableRandom(seed);
             List<Integer> before = bots(random, players);
             EarlierGames earlier = new EarlierGames();

@@ -9,6 +9,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Isolated;
+import steward.match.TestSize;
 
 /** Many matches in one JVM leave nothing behind. */
 @Tag("process")
@@ -53,17 +54,8 @@ class BotLeakTest {
     }
 
     @Test
-    void ninetyBotsInSequence() {
-        assertNothingIsLeft(90);
-    }
-
-    @Test
-    @Tag("campaign")
-    void threeHundredBotsInSequence() {
-        assertNothingIsLeft(300);
-    }
-
-    private static void assertNothingIsLeft(int bots) {
+    @Tag("sized")
+    void manyBotsInSequenceLeaveNothing() {
         for (int number = 0; number < 8; number++) {
             play(number);
         }
@@ -71,7 +63,7 @@ class BotLeakTest {
         long threadsBefore = threads();
         Set<String> filesBefore = temporaryFiles();
         int descriptorsBefore = descriptors();
-        for (int number = 0; number < bots; number++) {
+        for (int number = 0; number < TestSize.of(90, 300); number++) {
             play(number);
         }
         // The JDK closes its ends when it has taken note of an exit; class loading may have opened a few files.

@@ -39,7 +39,7 @@ class NewCommandTest {
             brief.toString(), 1);
     }
 
-    /** A whole race. */
+    /** A whole race of each, compiled as its README says. */
     @ParameterizedTest
     @EnumSource
     @Tag("process")

@@ -21,6 +21,7 @@ import steward.league.EarlierGames;
 import steward.league.Schedule;
 import steward.league.Season;
 import steward.league.rating.Ratings;
+import steward.match.TestSize;
 
 /** Who plays whom, and when it ends, follows from results alone: not from threads and not from interruptions. */
 @Execution(ExecutionMode.CONCURRENT)
@@ -118,20 +119,10 @@ class AdaptivePairingTest {
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 3})
     @Tag("slow")
+    @Tag("sized")
     void threadsAndInterruptionsDoNotMatter(int players) {
-        assertThreadsAndInterruptionsDoNotMatter(players, 3);
-    }
-
-    @ParameterizedTest
-    @ValueSource(ints = {1, 2, 3})
-    @Tag("campaign")
-    void threadsAndMoreInterruptionsDoNotMatter(int players) {
-        assertThreadsAndInterruptionsDoNotMatter(players, 30);
-    }
-
-    private static void assertThreadsAndInterruptionsDoNotMatter(int players, int seeds) {
         TreeSet<String> expected = straight(players);
-        for (long seed = 0; seed < seeds; seed++) {
+        for (long seed = 0; seed < TestSize.of(3, 30); seed++) {
             assertEquals(expected, interrupted(players, new SplittableRandom(seed)), "seed " + seed);
         }
     }

@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
+import steward.match.TestSize;
 
 /** Bounds of bots that have won or lost nearly everything. */
 @Execution(ExecutionMode.CONCURRENT)
@@ -76,18 +77,10 @@ class ScoreTestTest {
     /** In a table of 40 the others are held; its bound holds for at least 95% of leagues, too. */
     @Test
     @Tag("slow")
+    @Tag("sized")
     void theBoundOfABotAheadOfAFieldHolds() {
-        assertTheBoundOfABotAheadOfAFieldHolds(80);
-    }
-
-    @Test
-    @Tag("campaign")
-    void theBoundOfABotAheadOfAFieldHoldsInMoreLeagues() {
-        assertTheBoundOfABotAheadOfAFieldHolds(1000);
-    }
-
-    private static void assertTheBoundOfABotAheadOfAFieldHolds(int leagues) {
         int bots = 40;
+        int leagues = TestSize.of(80, 1000);
         double elo = 800;
         int held = 0;
         for (int league = 0; league < leagues; league++) {
