@@ -74,6 +74,12 @@ public final class EarlierGames {
         return open;
     }
 
+    /** True if a decision, not less than in any call before, has games that were not taken. */
+    boolean has(int decision) {
+        moveTo(decision);
+        return place < count && decision(place) == decision;
+    }
+
     private int decision(int game) {
         return (int) (games[game] >>> Integer.SIZE);
     }

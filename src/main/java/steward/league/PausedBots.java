@@ -6,12 +6,12 @@ import java.util.TreeMap;
 
 /**
  * Bots that failed in many games in a row, and are not chosen any more. The pause of a bot at a decision follows from
- * the results of the decisions before, so that neither threads nor interruptions change it:
+ * the results of the decisions before, so that neither threads nor interruptions change it, and lasts:
  *
  * <ul>
  * <li>A bot whose last game at least {@code lag} decisions back was without failure plays: nothing is waited for.
- * <li>Of any other, all games before the decision are taken into account. Where one that is under way could complete
- * the row, the decision waits for it.
+ * <li>Any other is paused if it has failed in all games since, and in enough. Where one that is under way could
+ * complete the row, the decision waits for it.
  * </ul>
  *
  * <p>A decision in which the bot did not fail in every game ends the row. Not thread-safe.
@@ -109,17 +109,18 @@ public final class PausedBots {
         if (most == 0 || row.hasEarlier && row.failures == 0) {
             return State.PLAYS;
         }
-        int sure = row.failures;
-        int possible = row.failures;
+        int failures = row.failures;
         boolean open = false;
         for (Count count : row.decisions.headMap(decision).values()) {
-            sure = count.fine > 0 || count.open > 0 ? 0 : sure + count.failed;
-            possible = count.fine > 0 ? 0 : possible + count.failed + count.open;
-            open |= possible >= most;
-            if (sure >= most) {
-                return State.PAUSED;
+            if (!open && failures >= most) {
+                break;
             }
+            if (count.fine > 0) {
+                return State.PLAYS;
+            }
+            open |= count.open > 0;
+            failures += count.failed + count.open;
         }
-        return sure >= most ? State.PAUSED : open ? State.OPEN : State.PLAYS;
+        return failures < most ? State.PLAYS : open ? State.OPEN : State.PAUSED;
     }
 }

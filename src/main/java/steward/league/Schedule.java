@@ -194,7 +194,8 @@ public final class Schedule {
             if (games + waiting.size() >= most || firstOpen() <= next - lag) {
                 return null;
             }
-            if (ended || next > last && (!pause() || active.size() < players || active.isEmpty())) {
+            boolean known = players > 1 && earlier.has(next);
+            if (ended || !known && (!pause() || active.size() < players || active.isEmpty())) {
                 return null;
             }
             decide();

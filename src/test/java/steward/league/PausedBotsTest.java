@@ -4,11 +4,14 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
 import java.util.TreeMap;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import steward.league.Schedule.Task;
 
 /** Bots are paused at decisions that neither threads nor interruptions change. */
@@ -16,7 +19,7 @@ class PausedBotsTest {
 
     private static final int MOST = 5;
     private static final int BOTS = 5;
-    private static final int GAMES = 120;
+    private static final int GAMES = 400;
 
     /** Bot 1 always fails, bot 2 fails from decision 20 on, bot 3 now and then, the others never. */
     private static boolean fails(int version, Task task) {
@@ -24,8 +27,12 @@ class PausedBotsTest {
             || version == 3 && (task.decision() * 31 + task.lineup()[0]) % 3 == 0;
     }
 
-    /** A run in which up to so many games are under way and end in any order; what was under way at the end is lost. */
-    private static List<Integer> run(int games, int threads, int lag, TreeMap<String, Task> stored, Random random) {
+    /**
+     * A run in which up to so many games are under way and end in any order. It is killed after so many games in all:
+     * those under way are lost.
+     */
+    private static List<Integer> run(int players, int kill, int threads, int lag, TreeMap<String, Task> stored,
+                                     Random random) {
         EarlierGames earlier = new EarlierGames();
         PausedBots pauses = new PausedBots(MOST, lag);
         for (Task task : stored.values()) {
@@ -35,42 +42,41 @@ class PausedBotsTest {
             }
         }
         List<Integer> paused = new ArrayList<>();
-        Schedule schedule = new Schedule(100, 2, lag, earlier);
+        Schedule schedule = new Schedule(100, players, lag, earlier);
         schedule.pausing(pauses, paused::add);
-        schedule.play(List.of(1, 2, 3, 4, 5), versions -> Pairing.roundRobin(versions, 2));
+        schedule.play(List.of(1, 2, 3, 4, 5), versions -> Pairing.roundRobin(versions, players));
         List<Task> underWay = new ArrayList<>();
-        for (;;) {
-            Task next = underWay.size() < threads ? schedule.next(games) : null;
+        while (stored.size() < kill) {
+            Task next = underWay.size() < threads ? schedule.next(GAMES) : null;
             if (next != null) {
                 underWay.add(next);
-            } else if (underWay.isEmpty()) {
-                return paused;
             } else {
                 Task over = underWay.remove(random.nextInt(underWay.size()));
-                boolean[] failed = {fails(over.lineup()[0], over), fails(over.lineup()[1], over)};
+                boolean[] failed = new boolean[players];
+                for (int seat = 0; seat < players; seat++) {
+                    failed[seat] = fails(over.lineup()[seat], over);
+                }
                 schedule.over(over, failed);
-                stored.put(String.format("%05d %d %d", over.decision(), over.lineup()[0], over.lineup()[1]), over);
+                stored.put(String.format("%05d %s", over.decision(), Arrays.toString(over.lineup())), over);
             }
         }
+        return paused;
     }
 
-    @Test
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2})
     @Tag("slow")
-    void neitherThreadsNorInterruptionsChangeWhoIsPausedWhen() {
+    void neitherThreadsNorInterruptionsChangeWhoIsPausedWhen(int players) {
         for (int lag : new int[] {1, 4, 16, 64}) {
             TreeMap<String, Task> plain = new TreeMap<>();
-            assertEquals(List.of(1, 2), run(GAMES, 1, lag, plain, new Random(1)), "lag " + lag);
-            for (int seed = 0; seed < 60; seed++) {
+            assertEquals(List.of(1, 2), run(players, GAMES, 1, lag, plain, new Random(1)), "lag " + lag);
+            for (int seed = 0; seed < 20; seed++) {
                 Random random = new Random(seed);
                 TreeMap<String, Task> other = new TreeMap<>();
-                int from = random.nextInt(GAMES);
-                run(from, 1 + random.nextInt(12), lag, other, random);
-                int cut = random.nextInt(6);               // games that were under way when it was killed
-                for (int k = 0; k < cut && !other.isEmpty(); k++) {
-                    other.pollLastEntry();
-                }
-                run(GAMES, 1 + random.nextInt(12), lag, other, random);
-                assertEquals(plain.keySet(), other.keySet(), "lag " + lag + ", seed " + seed + ", cut at " + from);
+                List<Integer> kills = random.ints(1 + random.nextInt(4), 0, GAMES).sorted().boxed().toList();
+                kills.forEach(kill -> run(players, kill, 1 + random.nextInt(12), lag, other, random));
+                run(players, GAMES, 1 + random.nextInt(12), lag, other, random);
+                assertEquals(plain.keySet(), other.keySet(), "lag " + lag + ", seed " + seed + ", killed at " + kills);
             }
         }
     }
@@ -78,7 +84,7 @@ class PausedBotsTest {
     @Test
     void aBotThatFailsFromTheBeginningPlaysNoMoreThanTheGamesThatPauseItAndTheRestOfItsDecision() {
         TreeMap<String, Task> stored = new TreeMap<>();
-        run(GAMES, 8, 64, stored, new Random(3));
+        run(2, GAMES, 8, 64, stored, new Random(3));
         long games = stored.values().stream().filter(task -> task.lineup()[0] == 1 || task.lineup()[1] == 1).count();
         assertTrue(games >= MOST && games <= MOST + 1, games + " games, expected 5, or 6 with both sides of the last");
     }
