@@ -54,12 +54,11 @@ final class HouseClasses {
             each -> Path.of(each.getSource().orElseThrow().getUri()).startsWith(home));
     }
 
-    /** True if a class file belongs to tests of any part. */
-    static boolean isOfTests(URI file) {
+    /** Where the classes of the tests are, of all parts. */
+    static List<URI> homesOfTests() {
         try {
-            Class<?> ofLab = Class.forName("steward.lab.cli.LabCommandsTest");
-            return List.of(TestScenes.class, HouseClasses.class, ofLab).stream()
-                .anyMatch(type -> file.getPath().startsWith(home(type).getPath()));
+            return List.of(home(TestScenes.class), home(HouseClasses.class),
+                home(Class.forName("steward.lab.cli.LabCommandsTest")));
         } catch (ClassNotFoundException missing) {
             throw new IllegalStateException(missing);
         }

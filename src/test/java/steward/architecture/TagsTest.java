@@ -3,6 +3,7 @@ package steward.architecture;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import com.tngtech.archunit.ArchConfiguration;
 import com.tngtech.archunit.core.domain.JavaAccess;
 import com.tngtech.archunit.core.domain.JavaClass;
 import com.tngtech.archunit.core.domain.JavaClasses;
@@ -10,10 +11,10 @@ import com.tngtech.archunit.core.domain.JavaCodeUnit;
 import com.tngtech.archunit.core.domain.JavaConstructor;
 import com.tngtech.archunit.core.domain.JavaMember;
 import com.tngtech.archunit.core.domain.JavaMethod;
-import com.tngtech.archunit.core.domain.Source;
 import com.tngtech.archunit.core.domain.properties.HasAnnotations;
 import com.tngtech.archunit.core.importer.ClassFileImporter;
 import java.io.IOException;
+import java.nio.file.Path;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.HashSet;
@@ -34,6 +35,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.junit.platform.commons.annotation.Testable;
 import org.openqa.selenium.chrome.ChromeDriver;
+import steward.bot.process.BotProcess;
+import steward.live.Browser;
 import steward.match.TestSize;
 
 /**
@@ -52,28 +55,26 @@ class TagsTest {
     private static final String BROWSERS = "org.openqa.selenium.";
 
     private static JavaClasses all;
-    /** Classes of the program that use processes themselves, and those that have one of them as a field. */
-    private static Set<JavaClass> starters;
+    /** Classes of the program that use processes themselves, and those that have one of them as a field, by name. */
+    private static Set<String> starters;
 
     @BeforeAll
     static void importClasses() {
-        all = new ClassFileImporter().importPackages("steward");
+        all = ArchConfiguration.withThreadLocalScope(imports -> {
+            imports.setClassResolverArguments("org.junit.jupiter");           // nothing is asked of our own classes
+            return new ClassFileImporter().importPaths(HouseClasses.homesOfTests().stream().map(Path::of).toList());
+        });
         starters = new HashSet<>();
-        List<JavaClass> program = all.stream().filter(type -> !isOfTests(type)).toList();
         boolean grows = true;
         while (grows) {
-            grows = starters.addAll(program.stream().filter(TagsTest::isStarter).toList());
+            grows = starters.addAll(HouseClasses.all().stream().filter(TagsTest::isStarter).map(JavaClass::getName)
+                .toList());
         }
-    }
-
-    private static boolean isOfTests(JavaClass type) {
-        return type.getSource().map(Source::getUri)
-            .filter(uri -> "file".equals(uri.getScheme()) && HouseClasses.isOfTests(uri)).isPresent();
     }
 
     private static boolean isStarter(JavaClass type) {
         return type.getDirectDependenciesFromSelf().stream().anyMatch(to -> isProcess(to.getTargetClass()))
-            || type.getFields().stream().anyMatch(field -> starters.contains(field.getRawType()));
+            || type.getFields().stream().anyMatch(field -> starters.contains(field.getRawType().getName()));
     }
 
     private static boolean isProcess(JavaClass type) {
@@ -88,7 +89,7 @@ class TagsTest {
         if (type.isEquivalentTo(TestSize.class)) {
             return Set.of("sized");
         }
-        return isProcess(type) || starters.contains(type) ? Set.of("process") : Set.of();
+        return isProcess(type) || starters.contains(type.getName()) ? Set.of("process") : Set.of();
     }
 
     @Test
@@ -106,9 +107,9 @@ class TagsTest {
 
     @Test
     void theProgramsOwnWaysToStartAreKnown() {
-        Set<String> names = new TreeSet<>(starters.stream().map(JavaClass::getSimpleName).toList());
-        assertTrue(names.containsAll(Set.of("BotProcess", "Browser")), names::toString);
-        assertTrue(names.size() < 25, () -> "that many cannot be: " + names);
+        assertTrue(starters.containsAll(Set.of(BotProcess.class.getName(), Browser.class.getName())),
+            starters::toString);
+        assertTrue(starters.size() < 25, () -> "that many cannot be: " + starters);
     }
 
     private static boolean isPlanted(JavaClass type) {
@@ -155,11 +156,11 @@ class TagsTest {
                 JavaClass type = access.getTargetOwner();
                 started.addAll(startedBy(type));
                 JavaMember target = access.getTarget().resolveMember().orElse(null);
-                if (target instanceof JavaCodeUnit called && isOfTests(type) && seen.add(called)) {
+                if (target instanceof JavaCodeUnit called && all.contain(type.getName()) && seen.add(called)) {
                     open.add(called);
                 }
                 // Methods of a created object may be called back; test methods are called by JUnit alone.
-                if (target instanceof JavaConstructor && isOfTests(type) && !type.equals(own)) {
+                if (target instanceof JavaConstructor && all.contain(type.getName()) && !type.equals(own)) {
                     type.getMethods().stream().filter(method -> !method.isMetaAnnotatedWith(Testable.class))
                         .filter(seen::add).forEach(open::add);
                 }

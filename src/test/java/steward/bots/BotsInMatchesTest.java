@@ -63,6 +63,7 @@ class BotsInMatchesTest {
     @ParameterizedTest
     @Tag("slow")
     @ValueSource(strings = {"mad-pod-racing", "walled-race", "duel"})
+    @Tag("campaign")
     void theVeteranBeatsThePlainBotFromBothSides(String name) {
         theVeteranBeatsThePlainBot(name, 3, 5);
     }

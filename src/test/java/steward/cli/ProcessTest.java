@@ -61,6 +61,7 @@ public class ProcessTest {
     }
 
     @Test
+    @Tag("campaign")
     void namesKeepTheirLettersInEveryLocale() throws IOException, InterruptedException {
         byte[] renamed = new String(Recorded.duel(3).bytes(), StandardCharsets.UTF_8).replace("pilot-0", "pilöt")
             .getBytes(StandardCharsets.UTF_8);
@@ -103,6 +104,7 @@ public class ProcessTest {
      * The table is begun before anything is measured: interrupted then, the command does not claim that there are rows.
      */
     @Test
+    @Tag("campaign")
     void aBenchmarkThatIsInterruptedAtOnceSaysThatItHasNothing() throws IOException, InterruptedException {
         Path table = folder.resolve("out/bench.csv");
         Process bench = new ProcessBuilder("sh", "-c", "exec " + steward("bench", "--only", "crowds", "--bodies",

@@ -74,6 +74,7 @@ class GuestContestTest {
     }
 
     @Test
+    @Tag("campaign")
     void aGameForOneIsAdoptedAndPlayed() throws IOException {
         StandInProject.compiled(folder);
         Files.writeString(folder.resolve("config/config.ini"), "type=opti");
@@ -97,6 +98,7 @@ class GuestContestTest {
     }
 
     @Test
+    @Tag("campaign")
     void aTestEndsWhenTheBetterBotIsFound() throws IOException {
         String said = done("sprt", "--scene", scene, "--bot", bot("new", "3"), "--bot", bot("old", "1"), "--seed",
             "1", "--elo1", "200", "--games", "60", "--quiet");

@@ -88,6 +88,7 @@ class ResidentRefereeTest {
 
     /** Classes that nothing can unload: the referee has put them where the whole JVM holds them. */
     @Test
+    @Tag("campaign")
     void aJvmWithFortyLoadersAliveIsStartedAnew() throws IOException {
         StandInProject.compiled(folder, Files.writeString(Files.createDirectories(folder.resolve("source"))
             .resolve("Referee.java"), """
@@ -121,6 +122,7 @@ class ResidentRefereeTest {
 
     /** The limit is that of the scene which is played, not of the one that started the JVM: its start is over. */
     @Test
+    @Tag("campaign")
     void aFaultIsTheRefereesAndTheNextGameIsPlayedByANewJvm() {
         String scene = scene(2, "");
         assertFault("exited with status 7 before answering; its stderr: noise of the referee | leaving", scene,
@@ -152,6 +154,7 @@ class ResidentRefereeTest {
 
     /** The level is read once, into a static field: a check at one level finds nothing of it. */
     @Test
+    @Tag("campaign")
     void aStaticThatKeepsTheLevelIsFoundByMixingLevels() throws IOException {
         StandInProject.compiled(folder, Files.writeString(Files.createDirectories(folder.resolve("source"))
             .resolve("Referee.java"), """

@@ -64,21 +64,11 @@ class HostileTest {
         run(report, HostileSuite.class, "--only", "guards");
     }
 
-    @Test
-    void aSeriesThatIsKilledLeavesNothing(TestReporter report) throws Exception {
-        run(report, KilledSeries.class, "--short");
-    }
-
     /** Once at every level by every signal from the start on, and once while it plays. */
     @Test
     @Tag("campaign")
     void aSeriesThatIsKilledAtAnyMomentLeavesNothing(TestReporter report) throws Exception {
         run(report, KilledSeries.class, "--times", "6");
-    }
-
-    @Test
-    void fortyMatchesInOneJvmLeaveNothing(TestReporter report) throws Exception {
-        run(report, Soak.class, "--matches", "40");
     }
 
     @Test

@@ -91,6 +91,7 @@ class LiveServerTest {
     /** 40 MB are far more than all buffers between the two; the match must not wait for any of it. */
     @Test
     @Tag("slow")
+    @Tag("campaign")
     void aViewerWhoReadsNothingHoldsNobodyUp() throws Exception {
         Clients.Feed slow = clients.feed();
         Clients.Feed quick = clients.feed();

@@ -64,6 +64,7 @@ class ViewersPageTest {
 
     /** 20 MB are more than the buffers between the two. The part of the browser that reads from networks is stopped. */
     @Test
+    @Tag("campaign")
     void aPageThatReadsNothingIsDroppedAndSaysSo() throws IOException, InterruptedException {
         LiveRecording recording = new LiveRecording();
         write(recording, LINES.get(0));

@@ -50,6 +50,7 @@ class MeterTest {
     /** 100,000 bytes a unit, by this thread or by another one that lives on; by the wall clock they are not counted. */
     @Test
     @Tag("slow")
+    @Tag("campaign")
     void bytesAreCountedInWhicheverThreadAllocates() throws Exception {
         ExecutorService other = Executors.newSingleThreadExecutor();
         try {

@@ -69,6 +69,7 @@ class StabilityCommandTest {
     /** An interrupted run prints the figures so far of an unfinished row; a busy machine needs time to have some. */
     @Test
     @Tag("process")
+    @Tag("campaign")
     void theUnfinishedRowIsTold() throws IOException, InterruptedException {
         String expected = "steward: interrupted; the rows so far are above; unfinished: crowd of 100, 10%, "
             + "double, [.0-9]+%: [1-9]\\d* impacts in \\d+ turns: 0 overlaps, (?s:.*)";
@@ -192,6 +193,7 @@ class StabilityCommandTest {
 
     @Test
     @Tag("process")
+    @Tag("campaign")
     void aTableIsTheSameWithoutFusedMultiplyAdd() throws IOException, InterruptedException {
         String[] call = {"stability", "--quick", "--case", "rounding", "--case", "Newton's cradle"};
         assertSame(Cli.run(call), List.of("-XX:-UseFMA", "-XX:TieredStopAtLevel=1"), call);

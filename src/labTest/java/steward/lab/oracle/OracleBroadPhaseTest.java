@@ -40,7 +40,7 @@ class OracleBroadPhaseTest {
      * @param touch the share of the lattice's step that a disc's diameter takes; 1 touches, above it overlaps
      */
     @ParameterizedTest
-    @CsvSource({"1000, 0, 1", "1, 1e6, 0.9", "1e-80, 0, 0.9"})
+    @CsvSource({"1000, 0, 1", "1e-80, 0, 0.9"})
     @Tag("slow")
     @Tag("sized")
     void boundsChangeNoDigit(double size, double from, double touch) {
@@ -50,13 +50,13 @@ class OracleBroadPhaseTest {
     @ParameterizedTest
     @Tag("campaign")
     @CsvSource({"1000, 0, 0.5", "1000, 0, 0.999999999999", "1000, 0, 1.01", "1e-7, 0, 0.9", "1e7, 0, 1",
-        "1, -1e9, 1", "1e40, 3, 1"})
+        "1, 1e6, 0.9", "1, -1e9, 1", "1e40, 3, 1"})
     void boundsOfOtherSizesChangeNoDigit(double size, double from, double touch) {
         compare(size, from, touch);
     }
 
     private static void compare(double size, double from, double touch) {
-        for (int seed = 1; seed <= TestSize.of(2, 4); seed++) {
+        for (int seed = 1; seed <= TestSize.of(1, 4); seed++) {
             SplitMix64 random = new SplitMix64(seed);
             Bodies bodies = crowd(random, size, from * size, touch);
             ImpactLaw law = (seed % 2 == 0 ? SOFT : seed == 1 ? ImpactLaw.PHYSICS : ImpactLaw.OFFICIAL_POD_RACE)

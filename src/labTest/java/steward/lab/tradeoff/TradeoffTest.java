@@ -266,6 +266,7 @@ class TradeoffTest {
 
     @Test
     @Tag("process")
+    @Tag("campaign")
     void aDisplayThatIsNotThereIsNoHindrance() throws IOException, InterruptedException {
         ProcessBuilder other = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
             "-XX:TieredStopAtLevel=1", "-cp", System.getProperty("java.class.path"), TradeoffTest.class.getName(),

@@ -55,6 +55,7 @@ class BotTimeTest {
      */
     @Test
     @Tag("slow")
+    @Tag("campaign")
     void aStoppedRefereeThrowsNoBotOut() throws Exception {
         String bot = "read -r l; echo ready; read -r l; kill -STOP $PPID; echo answer; sleep 1.5; kill -CONT $PPID; "
             + "read -r l";

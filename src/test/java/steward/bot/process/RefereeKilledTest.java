@@ -107,6 +107,7 @@ class RefereeKilledTest {
     }
 
     @Test
+    @Tag("campaign")
     void exited(TestReporter report) throws Exception {
         endWithTheirBots(report, List.of(SandboxLevel.values()), "exit", null);
     }

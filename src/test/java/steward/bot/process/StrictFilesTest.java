@@ -147,6 +147,7 @@ class StrictFilesTest {
     /** Java through a link, as version managers have it, with the certificates and settings of the system. */
     @Test
     @Tag("slow")
+    @Tag("campaign")
     void javaStartsThroughALink() throws IOException {
         Path link = Files.createSymbolicLink(folder.resolve("current"), Path.of(System.getProperty("java.home")));
         Path source = write(folder.resolve("mine/Bot.java"), "public class Bot { public static void main(String[] a)"

@@ -25,6 +25,7 @@ class PokerChipRaceLadderTest {
     @Test
     @Tag("slow")
     @Tag("sized")
+    @Tag("campaign")
     void theBetterOneWins() {
         int games = TestSize.of(4, 24);
         int won = 0;

@@ -187,6 +187,7 @@ class LeagueProcessTest {
     }
 
     @Test
+    @Tag("campaign")
     void noOtherCommandLoadsTheDatabase() throws IOException, InterruptedException {
         Path out = Files.createTempFile(folder, "out", ".txt");
         make("league");

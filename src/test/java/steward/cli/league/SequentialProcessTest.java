@@ -148,6 +148,7 @@ class SequentialProcessTest {
     }
 
     @Test
+    @Tag("campaign")
     void aSearchGoesOnWhereItWasAndFindsTheBetterChoice() throws IOException {
         scene = alike;
         String league = league("tuned");

@@ -107,6 +107,7 @@ class BrokerLoadingTest {
     }
 
     @Test
+    @Tag("campaign")
     void noOtherCommandLoadsTheBroker() throws IOException, InterruptedException {
         prepare();
         assertTrue(path(true).contains("artemis") && path(true).contains("netty"), "the files are called so");

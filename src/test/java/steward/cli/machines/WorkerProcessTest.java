@@ -208,6 +208,7 @@ class WorkerProcessTest {
 
     /** Workers of one league, in this JVM: one after another, so that none takes the games of those before. */
     @Test
+    @Tag("campaign")
     void endsAfterSoManyGamesOrSoMuchTimeOrWhenItIsIdleOrAFileSaysSo() throws Exception {
         before("sleep 0.2");
         CompletableFuture<String> league = serve(14, 0);
@@ -282,6 +283,7 @@ class WorkerProcessTest {
      * league waits in its first game: the bot that the worker cannot have is held, the other one it tries.
      */
     @Test
+    @Tag("campaign")
     void aWorkerThatCannotStoreABotSaysSoAndOthersPlay() throws Exception {
         Path weights = folder.resolve("weights.bin");
         Files.write(weights, new byte[40_000]);

@@ -115,6 +115,7 @@ class SeriesProcessTest {
     }
 
     @Test
+    @Tag("campaign")
     void ctrlCPrintsTheJsonAndKeepsNoReplayThatWasNotAskedFor() throws IOException, InterruptedException {
         JsonNode json = JsonMapper.shared().readTree(interrupted("--json", "--keep", "failed"));
         assertTrue(json.get("interrupted").booleanValue());
@@ -162,6 +163,7 @@ class SeriesProcessTest {
     }
 
     @Test
+    @Tag("campaign")
     void oneMatchLeavesNoEmptyReplayEither() throws IOException, InterruptedException {
         Path file = folder.resolve("one.jsonl");
         String said = ProcessTest.shell("ulimit -f 0; exec " + ProcessTest.steward("match", "--scene", "duel", "--bot",

@@ -213,6 +213,7 @@ class SimulateCommandTest {
 
     @Test
     @Tag("process")
+    @Tag("campaign")
     void aFolderIsNoInput() throws IOException, InterruptedException {
         String call = ProcessTest.steward("simulate") + " </tmp 2>&1";
         assertEquals("steward: standard input: found a folder, expected a file or a pipe\nstatus 2\n",
@@ -221,6 +222,7 @@ class SimulateCommandTest {
 
     @Test
     @Tag("process")
+    @Tag("campaign")
     void noInputIsNoTest() throws IOException, InterruptedException {
         Process process = simulator(ProcessBuilder.Redirect.INHERIT);
         process.getOutputStream().close();

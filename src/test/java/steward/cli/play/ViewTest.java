@@ -214,6 +214,7 @@ class ViewTest {
     /** As a process of its own, since the programs that are found depend on its environment. */
     @Test
     @Tag("process")
+    @Tag("campaign")
     void itIsOpenedInTheBrowserOfTheSystem() throws IOException, InterruptedException {
         assumeTrue(ShellBots.runnable(), "there is no /bin/sh");
         Path opener = Files.writeString(folder.resolve("xdg-open"), "#!/bin/sh\necho \"$1\" >" + folder + "/opened\n");

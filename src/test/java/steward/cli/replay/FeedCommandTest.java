@@ -150,6 +150,7 @@ class FeedCommandTest {
 
     /** Many bots read in an endless loop: they would go on answering for ever. */
     @Test
+    @Tag("campaign")
     void aBotThatDoesNotSeeTheEndIsEnded() throws IOException, InterruptedException {
         Path pid = folder.resolve("pid");
         Cli cli = feed("--quiet", "sh", "-c", "echo $$ >" + pid + "; read -r setup; while :; do read -r line; "

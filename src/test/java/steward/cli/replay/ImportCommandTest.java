@@ -221,6 +221,7 @@ class ImportCommandTest {
     /** Between programs, where the input is a pipe and not a file. */
     @Test
     @Tag("process")
+    @Tag("campaign")
     void pipesOfAShellAreRead() throws IOException, InterruptedException {
         assumeTrue(ShellBots.runnable(), "there is no /bin/sh");
         assertEquals(verified() + "status 0\n", withoutCount(ProcessTest.shell("cat " + recording + " | "

@@ -148,6 +148,7 @@ class KeyCommandTest {
     }
 
     @Test
+    @Tag("campaign")
     void manyGamesAreSignedEach() throws IOException {
         Path many = folder.resolve("many");
         assertEquals(ExitStatus.DONE, match(many, "--games", "2", "--sign", mine.toString()).status());

@@ -147,6 +147,7 @@ class ClientTest {
     }
 
     @Test
+    @Tag("campaign")
     void manyClientsAtOnceHaveOneResident() throws IOException, InterruptedException {
         takeAnInstallationOfItsOwn();
         List<Process> clients = new ArrayList<>();
@@ -160,6 +161,7 @@ class ClientTest {
     }
 
     @Test
+    @Tag("campaign")
     void anotherEnvironmentOrFolderHasAnotherResident() throws IOException, InterruptedException {
         home.call(match(REFEREE, bots.driver(), 1));
         List<ProcessHandle> one = home.residents();
@@ -177,6 +179,7 @@ class ClientTest {
     }
 
     @Test
+    @Tag("campaign")
     void whereThereAreFourAMatchStartsPlainly() throws IOException, InterruptedException {
         takeAnInstallationOfItsOwn();
         Files.createDirectories(home.sockets());
@@ -197,6 +200,7 @@ class ClientTest {
     }
 
     @Test
+    @Tag("campaign")
     void aFolderThatOthersCanOpenIsNotUsed() throws IOException, InterruptedException {
         takeAnInstallationOfItsOwn();
         Files.createDirectories(home.sockets());
@@ -207,6 +211,7 @@ class ClientTest {
     }
 
     @Test
+    @Tag("campaign")
     void aResidentThatIsKilledIsReplaced() throws IOException, InterruptedException {
         takeAnInstallationOfItsOwn();
         Path slow = Files.writeString(folder.resolve("slow.sh"),
@@ -225,6 +230,7 @@ class ClientTest {
 
     /** A tool takes a match without scores for a draw. */
     @Test
+    @Tag("campaign")
     void aResidentThatIsKilledInTheMatchIsALossForEveryBot() throws IOException, InterruptedException {
         takeAnInstallationOfItsOwn();
         Path slow = Files.writeString(folder.resolve("slow.sh"), "while read -r line; do sleep 9; done\n");
@@ -240,6 +246,7 @@ class ClientTest {
 
     /** As the launcher does: a shell writes the environment in an order of its own, and a wrong PWD anew. */
     @Test
+    @Tag("campaign")
     void aResidentThatAShellHasStartedIsFound() throws IOException, InterruptedException {
         takeAnInstallationOfItsOwn();
         List<String> words = new ArrayList<>(List.of("sh", "-c", "exec \"$@\"", "sh"));
@@ -308,6 +315,7 @@ class ClientTest {
     }
 
     @Test
+    @Tag("campaign")
     void aResidentThatIsIdleEnds() throws IOException, InterruptedException {
         takeAnInstallationOfItsOwn();
         Process resident = home.builder("lib/steward-resident", "resident", "--idle", "2s").start();

@@ -27,11 +27,11 @@ class NewCommandTest {
     @TempDir
     private Path folder;
 
-    /** The first forty turns; starters in C++ are compiled without optimisation. */
+    /** The first forty turns; the starter in C++ is compiled without optimisation. */
     @ParameterizedTest
-    @EnumSource
+    @EnumSource(names = {"PYTHON", "CPP"})
     @Tag("process")
-    void everyStarterRacesAtOnceWithoutAFault(Starter starter) throws IOException, InterruptedException {
+    void aStarterRacesAtOnceWithoutAFault(Starter starter) throws IOException, InterruptedException {
         String scene = Files.readString(Path.of("config/scenes/mad-pod-racing.json"));
         Path brief = Files.writeString(folder.resolve("brief.json"), scene.replaceFirst("\"maximumTurns\": \\d+",
             "\"maximumTurns\": 40"));

@@ -35,6 +35,7 @@ class WorkshopTest {
     }
 
     @Test
+    @Tag("campaign")
     void aPublicClassIsCompiledAsTheFileOfItsName() throws IOException, InterruptedException {
         assumeTrue(ProgramFinder.find("javac") != null, "there is no Java compiler");
         Workshop.Ready ready = made("x.java", Programs.Kind.JAVA, Isolation.OFF,

@@ -35,6 +35,7 @@ class MeanMaxContestantsTest {
     private Path folder;
 
     @Test
+    @Tag("campaign")
     void theyPlayWithoutAFault(TestReporter report) throws IOException, InterruptedException {
         play(report, 1);
     }

@@ -36,6 +36,7 @@ class PokerChipRaceContestantsTest {
     private Path folder;
 
     @Test
+    @Tag("campaign")
     void theyPlayWithoutAFault(TestReporter report) throws IOException, InterruptedException {
         play(report, 1);
     }

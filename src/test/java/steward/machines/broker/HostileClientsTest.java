@@ -112,6 +112,7 @@ class HostileClientsTest {
 
     /** The short form of what {@link HostileClients} does with 100 clients: each attack once. */
     @Test
+    @Tag("campaign")
     void honestWorkersGoOnBesideManyThatAttack() throws Exception {
         assertHonestWorkersGoOn(6, 1);
     }
@@ -141,6 +142,7 @@ class HostileClientsTest {
 
     /** It is why silence does not end a connection: without them it would be closed before the proxy hears any. */
     @Test
+    @Tag("campaign")
     void aBrokerAndAWorkerThatAreSilentGiveSignsOfLife() throws Exception {
         try (CutProxy between = new CutProxy(served.port());
              BrokerClient client = new BrokerClient("127.0.0.1", between.port(), served.token("one"), "silent")) {

@@ -251,6 +251,7 @@ class PartTest {
 
     /** A share of which no draw is: the first 20 are asked again, and none of the other two. */
     @Test
+    @Tag("campaign")
     void botsOfTheFirstTwentyGamesAreAskedAgainWhateverTheShare() throws IOException {
         make("parts", "5");
         done("shard", "TMP/parts", "--part", "1/1", "--games", "22", "--out", "TMP/part1.db");

@@ -132,6 +132,7 @@ class GuestWorkerTest extends ServedLeague {
     }
 
     @Test
+    @Tag("campaign")
     void aClassPathThatWasChangedIsRefused() throws Exception {
         scene("classes");
         league("many");

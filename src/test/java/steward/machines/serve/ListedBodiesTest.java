@@ -95,6 +95,7 @@ class ListedBodiesTest extends ServedLeague {
     }
 
     @Test
+    @Tag("campaign")
     void aWorkerPlaysAGameOfALeague() throws Exception {
         assertAWorkerPlaysAGameOfALeague(FEW, 1);
     }

@@ -75,6 +75,7 @@ class PlatformTest extends ServedLeague {
     }
 
     @Test
+    @Tag("campaign")
     void theSameVersionTakesTheCommandOfTheMachineThatPlays() throws Exception {
         make("many");
         done("retire", "TMP/many", "wrong");
@@ -95,6 +96,7 @@ class PlatformTest extends ServedLeague {
 
     /** Two leagues at the same time, as each waits for some seconds before it ends. */
     @Test
+    @Tag("campaign")
     void whatRunsOnNoMachineEndsTheRunWithItsReason() throws Exception {
         CompletableFuture<Void> alone = CompletableFuture.runAsync(this::assertBotsOfDifferentPlatformsNeverMeet);
         assertALeagueThatPlaysNothingItselfSaysWhichBotRunsNowhere();

@@ -107,6 +107,7 @@ class WorkerTest extends ServedLeague {
     }
 
     @Test
+    @Tag("campaign")
     void gamesOfAJobThatWereNotBegunArePlayedLater() throws Exception {
         List<String> alone = alone(GAMES, LeagueSettings.USUAL_LAG);
         make("many");
@@ -168,6 +169,7 @@ class WorkerTest extends ServedLeague {
 
     /** Each has another bot that does not run there: a job must not need both. */
     @Test
+    @Tag("campaign")
     void twoWorkersThatBothLackABotPlayTheGamesThatTheyCan() throws Exception {
         List<String> alone = alone(GAMES, LeagueSettings.USUAL_LAG);
         make("many");
@@ -305,6 +307,7 @@ class WorkerTest extends ServedLeague {
 
     /** A worker that is slower than anything: its limits are eight times the league's, which is the most. */
     @Test
+    @Tag("campaign")
     void timeLimitsAreScaledByTheSpeedOfAMachine() throws Exception {
         make("many");
         WorkerToken token = token("many", "slow");
@@ -325,6 +328,7 @@ class WorkerTest extends ServedLeague {
 
     /** The league looks at its list some times a second; who joins at once need not wait for that. */
     @Test
+    @Tag("campaign")
     void aWorkerMayJoinAsSoonAsItIsAdded() throws Exception {
         make("many");
         try (RemoteGames games = served("many")) {

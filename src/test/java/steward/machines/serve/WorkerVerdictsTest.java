@@ -157,6 +157,7 @@ class WorkerVerdictsTest extends ServedLeague {
     }
 
     @Test
+    @Tag("campaign")
     void latenessThatTheWorkersOwnTimesDoNotAllowIsNotBelieved() throws Exception {
         alone(60);                                     // so many that it has joined before they are played
         String said = beside(hostile(Way.EARLY), 60, "--threads", "1", "--pause-after", "0");
@@ -166,6 +167,7 @@ class WorkerVerdictsTest extends ServedLeague {
     }
 
     @Test
+    @Tag("campaign")
     void latenessThatHasNotPassedIsNotBelieved() throws Exception {
         alone(60);                                     // so many that it has joined before they are played
         String said = beside(hostile(Way.LATE), 60, "--threads", "1", "--pause-after", "0");
@@ -175,6 +177,7 @@ class WorkerVerdictsTest extends ServedLeague {
 
     /** The schedule may be 4 decisions ahead, so that each game that is kept counts. */
     @Test
+    @Tag("campaign")
     void aWorkerThatKeepsItsGamesStopsNobody() throws Exception {
         assertAWorkerThatKeepsItsGamesStopsNobody(12, "1s");
     }
@@ -198,6 +201,7 @@ class WorkerVerdictsTest extends ServedLeague {
 
     /** A full disk, say: it is told once, and the worker is tried less and less often. */
     @Test
+    @Tag("campaign")
     void aWorkerThatFailsAtEachGameIsPaused() throws Exception {
         alone(60);
         HostileWorker full = hostile(Way.FAILS);
@@ -225,6 +229,7 @@ class WorkerVerdictsTest extends ServedLeague {
 
     /** With bots that have not played yet a worker may take the lease, 4 s, and in a hurry a quarter of it. */
     @Test
+    @Tag("campaign")
     void whoHasNothingElseToPlayWaitsForNoLeaseAndTheWorkerIsBlamedWhenItEnds() throws Exception {
         make("many");
         WorkerToken token = token("many", "bad");
@@ -261,6 +266,7 @@ class WorkerVerdictsTest extends ServedLeague {
 
     /** Tests of a worker that is paused: its games have gone to others, or a bot does not run there. */
     @Test
+    @Tag("campaign")
     void aTestWhoseGamesHaveGoneToOthersIsGivenAnew() throws Exception {
         make("many");
         try (RemoteGames games = served("many", false, TimeUnit.SECONDS.toNanos(4), told -> { });

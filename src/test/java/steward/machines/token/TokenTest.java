@@ -78,6 +78,7 @@ class TokenTest {
 
     /** As earlier versions made it, with the password that stood in the sources, readable by all. */
     @Test
+    @Tag("campaign")
     void aStoreOfAnEarlierVersionIsLockedAnewKeepsItsKeyAndIsRenewed() throws Exception {
         LeagueFolder league = new LeagueFolder(folder);
         SharedBrokerKey.put(league);

@@ -45,6 +45,7 @@ class ImportedPageTest {
 
     /** States without speeds, masses and sizes, impacts without impulses, walls without places. */
     @Test
+    @Tag("campaign")
     void aGameWithViewsOfItsOwnIsShownWithoutComplaint() throws InterruptedException {
         ByteArrayOutputStream replay = new ByteArrayOutputStream();
         RecordingImport.of(ServerMeanMax.play(5, TURNS).json(), "game.json", TestScenes.TYPES).write(replay);

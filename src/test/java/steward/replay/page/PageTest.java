@@ -160,6 +160,7 @@ class PageTest {
     }
 
     @Test
+    @Tag("campaign")
     void drawsMomentsOfImpactsWithTheBodiesThatMoveAndNoOthers() {
         assertNoOtherBodiesAtImpacts(5);
     }
@@ -295,6 +296,7 @@ class PageTest {
     }
 
     @Test
+    @Tag("campaign")
     void staysWithinTheWindowOnADeskAndOnAPhone() {
         for (int[] size : new int[][] {{1280, 720}, {390, 844}, {844, 390}, {1920, 1080}}) {
             browser.size(size[0], size[1]);
@@ -339,6 +341,7 @@ class PageTest {
     }
 
     @Test
+    @Tag("campaign")
     void doesNotStartByItselfWhereMotionIsToBeReduced() {
         browser.open(page, "");
         assertTrue(browser.is("steward.playing()"));

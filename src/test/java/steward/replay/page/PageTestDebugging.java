@@ -122,6 +122,7 @@ class PageTestDebugging {
     }
 
     @Test
+    @Tag("campaign")
     void speedAndThemeAreRememberedAndArrowsNeverChangeASelect() {
         browser.run("document.getElementById('speed').focus()");
         browser.press(Keys.ARROW_RIGHT);

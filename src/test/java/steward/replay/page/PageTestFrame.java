@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.io.TempDir;
@@ -14,7 +15,8 @@ import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.api.parallel.ResourceLock;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
+import org.junit.jupiter.params.provider.MethodSource;
+import steward.match.TestSize;
 
 /** The page inside another one: as a file in a frame, locked up as notebooks do it, and as a text in one. */
 @Tag("browser")
@@ -32,8 +34,13 @@ class PageTestFrame {
         page = new PageTestPages(folder).page(PageTestRaces.play(PageTestRaces.scene("duel"), 5), "Duel");
     }
 
+    static Stream<String> kinds() {
+        return Stream.of("sandbox", "file", "text").limit(TestSize.of(1, 3));
+    }
+
     @ParameterizedTest
-    @ValueSource(strings = {"file", "sandbox", "text"})
+    @MethodSource("kinds")
+    @Tag("sized")
     void behavesInsideAnotherPage(String kind) throws IOException {
         String frame = switch (kind) {
             case "file" -> "src=\"" + page.getFileName() + "#t=7.25\"";

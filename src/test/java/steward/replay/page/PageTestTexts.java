@@ -163,6 +163,7 @@ class PageTestTexts {
 
     /** The aim is to open within 2 seconds; how long it takes is reported, for it depends on the machine. */
     @Test
+    @Tag("campaign")
     void aRaceOfFiveHundredTurnsOpensAndScrubsToAnyTurn(TestReporter report) throws Exception {
         String scene = PageTestRaces.scene("mad-pod-racing").replace("\"laps\": 3", "\"laps\": 100");
         byte[] race = PageTestRaces.play(scene, 11);

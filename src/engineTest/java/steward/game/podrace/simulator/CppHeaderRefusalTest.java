@@ -98,6 +98,7 @@ class CppHeaderRefusalTest {
      * neither contracts nor reorders.
      */
     @Test
+    @Tag("campaign")
     void ofastIsRefusedWhereItFlushesTinyNumbers() throws IOException, InterruptedException {
         needs("g++");
         assertEquals(0, run(List.of("g++", "-std=c++17", "-Ofast", "-mavx2", "-mfma", "-ffp-contract=fast", "-c",
@@ -125,6 +126,7 @@ class CppHeaderRefusalTest {
 
     /** Without its pragma the header finds in its self-check that operations are contracted. */
     @Test
+    @Tag("campaign")
     void whatRemainsIsFoundByTheSelfCheck() throws IOException, InterruptedException {
         needs("g++");
         leaveOutThePragma();
