@@ -27,6 +27,7 @@ public final class PausedBots {
 
     private final int most;
     private final int lag;
+    private final int settled;
     private final Map<Integer, Row> rows = new HashMap<>();
 
     /** Games of a version. */
@@ -37,6 +38,8 @@ public final class PausedBots {
         /** Games in a row in which it failed, in decisions that are not in the map any more. */
         private int failures;
         private boolean hasEarlier;
+        /** The last settled decision of earlier runs without failure, or -1: it was not paused until then. */
+        private int fine = -1;
     }
 
     /** Games of a version in a decision. */
@@ -47,12 +50,14 @@ public final class PausedBots {
     }
 
     /**
-     * @param most how many games in a row pause a bot; 0 for never
-     * @param lag  of the schedule, in decisions
+     * @param most    how many games in a row pause a bot; 0 for never
+     * @param lag     of the schedule, in decisions
+     * @param settled number of a decision; from below it no game is missing that was decided on in earlier runs
      */
-    public PausedBots(int most, int lag) {
+    public PausedBots(int most, int lag, int settled) {
         this.most = most;
         this.lag = lag;
+        this.settled = settled;
     }
 
     private Row row(int version) {
@@ -85,6 +90,21 @@ public final class PausedBots {
         }
     }
 
+    /**
+     * A game of a version was over before this run. Its games come in the reverse order of their ends, which is that of
+     * decisions but for {@code lag}.
+     *
+     * @return whether one before it is wanted
+     */
+    public boolean earlier(int decision, int version, boolean failed) {
+        over(decision, version, failed);
+        Row row = row(version);
+        if (!failed && decision < settled) {
+            row.fine = Math.max(row.fine, decision);
+        }
+        return decision >= row.fine - lag;
+    }
+
     /** A game of a version is over. */
     public void over(int decision, int version, boolean failed) {
         Count count = count(decision, version);
@@ -101,20 +121,17 @@ public final class PausedBots {
     /** Returns how a version stands at a decision; those {@code lag} or more back are over. */
     State at(int version, int decision) {
         Row row = row(version);
-        while (!row.decisions.isEmpty() && row.decisions.firstKey() <= decision - lag && row.failures < most) {
+        while (!row.decisions.isEmpty() && row.decisions.firstKey() <= decision - lag) {
             Count count = row.decisions.pollFirstEntry().getValue();
             row.failures = count.fine > 0 ? 0 : row.failures + count.failed;
             row.hasEarlier |= count.fine + count.failed > 0;
         }
-        if (most == 0 || row.hasEarlier && row.failures == 0) {
+        if (most == 0 || decision <= row.fine || row.hasEarlier && row.failures == 0) {
             return State.PLAYS;
         }
         int failures = row.failures;
         boolean open = false;
         for (Count count : row.decisions.headMap(decision).values()) {
-            if (!open && failures >= most) {
-                break;
-            }
             if (count.fine > 0) {
                 return State.PLAYS;
             }

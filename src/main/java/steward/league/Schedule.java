@@ -73,7 +73,7 @@ public final class Schedule {
         this.earlier = earlier;
         last = earlier.last();
         repeated = new RepeatedGroups(players == 1);
-        pauses = new PausedBots(0, lag);
+        pauses = new PausedBots(0, lag, 0);
     }
 
     /**
@@ -194,7 +194,7 @@ public final class Schedule {
             if (games + waiting.size() >= most || firstOpen() <= next - lag) {
                 return null;
             }
-            boolean known = players > 1 && earlier.has(next);
+            boolean known = players > 1 && (next <= last - lag || earlier.has(next));
             if (ended || !known && (!pause() || active.size() < players || active.isEmpty())) {
                 return null;
             }

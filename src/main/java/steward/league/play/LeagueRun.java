@@ -112,7 +112,7 @@ public final class LeagueRun {
             learn();
         }
         watch = new RosterWatch(folder, reader, teller);
-        pauses = new Pauses(0, roster.settings().lag(), folder, queries, teller);
+        pauses = new Pauses(0, roster.settings().lag(), settled, folder, queries, teller);
         use(roster);
         end = limits.nanos() == Long.MAX_VALUE ? Long.MAX_VALUE : System.nanoTime() + limits.nanos();
         writer = new GameWriter(store, season);
@@ -191,7 +191,7 @@ public final class LeagueRun {
 
     /** Pauses bots that failed in so many games in a row, 0 for never; before {@link #play}. */
     public synchronized void pauseAfter(int most) {
-        pauses = new Pauses(most, roster.settings().lag(), folder, queries, teller);
+        pauses = new Pauses(most, roster.settings().lag(), settled, folder, queries, teller);
         use(roster);
     }
 

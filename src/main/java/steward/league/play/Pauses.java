@@ -16,20 +16,18 @@ final class Pauses {
     private final LeagueFolder folder;
     private final GameQueries queries;
     private final Consumer<String> teller;
-    private final int lag;
     private final PausedBots bots;
     /** Versions whose earlier failures are known. */
     private final Set<Integer> learnt = new HashSet<>();
     private Roster roster;
 
     /** @param most games in a row; 0 for never */
-    Pauses(int most, int lag, LeagueFolder folder, GameQueries queries, Consumer<String> teller) {
+    Pauses(int most, int lag, int settled, LeagueFolder folder, GameQueries queries, Consumer<String> teller) {
         this.most = most;
-        this.lag = lag;
         this.folder = folder;
         this.queries = queries;
         this.teller = teller;
-        bots = new PausedBots(most, lag);
+        bots = new PausedBots(most, lag, settled);
     }
 
     /** Takes bots that play from now on. */
@@ -39,20 +37,10 @@ final class Pauses {
             int version = member.version().id();
             bots.resume(version, member.bot().resumed());
             if (most > 0 && learnt.add(version)) {
-                learn(version);
+                queries.failures(version, (decision, failed) -> bots.earlier(decision, version, failed));
             }
         }
         schedule.pausing(bots, this::tell);
-    }
-
-    /** Reads the games of a version back to one without failure that is surely the last one. */
-    private void learn(int version) {
-        int[] fine = {-1};
-        queries.failures(version, (decision, failed) -> {
-            bots.over(decision, version, failed);
-            fine[0] = failed ? fine[0] : Math.max(fine[0], decision);
-            return decision >= fine[0] - lag;
-        });
     }
 
     private void tell(int version) {
