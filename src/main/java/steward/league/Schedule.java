@@ -194,7 +194,7 @@ public final class Schedule {
             if (games + waiting.size() >= most || firstOpen() <= next - lag) {
                 return null;
             }
-            boolean known = players > 1 && (next <= last - lag || earlier.has(next));
+            boolean known = players > 1 && earlier.has(next);
             if (ended || !known && (!pause() || active.size() < players || active.isEmpty())) {
                 return null;
             }

@@ -78,7 +78,7 @@ class BadInputTableTest {
     /** The other entries; in {@code test} some of them. */
     static Stream<BadInputEntry> others() {
         return table().filter(entry -> !isOfSample(entry)
-            && (TestSize.isWhole() || entry.key().hashCode() % OTHERS == 1));
+            && (TestSize.isWhole() || Math.floorMod(entry.key().hashCode(), OTHERS) == 1));
     }
 
     private static boolean isOfSample(BadInputEntry entry) {

@@ -103,6 +103,17 @@ class PausedBotsTest {
         assertTrue(games >= MOST && games <= MOST + 1, games + " games, expected 5, or 6 with both sides of the last");
     }
 
+    /** The league was killed before the games of a worker that was caught were played again. */
+    @Test
+    void aPausedBotPlaysNoneOfTheGamesThatWereSetAside() {
+        Map<String, Task> stored = new LinkedHashMap<>();
+        run(2, GAMES, 1, 16, stored, new Random(1));
+        stored.values().removeIf(task -> task.decision() >= 60 && task.decision() < 120);
+        run(2, GAMES, 1, 16, stored, new Random(1));
+        assertEquals(List.of(), stored.values().stream().filter(task -> task.decision() >= 60
+            && Arrays.stream(task.lineup()).anyMatch(version -> version == 1)).toList());
+    }
+
     @Test
     void aBotThatIsResumedPlaysAgainUntilItHasFailedAsOften() {
         PausedBots pauses = new PausedBots(MOST, 4, 0);

@@ -47,7 +47,7 @@ class PagePicturesTest extends GalleryTest {
         return PageGallery.ALL.stream().flatMap(name -> Stream.of(Arguments.of(name, true), Arguments.of(name, false)));
     }
 
-    /** One page of each other kind, in one theme. */
+    /** Pages without a field, in one theme. */
     @ParameterizedTest
     @CsvSource({"undrawn, false", "tournament, false", "author, true"})
     void looksLikeTheReference(String name, boolean isDark) throws IOException {

@@ -38,12 +38,6 @@ class PokerChipRaceContestantsTest {
     @Test
     @Tag("campaign")
     void theyPlayWithoutAFault(TestReporter report) throws IOException, InterruptedException {
-        play(report, 1);
-    }
-
-    @Test
-    @Tag("campaign")
-    void inMoreGamesTheyPlayWithoutAFault(TestReporter report) throws IOException, InterruptedException {
         play(report, Integer.getInteger("steward.games", 6));
     }
 

@@ -110,13 +110,6 @@ class HostileClientsTest {
         }
     }
 
-    /** The short form of what {@link HostileClients} does with 100 clients: each attack once. */
-    @Test
-    @Tag("campaign")
-    void honestWorkersGoOnBesideManyThatAttack() throws Exception {
-        assertHonestWorkersGoOn(6, 1);
-    }
-
     @Test
     @Tag("campaign")
     void honestWorkersGoOnBesideMoreThatAttackForLonger() throws Exception {

@@ -96,12 +96,6 @@ class ListedBodiesTest extends ServedLeague {
 
     @Test
     @Tag("campaign")
-    void aWorkerPlaysAGameOfALeague() throws Exception {
-        assertAWorkerPlaysAGameOfALeague(FEW, 1);
-    }
-
-    @Test
-    @Tag("campaign")
     void aWorkerPlaysGamesOfALeagueWithALongList() throws Exception {
         assertAWorkerPlaysAGameOfALeague(MANY, 2);
     }
