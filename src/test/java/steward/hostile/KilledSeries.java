@@ -23,9 +23,8 @@ import steward.cli.streams.Streams;
  * if anything is left or does not verify.
  *
  * <p>{@code --times N} (200) is how often each signal is sent, {@code --seed S} (17) chooses the moments, and
- * {@code --signals KILL,TERM} some of the signals. {@code --short} sends each signal once, the first at the strictest
- * level and the next at others, by turns while it surely plays and from the start on. SIGINT is skipped where this
- * process, and so what it starts, ignores it: a shell starts what runs in the background so.
+ * {@code --signals KILL,TERM} some of the signals. SIGINT is skipped where this process, and so what it starts, ignores
+ * it: a shell starts what runs in the background so.
  */
 public final class KilledSeries {
 
@@ -33,8 +32,6 @@ public final class KilledSeries {
 
     /** The latest moment, in milliseconds after the start of the JVM, or after the first replay was made. */
     private static final int LATEST_MS = 1500;
-    /** The latest moment with {@code --short}. */
-    private static final int LATEST_SHORT_MS = 300;
     /** For the first replay. */
     private static final int PATIENCE_MS = 60_000;
 
@@ -72,7 +69,6 @@ public final class KilledSeries {
             .filter(level -> SandboxSupport.problem(level) == null).toList();
         int signals = options.indexOf("--signals");
         List<String> chosen = List.of((signals < 0 ? "KILL,TERM,INT" : options.get(signals + 1)).split(","));
-        boolean isShort = options.contains("--short");
         for (String signal : chosen) {
             if (signal.equals("INT") && ignoresInterrupts()) {
                 System.out.println("INT is skipped: this process ignores it");
@@ -81,15 +77,10 @@ public final class KilledSeries {
             for (SandboxLevel level : levels) {
                 Row row = new Row();
                 int first = levels.indexOf(level);
-                int nth = chosen.indexOf(signal);
-                if (isShort && first != levels.size() - 1 - nth % levels.size()) {
-                    continue;
-                }
-                for (int round = first; round < (isShort ? first + 1 : times); round += levels.size()) {
+                for (int round = first; round < times; round += levels.size()) {
                     // By turns from the start on, and while it surely plays, however slow the machine is.
-                    boolean playing = isShort ? nth % 2 == 0 : round / levels.size() % 2 == 1;
-                    series.round(signal, level, playing,
-                        (playing ? 0 : 100) + random.nextInt(isShort ? LATEST_SHORT_MS : LATEST_MS), row);
+                    boolean playing = round / levels.size() % 2 == 1;
+                    series.round(signal, level, playing, (playing ? 0 : 100) + random.nextInt(LATEST_MS), row);
                 }
                 System.out.printf(HEAD, signal, level.word(), row.rounds, row.processes, row.files, row.replays,
                     row.whole, row.cut, row.empty, row.statuses, row.longestMs + " ms");

@@ -49,7 +49,7 @@ class StabilityTest {
         "ties");
     /** Of these, the cases that demand something of no rung but the exact one and its like. */
     private static final Set<String> ONLY_EXACT = Set.of("grazing passes", "simultaneous impacts");
-    /** Seconds on one rung already. */
+    /** About a second or more on one rung already. */
     private static final Set<String> LONGEST = Set.of("long run of 100", "long run of 1000", "crowd of 1000, 10%",
         "crowd of 1000, 80%", "lattice of pairs", "random pairs, 2^+-200", "random pairs, 2^+-900");
     private static final Rung BLIND = new Rung("blind", true, true, Arithmetic.EXACT,
