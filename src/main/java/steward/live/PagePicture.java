@@ -7,7 +7,10 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.TimeUnit;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import steward.replay.page.PageTemplate;
 
 /** Picture of a page at a moment, taken by a browser of the Chromium family that is on the PATH. */
 public final class PagePicture {
@@ -17,6 +20,8 @@ public final class PagePicture {
     /** The size that previews of links have, in CSS pixels. */
     private static final String SIZE = "1200,630";
     private static final int MOST_SECONDS = 60;
+    /** Mark of a page that could not show its match: an attribute of its body with the reason. */
+    private static final Pattern PROBLEM = Pattern.compile("<body[^>]* data-problem=\"([^\"]*)\"");
 
     private PagePicture() { }
 
@@ -26,7 +31,8 @@ public final class PagePicture {
      * @param page a page that is a file
      * @param time in turns
      * @param png  is written; a file that is there is replaced
-     * @throws IOException if there is no browser, it takes no picture, or the file cannot be written
+     * @throws IOException if there is no browser, it takes no picture, the page shows an error, or the file cannot be
+     *                     written
      */
     public static void take(Path page, double time, Path png) throws InterruptedException, IOException {
         Path browser = browser();
@@ -34,17 +40,22 @@ public final class PagePicture {
         try {
             profile = Files.createTempDirectory("steward-picture");
             Path taken = profile.resolve("picture.png");
+            Path elements = profile.resolve("page.html");
             Process process = new ProcessBuilder(browser.toString(), "--headless", "--no-sandbox", "--disable-gpu",
                 "--hide-scrollbars", "--force-prefers-reduced-motion",
                 "--blink-settings=preferredColorScheme=0", "--user-data-dir=" + profile.resolve("profile"),
-                "--window-size=" + SIZE, "--virtual-time-budget=4000", "--screenshot=" + taken,
+                "--window-size=" + SIZE, "--virtual-time-budget=4000", "--screenshot=" + taken, "--dump-dom",
                 page.toUri() + "#t=" + time)
-                .redirectErrorStream(true).redirectOutput(ProcessBuilder.Redirect.DISCARD).start();
+                .redirectError(ProcessBuilder.Redirect.DISCARD).redirectOutput(elements.toFile()).start();
             if (!process.waitFor(MOST_SECONDS, TimeUnit.SECONDS)) {
                 process.destroyForcibly().waitFor();
             }
             if (!Files.isRegularFile(taken)) {
                 throw new IOException(browser + " took no picture");
+            }
+            Matcher problem = PROBLEM.matcher(Files.readString(elements));
+            if (problem.find()) {
+                throw new IOException("the page shows an error: " + PageTemplate.unescape(problem.group(1)));
             }
             Files.write(png, Files.readAllBytes(taken));
         } finally {

@@ -78,11 +78,9 @@ function onKey(event, actions, page) {
     return;
   }
   const name = key.length === 1 ? key.toLowerCase() : key;
-  const isArrow = key.startsWith('Arrow');
-  const isElsewhere = target.matches?.('input:not([type=range]), textarea')
-    || !isArrow && target.matches?.('select, summary')
-    || key === ' ' && target.matches?.('button:focus-visible')
-    || isArrow && /^Arrow(Up|Down)$/.test(key) && target.closest?.('[tabindex="0"]');
+  const isElsewhere = target.matches?.('input:not([type=range], [type=checkbox]), textarea')
+    || key === ' ' && target.matches?.('select, summary, [type=checkbox], button:focus-visible')    // it presses them
+    || /^Arrow(Up|Down)$/.test(key) && target.closest?.('[tabindex="0"]');
   if (event.ctrlKey || event.altKey || event.metaKey || isElsewhere || !actions[name]) return;
   event.preventDefault();
   actions[name]();

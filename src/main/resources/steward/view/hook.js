@@ -40,9 +40,9 @@ export function hookOf(page) {
     onFrame(take) {
       page.onFrame = take;
     },
-    /** Leaves out a part of the drawing, such as drawBody. */
-    hide(part) {
-      page.stage.look = { ...page.stage.look, [part]() {} };
+    /** Leaves out a part of the drawing, such as drawBody, or all parts are back. */
+    hide(part, isHidden = true) {
+      page.stage.look = isHidden ? { ...page.stage.look, [part]() {} } : page.look;
       page.theme.read();
     },
     ready: false,

@@ -220,11 +220,13 @@ async function start() {
   try {
     if (source.dataset.feed) followFeed(page, source.dataset.feed);
     else await showEmbedded(page, source);
+    page.redrawAll();
+    document.body.removeAttribute('data-problem');
   } catch (problem) {
+    document.body.dataset.problem = problem.message;        // for those who only look at the elements
     page.say(`This replay cannot be shown: ${problem.message}`);
     throw problem;
   } finally {
-    page.redrawAll();
     window.steward.ready = true;
   }
 }

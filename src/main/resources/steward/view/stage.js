@@ -13,7 +13,7 @@ const PICK_PIXELS = 14;         // a tap this near to a small body means it
 
 export class Stage {
   view = new Camera();
-  show = { trails: true, vectors: true, targets: false, notes: true, names: true };
+  show = { trails: true, vectors: true, targets: false, impacts: true, notes: true, names: true };
   selected = null;
   hovered = null;
   #ground = new Ground();
@@ -92,7 +92,7 @@ export class Stage {
     if (this.show.vectors) drawVelocities(scene);
     scene.bodies.forEach(body => look.drawBody(scene, body));
     this.#drawRings(scene);
-    drawImpacts(scene);
+    if (this.show.impacts) drawImpacts(scene);
     look.drawAbove?.(scene);
     drawMarks(scene);
     if (this.show.notes) this.#drawNotes(scene);

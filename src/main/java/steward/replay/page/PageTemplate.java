@@ -141,6 +141,11 @@ public final class PageTemplate {
         return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;").replace("\"", "&quot;");
     }
 
+    /** The text that {@link #escape} made HTML of. */
+    public static String unescape(String html) {
+        return html.replace("&quot;", "\"").replace("&gt;", ">").replace("&lt;", "<").replace("&amp;", "&");
+    }
+
     /** The hash of a style sheet or script, as a policy has it. */
     public static String hash(String text) {
         byte[] digest = Sha256.of(text.getBytes(StandardCharsets.UTF_8));

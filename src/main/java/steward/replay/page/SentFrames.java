@@ -35,7 +35,7 @@ final class SentFrames {
         Resimulation again = new Resimulation(replay.header(), null, types, replay.source());
         int players = replay.header().names().size();
         Dialogue[] frames = new Dialogue[players];
-        StringBuilder lines = new StringBuilder();
+        StringBuilder lines = new StringBuilder("[");
         for (int player = 0; player < players; player++) {
             frames[player] = Dialogue.of(replay.header().protocols().get(player), again.setup(), again.game(),
                 again.codec());
@@ -43,6 +43,7 @@ final class SentFrames {
         }
         lines.append("]\n");
         for (RecordedTurn turn = replay.next(); turn != null && lines.length() < MOST; turn = replay.next()) {
+            lines.append('[');
             for (int player = 0; player < players; player++) {
                 boolean isAsked = again.game().isAsked(player) && turn.asked(player);
                 append(lines, player, isAsked ? frames[player].turn(player) : null);
@@ -56,7 +57,7 @@ final class SentFrames {
     }
 
     private static void append(StringBuilder lines, int player, LineBuffer frame) {
-        lines.append(player == 0 ? "[" : ",");
+        lines.append(player == 0 ? "" : ",");
         if (frame == null) {
             lines.append("null");
         } else {

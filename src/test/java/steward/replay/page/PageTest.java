@@ -352,9 +352,10 @@ class PageTest {
 
     // ---- helpers -----------------------------------------------------------------------------------
 
-    /** Switches off what is drawn over pods. */
+    /** Switches off what is drawn over pods, but for impacts. */
     private static void hideDecoration() {
-        browser.run("document.querySelectorAll('[data-show]').forEach(box => { if (box.checked) box.click(); })");
+        browser.run("document.querySelectorAll('[data-show]:checked:not([data-show=impacts])')"
+            + ".forEach(box => box.click())");
     }
 
     @SuppressWarnings("unchecked")

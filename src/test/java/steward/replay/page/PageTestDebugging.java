@@ -18,6 +18,7 @@ import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.api.parallel.ResourceLock;
 import org.openqa.selenium.Keys;
+import steward.match.TestScenes;
 
 /** The page as a tool to find out what happened: happenings, moments, bodies, camera, keys. */
 @Tag("browser")
@@ -119,6 +120,33 @@ class PageTestDebugging {
         browser.click(".menu summary");
         browser.click("#time");
         assertFalse(browser.is("document.querySelector('.menu').open"));
+    }
+
+    /** Only space and Enter belong to what was clicked: "was sent", "Show" and what is in it, a select, a button. */
+    @Test
+    void keysGoOnAfterAClickOnAControl() {
+        browser.open(pageWithSent(), "#t=30.5");
+        for (String control : List.of(".sent-box summary", ".menu summary", "[data-show=trails]", "#theme")) {
+            browser.click(control);
+            double before = browser.number("steward.time()");
+            browser.press("]");
+            assertTrue(browser.number("steward.time()") > before, control + ": ] goes to no impact");
+            browser.press("v");
+            assertFalse(browser.is("document.querySelector('[data-show=vectors]').checked"), control);
+            browser.press("v");
+            browser.press(Keys.ARROW_LEFT);
+            assertFalse(browser.is("steward.playing()"), control);
+        }
+        browser.click(".sent-box summary");
+        boolean wasOpen = browser.is("document.querySelector('.sent-box').open");
+        browser.press(" ");
+        assertEquals(!wasOpen, browser.is("document.querySelector('.sent-box').open"), "space is the summary's");
+        assertFalse(browser.is("steward.playing()"));
+    }
+
+    private static Path pageWithSent() {
+        byte[] race = PageTestRaces.play(PageTestRaces.scene("mad-pod-racing"), 3);
+        return new PageTestPages(folder).page(race, "Race", PageExtras.of(TestScenes.TYPES));
     }
 
     @Test

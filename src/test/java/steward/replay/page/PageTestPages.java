@@ -20,9 +20,14 @@ public final class PageTestPages {
 
     /** A page of a replay. */
     public Path page(byte[] replay, String title) {
+        return page(replay, title, PageExtras.NONE);
+    }
+
+    /** A page of a replay, with more than it. */
+    public Path page(byte[] replay, String title, PageExtras extras) {
         Path page = folder.resolve("page-" + ++written + ".html");
         try (OutputStream html = Files.newOutputStream(page)) {
-            ReplayPage.write(replay, "race.jsonl", html, title, PageExtras.NONE);
+            ReplayPage.write(replay, "race.jsonl", html, title, extras);
         } catch (IOException e) {
             throw new AssertionError(e);
         }
