@@ -1,0 +1,2 @@
+// says: [AggregateError: All promises were rejected] {
+Promise.any([Promise.reject(new Error("a")),Promise.reject(new Error("b"))]);

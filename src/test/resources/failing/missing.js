@@ -1,0 +1,2 @@
+// says: Error: Cannot find module './lib/none'
+require('./lib/none');

@@ -1,0 +1,2 @@
+# says: ModuleNotFoundError: No module named 'nothere'
+import nothere

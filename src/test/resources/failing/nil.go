@@ -1,0 +1,3 @@
+// says: panic: runtime error: invalid memory address or nil pointer dereference
+package main
+func main(){ var p *int; *p = 3 }

@@ -1,0 +1,2 @@
+// says: Oops [Error]: custom
+class Oops extends Error{}; throw new Oops("custom");

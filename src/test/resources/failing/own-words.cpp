@@ -1,0 +1,3 @@
+// says: gave up
+#include <iostream>
+int main(){ std::cerr << "runtime error: none\nno Error\ngave up\n"; return 1; }

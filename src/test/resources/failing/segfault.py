@@ -1,0 +1,4 @@
+# says: Fatal Python error: Segmentation fault
+import ctypes,faulthandler
+faulthandler.enable()
+ctypes.string_at(0)

@@ -1,0 +1,3 @@
+# says: RecursionError: maximum recursion depth exceeded
+def f(): return f()
+f()

@@ -1,0 +1,2 @@
+// says: error: expected primary-expression
+int main(){ int x = ; return y; }

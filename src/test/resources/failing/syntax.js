@@ -1,0 +1,3 @@
+// says: SyntaxError: Unexpected token '='
+let x = 3;
+let y = = 4;

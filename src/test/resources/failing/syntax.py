@@ -1,0 +1,4 @@
+# says: SyntaxError: invalid syntax
+x = 3
+def f(:
+    pass

@@ -1,0 +1,4 @@
+# says: TabError: inconsistent use of tabs and spaces in indentation
+def f():
+	if True:
+        pass

@@ -1,0 +1,2 @@
+// says: in thread
+fn main(){ std::thread::spawn(||{ panic!("in thread\nsecond") }).join().unwrap(); }

@@ -1,0 +1,2 @@
+// says: terminate called after throwing an instance of 'int'
+int main(){ throw 3; }

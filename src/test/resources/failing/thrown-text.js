@@ -1,0 +1,2 @@
+// says: text thrown
+throw "text thrown";

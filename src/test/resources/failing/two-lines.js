@@ -1,0 +1,2 @@
+// says: Error: first line
+throw new Error("first line\nsecond line");
