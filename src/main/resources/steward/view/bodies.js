@@ -9,7 +9,7 @@ addLook('bodies', {
       { title: 'Kinetic energy', unit: 'mass × (u a turn)²', names: ['energy'], lists: () => sums().slice(0, 1) },
       { title: 'Momentum', unit: 'mass × u a turn', names: ['x', 'y'], lists: () => sums().slice(1) },
       { title: 'Impacts', unit: 'in a turn', names: ['impacts'],
-        lists: () => series.ofTurns('impacts', 1, turn => [turn.impactsInAll ?? 0]) },
+        isWithin: true, lists: () => series.ofTurns('impacts', 1, turn => [turn.impactsInAll ?? 0]) },
     ];
   },
 });

@@ -1,6 +1,6 @@
 // Charts over the turns, by uPlot, with one cursor: a click goes to the turn, a line shows where the match stands.
 
-import { limitMs } from './series.js';
+import { areSteps, limitMs } from './series.js';
 import { element, grouped, nameOf } from './text.js';
 import { FONT } from './draw.js';
 
@@ -9,10 +9,10 @@ const LEAST_MS = 0.001;
 
 /** One chart: a heading with the values of the moment, and a plot. */
 class Chart {
-  charts; lists; isLog; limit; names; plot; turns; shown;
+  charts; lists; isLog; limit; names; isWithin; plot; turns; shown;
 
-  constructor(charts, { title, unit, lists, isLog = false, limit = null, names = [] }) {
-    Object.assign(this, { charts, lists, isLog, limit, names });
+  constructor(charts, { title, unit, lists, isLog = false, limit = null, names = [], isWithin = false }) {
+    Object.assign(this, { charts, lists, isLog, limit, names, isWithin });
     this.values = element('span', 'chart-values');
     this.box = element('div', 'chart');
     this.root = element('figure', 'chart-card', null,
@@ -45,7 +45,8 @@ class Chart {
         { ...axis, size: 40, gap: 3, space: 26, ...this.isLog ? { splits: powersOfTen } : {}, values: (_, splits) => splits.map(value =>
           (value === null ? '' : this.isLog ? log(value) : short(value))) }],
       series: [{}, ...this.lists().map((_, player) =>
-        ({ stroke: theme.team(player), width: 1.4, spanGaps: true, points: { show: false } })),
+        ({ stroke: theme.team(player), width: 1.4, spanGaps: true, points: { show: false },
+          ...areSteps(this.lists()) ? { paths: uPlot.paths.stepped({ align: 1 }) } : {} })),
         ...this.limit ? [{ stroke: paint.bad, width: 1.25, dash: [5, 4], points: { show: false } }] : []],
     }, this.data(), this.box);
     this.plot.over.append(this.now);
@@ -59,13 +60,15 @@ class Chart {
     if (!this.plot) return;
     if (this.turns !== this.charts.match.lastTurn) {
       this.turns = this.charts.match.lastTurn;
+      this.shown = null;
       this.plot.setData(this.data());
     }
     this.now.style.transform = `translateX(${this.plot.valToPos(time, 'x')}px)`;
-    const turn = Math.ceil(time);
+    const turn = this.isWithin ? Math.ceil(time) : Math.floor(time);
     if (turn === this.shown || this.charts.match.players.length > MOST_VALUES) return;
     this.shown = turn;
-    this.values.replaceChildren(...this.lists().map((list, player) => {
+    const when = element('small', '', `${this.isWithin ? 'in' : 'after'} ${turn}`);
+    this.values.replaceChildren(when, ...this.lists().map((list, player) => {
       const value = element('b', '', list[turn] === null || list[turn] === undefined ? '–' : grouped(list[turn]));
       value.style.color = `var(--team-${player % 16})`;
       value.title = this.names[player] ?? nameOf(this.charts.match, player);
@@ -111,7 +114,7 @@ export class Charts {
     if (match.hasTimes) {
       const limit = turn => (Number.isFinite(limitMs(match, turn)) ? limitMs(match, turn) : null);
       chosen.push({ title: 'Answer time', unit: `ms${limit(2) === null ? ', no deadlines' : ''}`,
-        lists: () => series.answerTimes(), isLog: true, limit: limit(2) === null ? null : limit });
+        lists: () => series.answerTimes(), isLog: true, isWithin: true, limit: limit(2) === null ? null : limit });
     }
     const key = chosen.map(each => each.title).join();
     if (key === this.#key) return;

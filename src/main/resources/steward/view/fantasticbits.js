@@ -159,7 +159,7 @@ function drawWizard(scene, body) {
   const { ctx, view, paint, theme, match, moment } = scene;
   putDisc(scene, body, match.isIn(body.owner, moment.turn), 'wizard');
   const [x, y, radius] = [view.x(body.x), view.y(body.y), body.radius * view.scale];
-  if (body.after.snaffle >= 0) {
+  if (body.now.snaffle >= 0) {
     circle(ctx, x, y, radius + Math.max(3, radius * 0.22));
     ctx.strokeStyle = theme.team(body.owner);
     ctx.lineWidth = 2;

@@ -158,7 +158,10 @@ export class Match {
     return fixed;
   }
 
-  /** All moving bodies that exist at a moment, with place, radius, and their states before and after the turn. */
+  /**
+   * All moving bodies that exist at a moment, with place, velocity and radius; before, after and now are their states
+   * before the turn, after it, and after the last turn that is whole.
+   */
   bodiesAt(moment) {
     if (this.isSparse) return this.#sparseBodiesAt(moment);
     const now = this.turn(moment.turn);
@@ -170,8 +173,10 @@ export class Match {
       if (!place) continue;
       const from = before?.radius ?? description.radius;
       const to = after?.radius ?? from;
-      bodies.push({ ...description, x: place.x, y: place.y, before: before ?? after ?? NO_STATE,
-        after: after ?? before ?? NO_STATE, radius: from + (to - from) * moment.fraction });
+      const [earlier, later] = [before ?? after ?? NO_STATE, after ?? before ?? NO_STATE];
+      const now = moment.fraction < 1 ? earlier : later;
+      bodies.push({ ...description, x: place.x, y: place.y, vx: place.vx ?? now.vx, vy: place.vy ?? now.vy,
+        before: earlier, after: later, now, radius: from + (to - from) * moment.fraction });
     }
     return bodies;
   }
@@ -188,11 +193,13 @@ export class Match {
   #sparseBodiesAt(moment) {
     const [from, to] = this.keptAround(moment);
     const [before, after] = [this.turn(from).bodies, this.turn(to).bodies];
-    const share = to === from ? 0 : (moment.time - from) / (to - from);
+    const turns = to - from || 1;
+    const past = moment.time - from;
     return [...before.values()].filter(body => after.has(body.id)).map(body => {
       const next = after.get(body.id);
-      return { ...this.describe(body.id, body), before: body, after: next,
-        x: body.x + share * (next.x - body.x), y: body.y + share * (next.y - body.y) };
+      const [vx, vy] = to === from ? [body.vx, body.vy] : [(next.x - body.x) / turns, (next.y - body.y) / turns];
+      return { ...this.describe(body.id, body), before: body, after: next, now: body, vx, vy,
+        x: to === from ? body.x : body.x + vx * past, y: to === from ? body.y : body.y + vy * past };
     });
   }
 

@@ -4,7 +4,7 @@
 import { circle, directionLine, polygon, sprites, write } from './draw.js';
 import { paintGlow, traceBadge } from './hulls.js';
 import { addLook, ranksOf, scoresOf, writeOut } from './looks.js';
-import { castsOf, drawEffect, LOOTERS_EACH, SKILL_OF } from './meanmaxskills.js';
+import { castsOf, drawCast, drawEffect, LOOTERS_EACH, SKILL_OF } from './meanmaxskills.js';
 import { plainNumber } from './text.js';
 import { withAlpha } from './theme.js';
 
@@ -25,7 +25,7 @@ addLook('mean-max', {
     const { wrecks, effects } = match.turn(moment.settled).state;
     (wrecks ?? []).forEach(wreck => drawWreck(scene, wreck));
     (effects ?? []).forEach(effect => drawEffect(scene, effect.skill, effect.x, effect.y, 1));
-    castsOf(match, moment).forEach(cast => drawEffect(scene, cast.skill, cast.x, cast.y, 1 - moment.fraction));
+    if (moment.fraction < 1) castsOf(match, moment).forEach(cast => drawCast(scene, cast));
     for (const body of scene.bodies) {
       const order = orderOfLooter(body, match, moment.turn);
       if (order?.x !== undefined && (scene.show.targets || body.id === scene.selected)) {
@@ -156,8 +156,8 @@ function drawLooter(scene, body) {
 function drawTanker(scene, body) {
   const { ctx, view, paint } = scene;
   const [x, y, radius] = [view.x(body.x), view.y(body.y), body.radius * view.scale];
-  const { water, mass } = body.after;
-  const size = body.after.size ?? (body.radius - LOOTER_RADIUS) / RADIUS_BY_SIZE;      // a server shows no sizes
+  const { water, mass } = body.now;
+  const size = body.now.size ?? (body.radius - LOOTER_RADIUS) / RADIUS_BY_SIZE;      // a server shows no sizes
   const level = Math.min(1, water / size);
   sprites.put(scene, `tanker ${Math.round(level * 20)} ${mass >= 10}`, x, y, radius, 0, 1.1, (to, r) => {
     circle(to, 0, 0, r);

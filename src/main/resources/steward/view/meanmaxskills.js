@@ -1,6 +1,6 @@
 // Skills of Mean Max, told apart by pattern and name: tar, oil, grenade.
 
-import { captionSize, circle, hash01, sprites, TAU, write } from './draw.js';
+import { captionSize, circle, hash01, lineTo, moveTo, sprites, TAU, write } from './draw.js';
 import { paintGlow } from './hulls.js';
 import { withAlpha } from './theme.js';
 
@@ -8,7 +8,7 @@ const SKILL_RADIUS = 1000;
 export const SKILL_OF = ['tar', 'grenade', 'oil'];       // by the kind of looter
 export const LOOTERS_EACH = 3;
 
-/** The skills that were really cast in the turn shown: those that cost rage leave an effect, or are a grenade. */
+/** The skills that were really cast in the turn shown, before its end: those that cost rage leave an effect, or are a grenade. */
 export function castsOf(match, moment) {
   const turn = match.turn(moment.turn);
   const casts = [];
@@ -18,10 +18,26 @@ export function castsOf(match, moment) {
     const caster = before.bodies.get(player * LOOTERS_EACH + k);
     const inRange = caster && Math.hypot(order.x - caster.x, order.y - caster.y) <= 2 * SKILL_RADIUS;
     if (inRange && before.state.rages[player] >= (k === 1 ? 60 : 30)) {
-      casts.push({ skill: SKILL_OF[k], x: order.x, y: order.y });
+      casts.push({ skill: SKILL_OF[k], x: order.x, y: order.y, from: caster, player });
     }
   }));
   return casts;
+}
+
+/** A skill that is thrown: what stays is there from the throw on, a grenade fades; a line says from whom it comes. */
+export function drawCast(scene, cast) {
+  const { ctx, view, theme, moment } = scene;
+  drawEffect(scene, cast.skill, cast.x, cast.y, cast.skill === 'grenade' ? 1 - moment.fraction : 1);
+  ctx.strokeStyle = theme.team(cast.player);
+  ctx.globalAlpha = 1 - moment.fraction;
+  ctx.lineWidth = 3;
+  ctx.setLineDash([2, 7]);
+  ctx.beginPath();
+  moveTo(ctx, view, cast.from.x, cast.from.y);
+  lineTo(ctx, view, cast.x, cast.y);
+  ctx.stroke();
+  ctx.setLineDash([]);
+  ctx.globalAlpha = 1;
 }
 
 /** Tar is a dark pool, oil has slanting bands, a grenade is a burst; each has its name. */

@@ -26,6 +26,7 @@ import { hookOf } from './hook.js';
 const PANEL_MS = 100;           // while playing, texts change no more often than this
 const LINK_MS = 1000;           // nor does the link
 const TOLD_MS = 2500;           // how long a short word stays
+const MOST_FOLLOWED = 12;       // bodies whose state is followed within a turn while it plays
 const LONGEST_FRAME = 0.25;     // seconds; a page that was hidden goes on where it was
 
 const find = id => document.getElementById(id);
@@ -141,7 +142,7 @@ export class Page {
 
   #drawPanels(moment, now) {
     this.#lastPanels = now;
-    const { playback, stage } = this;
+    const { playback, stage, match } = this;
     find('play').setAttribute('aria-pressed', String(playback.playing));
     find('play').setAttribute('aria-label', playback.playing ? 'Pause' : 'Play');
     find('speed').value = String(playback.speed);
@@ -151,14 +152,18 @@ export class Page {
     this.charts.draw(playback.time);
     this.happened.update(moment);
     this.bodies.update(moment, stage.selected);
-    const key = playback.playing ? `${moment.turn}` : `${moment.time}`;
-    if (key === this.#shown) return;
-    this.#shown = key;
+    const key = playback.playing && match.start.bodies.size > MOST_FOLLOWED ? moment.settled : moment.time;
+    if (key !== this.#shownState) {
+      this.#shownState = key;
+      this.table.update(moment);
+    }
+    if (moment.turn === this.#shownTurn) return;            // what is being selected or scrolled there stays
+    this.#shownTurn = moment.turn;
     find('turn-shown').textContent = moment.turn === 0 ? 'Start' : `Turn ${moment.turn}`;
     this.cards.update(moment.turn);
-    this.table.update(moment);
   }
-  #shown = '';
+  #shownState = NaN;
+  #shownTurn = NaN;
 
   #updateLink(now) {
     const link = `#t=${this.playback.time.toFixed(2)}`;

@@ -100,9 +100,9 @@ export class BodyList {
     const most = this.match.topSpeed || 1;
     for (const body of bodies) {
       const row = this.rows.get(body.id);
-      const speed = Math.hypot(body.after.vx ?? 0, body.after.vy ?? 0);
+      const speed = Math.hypot(body.vx ?? 0, body.vy ?? 0);
       row.speed.textContent = grouped(speed);
-      row.bar.style.setProperty('--share', `${Math.round(100 * speed / most)}%`);
+      row.bar.style.setProperty('--share', `${Math.min(100, Math.round(100 * speed / most))}%`);
       row.order.textContent = shorten(this.look.commandOf(body, this.match, moment.turn) || body.kind, 60);
       row.root.setAttribute('aria-pressed', String(body.id === selected));
     }
@@ -119,7 +119,7 @@ export class BodyList {
   }
 }
 
-/** The state at the end of the turn shown, or at the instant drawn while it is within a turn. */
+/** The state of the moment drawn: within a turn the places are, and the rest is of the end of the turn before. */
 export class StateTable {
   root; caption; match; look;
 
@@ -128,26 +128,23 @@ export class StateTable {
   }
 
   /**
-   * At the end of a turn the state is the replay's; within it only places are known, and they are the ones drawn. Of a
+   * At the end of a turn the state is the replay's; within one only places are known, and they are the ones drawn. Of a
    * turn whose state was left out nothing else is known.
    */
   update(moment) {
-    const turn = this.match.turn(moment.turn);
+    const turn = this.match.turn(moment.settled);
     if (this.match.isSparse && turn.isKept === false) {
       const [from, to] = this.match.keptAround(moment);
       this.caption.textContent = `places at ${moment.time.toFixed(2)}, straight from turn ${from} to ${to}: `
-        + `the state of turn ${moment.turn} was left out`;
+        + `the state of turn ${moment.settled} was left out`;
       this.#show(this.match.bodiesAt(moment).map(({ id, x, y }) => ({ id, x, y })), turn, {});
       return;
     }
-    const isWithin = moment.turn > 0 && moment.fraction < 1 && turn.bodies.size > 0;
-    const places = new Map(isWithin ? this.match.bodiesAt(moment).map(body => [body.id, body]) : []);
-    this.caption.textContent = moment.turn === 0 ? 'at the start' : isWithin
-      ? `places at ${moment.time.toFixed(2)}, the rest at the end of turn ${moment.turn}` : `at the end of turn ${moment.turn}`;
-    const bodies = [...turn.bodies.values()].map(body => {
-      const place = places.get(body.id);
-      return place ? { ...body, x: place.x, y: place.y } : body;
-    });
+    const isWithin = moment.turn > moment.settled && turn.bodies.size > 0;
+    const when = moment.settled === 0 ? 'at the start' : `at the end of turn ${moment.settled}`;
+    this.caption.textContent = isWithin ? `places at ${moment.time.toFixed(2)}, the rest ${when}` : when;
+    const bodies = isWithin ? this.match.bodiesAt(moment).map(({ id, x, y }) => ({ id, ...turn.bodies.get(id), x, y }))
+      : [...turn.bodies.values()];
     this.#show(bodies, turn, turn.state);
   }
 

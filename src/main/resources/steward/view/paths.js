@@ -11,7 +11,10 @@ export function cornersOf(impacts) {
   return corners;
 }
 
-/** The point of a path at a time 0..1; of several corners at that time the last counts. Null before and after it. */
+/**
+ * The point of a path at a time 0..1, and the velocity that leads on from it, in units a turn; at the end of the path
+ * there is none. Of several corners at that time the last counts. Null before and after the path.
+ */
 export function placeOn(path, t) {
   if (!path.length || t < path[0][0]) return null;
   let k = path.length - 1;
@@ -19,6 +22,7 @@ export function placeOn(path, t) {
   const from = path[k];
   const to = path[k + 1];
   if (!to) return t <= from[0] ? { x: from[1], y: from[2] } : null;
-  const share = (t - from[0]) / (to[0] - from[0]);
-  return { x: from[1] + (to[1] - from[1]) * share, y: from[2] + (to[2] - from[2]) * share };
+  const [past, turns] = [t - from[0], to[0] - from[0]];
+  const [vx, vy] = [(to[1] - from[1]) / turns, (to[2] - from[2]) / turns];
+  return { x: from[1] + vx * past, y: from[2] + vy * past, vx, vy };
 }

@@ -88,7 +88,7 @@ export class Pointer {
       this.page.changed();
     }
     if (!body) return;
-    const { vx, vy, mass } = body.after;
+    const { vx, vy, now: { mass } } = body;
     const lines = [`${body.owner === null ? '' : `${nameOf(match, body.owner)} · `}${body.kind} ${body.id}`];
     if (vx !== undefined) lines.push(`${grouped(Math.hypot(vx, vy))} u a turn`);
     if (mass !== undefined) lines.push(`mass ${grouped(mass)}`);

@@ -40,7 +40,7 @@ export class Scores {
     const key = `${moment.turn} ${moment.settled} ${this.match.lastTurn}`;
     if (key === this.#key) return;
     this.#key = key;
-    this.turn.textContent = String(moment.turn);
+    this.turn.textContent = String(moment.settled);
     this.of.textContent = `of ${grouped(this.match.lastTurn)}`;
     const lead = this.series.lead();
     this.cells.forEach((cell, player) => {

@@ -18,6 +18,11 @@ export function answerMs(match, turn, player) {
   return !match.hasTimes || nanos === null || nanos === undefined ? null : nanos / NANOS_PER_MS;
 }
 
+/** True if all of it is whole, such as goals: a value lasts until the end of the turn that changes it. */
+export function areSteps(lists) {
+  return lists.every(list => list.every(value => value === null || Number.isInteger(value)));
+}
+
 /** Lists that grow with the match: each turn is computed once. */
 export class Series {
   #lists = new Map();

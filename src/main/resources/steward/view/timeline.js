@@ -3,6 +3,7 @@
 
 import { circle, FONT, openCanvas } from './draw.js';
 import { strengthOf } from './effects.js';
+import { areSteps } from './series.js';
 import { grouped, nameOf, shorten, withNames } from './text.js';
 import { withAlpha } from './theme.js';
 import { within } from './times.js';
@@ -45,7 +46,7 @@ export class Timeline {
     const last = String(this.match.lastTurn);
     if (this.range.max !== last) this.range.max = last;
     this.range.value = String(time);
-    const words = `turn ${Math.ceil(time)} of ${last}`;
+    const words = `${time.toFixed(2)} of ${last} turns`;
     if (this.range.getAttribute('aria-valuetext') !== words) this.range.setAttribute('aria-valuetext', words);
   }
 
@@ -82,6 +83,7 @@ export class Timeline {
     const middle = this.middle = above + below > 0 ? TOP + SIDE + above * unit : room / 2;
     const toY = lead => middle - lead * unit;
     const step = Math.max(1, Math.floor(leads.length / this.width));
+    const isStepped = areSteps([leads]);
     for (const [sign, player] of [[1, 0], [-1, 1]]) {
       const colour = theme.team(player);
       const fill = ctx.createLinearGradient(0, toY(sign > 0 ? above : -below) - sign, 0, middle);
@@ -93,7 +95,10 @@ export class Timeline {
       ctx.clip();
       ctx.beginPath();
       ctx.moveTo(this.#toX(0), middle);
-      for (let turn = 0; turn < leads.length; turn += step) ctx.lineTo(this.#toX(turn), toY(leads[turn]));
+      for (let turn = 0; turn < leads.length; turn += step) {
+        if (isStepped && turn > 0) ctx.lineTo(this.#toX(turn), toY(leads[turn - step]));
+        ctx.lineTo(this.#toX(turn), toY(leads[turn]));
+      }
       ctx.lineTo(this.#toX(leads.length - 1), toY(leads[leads.length - 1]));
       ctx.strokeStyle = colour;
       ctx.lineWidth = 1.75;
@@ -116,10 +121,13 @@ export class Timeline {
     const [low, high] = [Math.min(...all), Math.max(...all)];
     const toY = value => floor - (value - low) / Math.max(1e-9, high - low) * (floor - 8);
     this.#drawBase(ctx);
+    const isStepped = areSteps(lists);
     lists.forEach((list, player) => {
       ctx.beginPath();
       list.forEach((value, turn) => {
-        if (value !== null) ctx.lineTo(this.#toX(turn), toY(value));
+        if (value === null) return;
+        if (isStepped && turn > 0) ctx.lineTo(this.#toX(turn), toY(list[turn - 1] ?? value));
+        ctx.lineTo(this.#toX(turn), toY(value));
       });
       ctx.strokeStyle = this.theme.team(player);
       ctx.lineWidth = 1.75;
@@ -189,7 +197,7 @@ export class Timeline {
     const share = (event.clientX - left - THUMB / 2) / (width - THUMB);
     const time = Math.max(0, Math.min(1, share)) * this.match.lastTurn;
     const near = NEAR_PIXELS * this.match.lastTurn / Math.max(1, width);
-    const lines = [`turn ${Math.ceil(time)}`, ...this.#leadWords(Math.round(time))];
+    const lines = [`turn ${Math.ceil(time)}`, ...this.#leadWords(Math.floor(time))];
     const impacts = within(this.match.impacts, time - near, time + near);
     const strongest = impacts.reduce((one, other) =>
       (!one || Math.abs(other.impact.impulse ?? 0) > Math.abs(one.impact.impulse ?? 0) ? other : one), null);

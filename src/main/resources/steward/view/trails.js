@@ -141,7 +141,7 @@ export function drawVelocities({ ctx, view, theme, bodies, selected }) {
   ctx.lineWidth = 1.75;
   for (const body of bodies) {
     if (bodies.length > BIG_CROWD && body.id !== selected) continue;
-    const { vx, vy } = body.after;
+    const { vx, vy } = body;
     const isOwned = body.owner !== null && body.owner !== undefined;
     if (!vx && !vy || !isOwned && body.id !== selected) continue;
     const [x, y] = [view.x(body.x + 2 * vx), view.y(body.y + 2 * vy)];

@@ -16,6 +16,7 @@ import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.api.parallel.ResourceLock;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import steward.bot.Bot;
 import steward.bots.fantasticbits.FantasticBitsBots;
 import steward.bots.meanmax.MeanMaxBots;
@@ -63,8 +64,19 @@ class EveryScenePageTest {
     }
 
     @ParameterizedTest
+    @ValueSource(strings = {"cradle", "mean-max"})
+    void aBodyIsSeenWhereItsStateSays(String name) {
+        assertPageShows(name);
+    }
+
+    @ParameterizedTest
     @MethodSource("scenes")
+    @Tag("campaign")
     void everyBodyIsSeenWhereItsStateSays(String name) {
+        assertPageShows(name);
+    }
+
+    private static void assertPageShows(String name) {
         String text = TestScenes.text(name).replaceFirst("\"maximumTurns\": \\d+", "\"maximumTurns\": " + BRIEF);
         GameSetup setup = TestScenes.TYPES.open(text, name);
         Recorded match = Recorded.of(setup, 7, bots(setup.scene().gameId(), setup.scene().players()));
@@ -82,7 +94,7 @@ class EveryScenePageTest {
     }
 
     /** Bots that play a game; a game without any here fails, and one without players has none. */
-    private static List<Bot> bots(String game, int players) {
+    static List<Bot> bots(String game, int players) {
         return Stream.generate(() -> switch (game) {
             case "pod-race" -> new PageTestBot();
             case "search-race" -> SearchRaceBots.planner();
