@@ -19,7 +19,6 @@ import steward.replay.Recorded;
 import steward.replay.page.PageTestPages;
 
 /** Pictures that a browser takes of pages. */
-@Tag("browser")
 @Tag("process")
 @Tag("slow")
 class PagePictureTest {
