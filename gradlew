@@ -231,6 +231,23 @@ if ! { find_jdk && find_gradle; }; then
     if is_debian && [ "$(id -u)" = 0 ]; then install_packages; else say_what_to_type; fi
 fi
 
+# ---- the locale --------------------------------------------------------------------------------
+
+# Java reads the names of files by the locale: in one of ASCII alone (LANG unset, LC_ALL=C) it cannot open a file with
+# an accent in its name, and Gradle does not start below such a folder. Then the first UTF-8 locale there is is taken.
+if has locale; then
+    case $(locale charmap 2>/dev/null) in
+        ANSI_X3.4-1968 | US-ASCII | '')
+            for utf8 in C.UTF-8 en_US.UTF-8 C.utf8; do
+                if [ "$(LC_ALL=$utf8 locale charmap 2>/dev/null)" = UTF-8 ]; then
+                    LC_ALL=$utf8
+                    export LC_ALL
+                    break
+                fi
+            done ;;
+    esac
+fi
+
 JAVA_HOME=$java_home
 export JAVA_HOME
 if [ -n "$debian" ]; then
