@@ -48,7 +48,7 @@ public enum GroundTruth {
         Path own = root.resolve(game);
         Path folder = Files.isDirectory(own) || !game.equals(FIRST) ? own : root;
         assumeTrue(Files.isDirectory(folder),
-            () -> "skipped: no folder " + folder.toAbsolutePath() + " (set -P" + property + ")");
+            () -> "skipped: no folder of " + property.replace("steward.", "") + " of " + game + ", -P" + property + "=FOLDER");
         try (Stream<Path> files = Files.list(folder)) {
             List<Path> named = files.filter(file -> Arrays.stream(endings).anyMatch(file.toString()::endsWith))
                 .sorted().toList();
@@ -73,7 +73,7 @@ public enum GroundTruth {
     public static Path replay(String name) {
         Path file = Path.of(System.getProperty("steward.replays", "../shared/replays")).resolve(name);
         assumeTrue(Files.isRegularFile(file),
-            () -> "skipped: there is no " + file.toAbsolutePath() + " (set -Psteward.replays)");
+            () -> "skipped: no " + name + ", -Psteward.replays=FOLDER");
         return file;
     }
 

@@ -48,7 +48,7 @@ class OtherToolsTest {
     /** Puts the program and a compiled bot into the folder. */
     @BeforeEach
     void prepare() throws IOException, InterruptedException {
-        assumeTrue(Files.isDirectory(tools), () -> "skipped: no folder " + tools + " (set -Psteward.tools)");
+        assumeTrue(Files.isDirectory(tools), "skipped: no folder of other tools, -Psteward.tools=FOLDER");
         assumeTrue(Stream.of(System.getenv("PATH").split(":")).anyMatch(at -> Files.exists(Path.of(at, "g++"))),
             "skipped: there is no g++");
         shell = new PageShell(folder, "", tools.resolve("bin"));

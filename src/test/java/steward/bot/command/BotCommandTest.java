@@ -100,12 +100,13 @@ class BotCommandTest {
     }
 
     @Test
-    void aCommandThatIsNotThereIsAnErrorAtOnce() {
+    void aCommandThatIsNotThereIsAnErrorAtOnce(@TempDir Path folder) {
         assertEquals("bot 'no-such-bot -v': there is no program 'no-such-bot' on the PATH", failure("no-such-bot -v"));
         assertEquals("bot 'python3 b.py': there is no program 'python3 b.py' on the PATH;"
             + " its quotes make it one word: without them it is a command and its arguments",
             failure("'python3 b.py'"));
-        assertEquals("bot '/no/such/bot': there is no file '/no/such/bot'", failure("/no/such/bot"));
+        String absent = folder + "/no/bot";
+        assertEquals("bot '" + absent + "': there is no file '" + absent + "'", failure(absent));
         assertEquals("bot './no-such-bot': there is no file './no-such-bot' in " + Path.of("").toAbsolutePath(),
             failure("./no-such-bot"));
         assertEquals("bot 'jason:bot': there is no program 'jason:bot' on the PATH;"

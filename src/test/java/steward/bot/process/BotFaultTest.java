@@ -137,11 +137,11 @@ class BotFaultTest {
     }
 
     @Test
-    void aCommandThatIsNotThere() {
-        try (BotProcess bot = new BotProcess("bot", List.of("/no/such/bot"))) {
+    void aCommandThatIsNotThere(@TempDir Path folder) {
+        try (BotProcess bot = new BotProcess("bot", List.of(folder + "/no/bot"))) {
             Answer answer = ScriptedBots.fault(bot, "a\n", ScriptedBots.FOREVER);
             assertEquals("exited with status 127 before answering (127: a command was not found)", answer.fault());
-            assertTrue(answer.stderr().contains("/no/such/bot"), answer.stderr());
+            assertTrue(answer.stderr().contains(folder + "/no/bot"), answer.stderr());
         }
     }
 

@@ -268,7 +268,7 @@ class BotProcessTest {
 
     @Test
     void aBotThatWasNeverAskedIsNeverStarted() {
-        BotProcess bot = new BotProcess("bot", List.of("/no/such/bot"));
+        BotProcess bot = new BotProcess("bot", List.of("a bot that is never started"));
         ScriptedBots.tell(bot, "setup\n");
         bot.close();
         bot.close();

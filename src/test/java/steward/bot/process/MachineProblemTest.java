@@ -11,6 +11,7 @@ import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import steward.bot.Answer;
@@ -65,10 +66,10 @@ class MachineProblemTest {
 
     /** It was counted as both bots' fault, and a match without a result as a draw. */
     @Test
-    void noFolderForTemporaryFilesIsNoFault() throws IOException, InterruptedException {
+    void noFolderForTemporaryFilesIsNoFault(@TempDir Path folder) throws IOException, InterruptedException {
         assumeTrue(Files.isExecutable(Path.of("/bin/sh")), "skipped: there is no /bin/sh");
         Process child = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-            "-Djava.io.tmpdir=/nonexistent", "-cp", System.getProperty("java.class.path"), AskOnce.class.getName())
+            "-Djava.io.tmpdir=" + folder.resolve("none"), "-cp", System.getProperty("java.class.path"), AskOnce.class.getName())
             .redirectErrorStream(true).start();
         String said = new String(child.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
 

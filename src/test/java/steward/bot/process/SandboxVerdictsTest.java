@@ -76,7 +76,7 @@ class SandboxVerdictsTest {
         new Case("trap '' TERM; kill -s TERM 0; exit 4", FOREVER, "exited with status 4 before answering"),
         new Case("exec >&-; exec sleep 1000", FOREVER, "closed its output before answering"),
         new Case("sleep 1000 & exit 5", FOREVER, "exited with status 5 before answering"),
-        new Case("exec /no/such/program", FOREVER,
+        new Case("exec ./no-such-program-of-$$", FOREVER,
             "exited with status 127 before answering \\(127: a command was not found\\)"),
         new Case("exec /etc/passwd", FOREVER,
             "exited with status 126 before answering \\(126: a command cannot be executed\\)"),
@@ -138,13 +138,13 @@ class SandboxVerdictsTest {
 
     @ParameterizedTest
     @EnumSource(Way.class)
-    void aCommandThatIsNotThere(Way way) {
+    void aCommandThatIsNotThere(Way way, @TempDir Path folder) {
         ScriptedBots.assumeWorks(way.level);
         by(way, () -> {
-            try (BotProcess bot = start(way, List.of("/no/such/bot"))) {
+            try (BotProcess bot = start(way, List.of(folder + "/no/bot"))) {
                 Answer answer = ScriptedBots.fault(bot, "a\n", FOREVER);
                 assertEquals("exited with status 127 before answering (127: a command was not found)", answer.fault());
-                assertTrue(answer.stderr().contains("/no/such/bot"), answer.stderr());
+                assertTrue(answer.stderr().contains(folder + "/no/bot"), answer.stderr());
             }
             try (BotProcess bot = start(way, List.of("/etc/passwd"))) {
                 assertEquals("exited with status 126 before answering (126: a command cannot be executed)",

@@ -127,9 +127,9 @@ class FailureReportTest {
 
     @Test
     void aProgramThatIsNotThereOrCannotBeExecutedIsToldApart() throws IOException {
-        String missing = match("", "exec /no/such/program").out();
+        String missing = match("", "exec " + folder + "/no/program").out();
         assertTrue(missing.contains("(127: a command was not found)"), missing);
-        assertTrue(missing.contains("/no/such/program"), missing);
+        assertTrue(missing.contains(folder + "/no/program"), missing);
         assertTrue(missing.contains("hint: a program was not found: "), missing);
         Path plain = Files.writeString(folder.resolve("plain"), "x");
         String forbidden = match("", "exec " + plain).out();

@@ -97,12 +97,14 @@ class PlayCommandTest {
     @ParameterizedTest
     @Tag("process")
     @CsvSource(delimiter = '|', quoteCharacter = '`', value = {
-        "/no/such/bot | bot 'codingame:/no/such/bot': there is no file '/no/such/bot'",
-        "/tmp | bot 'codingame:/tmp': '/tmp' is a directory; expected an executable program",
+        "FOLDER/no/bot | bot 'codingame:FOLDER/no/bot': there is no file 'FOLDER/no/bot'",
+        "FOLDER | bot 'codingame:FOLDER': 'FOLDER' is a directory; expected an executable program",
         "builtin:nobody | bot 'builtin:nobody': there is no builtin bot 'nobody'",
         "json: | bot 'json:': there is no command after 'json:'",
         "'cat | bot ''cat', column 1: the single quote is never closed"})
-    void aBotThatCannotBeStartedHasFailed(String bot, String reason) {
+    void aBotThatCannotBeStartedHasFailed(String command, String expected) {
+        String bot = command.replace("FOLDER", folder.toString());
+        String reason = expected.replace("FOLDER", folder.toString());
         JsonNode json = play(bots.idler(0), bot);
         assertEquals("[0,1]", json.get("ranks").toString());
         assertEquals("[0,1]", json.get("errors").toString());

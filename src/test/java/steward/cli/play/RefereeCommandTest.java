@@ -9,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -97,10 +98,12 @@ class RefereeCommandTest {
     @ParameterizedTest
     @Tag("process")
     @CsvSource(delimiter = '|', quoteCharacter = '`', value = {
-        "/no/such/bot | bot 'codingame:/no/such/bot': there is no file '/no/such/bot'",
+        "FOLDER/no/bot | bot 'codingame:FOLDER/no/bot': there is no file 'FOLDER/no/bot'",
         "builtin:nobody | bot 'builtin:nobody': there is no builtin bot 'nobody'",
         "'cat | bot ''cat', column 1: the single quote is never closed"})
-    void aBotThatCannotBeStartedLoses(String bot, String reason) throws IOException {
+    void aBotThatCannotBeStartedLoses(String command, String expected) throws IOException {
+        String bot = command.replace("FOLDER", folder.toString());
+        String reason = expected.replace("FOLDER", folder.toString());
         Path replay = folder.resolve("match.jsonl");
         Cli cli = Cli.run("referee", "-p1", bots.idler(0), "-p2", bot, "-p2name", "b", "-scene", "duel",
             "--no-deadline", "-seed", "1", "-r", replay.toString());
@@ -217,9 +220,9 @@ class RefereeCommandTest {
         "-p1 cat -p2 cat -d | -d: found nothing, expected KEY=VALUE",
         "-p1 cat -p2 cat -lvl gold | expected a whole number",
         "-p1 cat -p2 cat -league -1 | expected 0 or more",
-        "-p1 cat -p2 cat -l /no/such/folder/x | there is no folder /no/such/folder",
-        "-p1 cat -p2 cat -r /no/such/folder/x | there is no folder /no/such/folder",
-        "-p1 cat -p2 cat -l /tmp/x -r /tmp/./x | expected two files",
+        "-p1 cat -p2 cat -l FOLDER/no/x | there is no folder FOLDER/no",
+        "-p1 cat -p2 cat -r FOLDER/no/x | there is no folder FOLDER/no",
+        "-p1 cat -p2 cat -l FOLDER/x -r FOLDER/./x | expected two files",
         "-p1 cat -p2 cat -scene nowhere | nowhere: found no such file",
         "-p1 cat -p2 cat --time-factor 0 | expected a finite number above 0",
         "-p1 cat -p2 cat --time-factor 2 --no-deadline | exclude each other",
@@ -232,12 +235,12 @@ class RefereeCommandTest {
             words.addAll(List.of("-scene", "duel"));
         }
         if (arguments != null) {
-            words.addAll(List.of(arguments.split(" ")));
+            Stream.of(arguments.split(" ")).map(word -> word.replace("FOLDER", folder.toString())).forEach(words::add);
         }
         Cli cli = Cli.run(words.toArray(String[]::new));
         assertEquals(2, cli.status());
         long bots = words.stream().filter(word -> word.matches("-p[1-8]")).distinct().count();
         assertEquals("-1\n".repeat((int) bots), cli.out());
-        assertTrue(cli.err().contains(problem), cli.err());
+        assertTrue(cli.err().contains(problem.replace("FOLDER", folder.toString())), cli.err());
     }
 }

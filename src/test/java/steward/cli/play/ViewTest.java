@@ -134,8 +134,8 @@ class ViewTest {
     @Test
     void aPageThatExistsStaysUntilThereIsANewOne() throws IOException {
         Path page = Files.writeString(folder.resolve("x.html"), "precious");
-        refused("/nonexistent/a.jsonl",
-            match("--view", page.toString(), "--overwrite", "--out", "/nonexistent/a.jsonl"));
+        String missing = folder + "/missing/a.jsonl";
+        refused(missing, match("--view", page.toString(), "--overwrite", "--out", missing));
         assertEquals("precious", Files.readString(page));
         if (Files.isWritable(Path.of("/dev/full"))) {
             assertEquals(ExitStatus.FAILED,
