@@ -41,12 +41,14 @@ public final class PagePicture {
             profile = Files.createTempDirectory("steward-picture");
             Path taken = profile.resolve("picture.png");
             Path elements = profile.resolve("page.html");
-            Process process = new ProcessBuilder(browser.toString(), "--headless", "--no-sandbox", "--disable-gpu",
+            ProcessBuilder call = new ProcessBuilder(browser.toString(), "--headless", "--no-sandbox", "--disable-gpu",
                 "--hide-scrollbars", "--force-prefers-reduced-motion",
                 "--blink-settings=preferredColorScheme=0", "--user-data-dir=" + profile.resolve("profile"),
                 "--window-size=" + SIZE, "--virtual-time-budget=4000", "--screenshot=" + taken, "--dump-dom",
                 page.toUri() + "#t=" + time)
-                .redirectError(ProcessBuilder.Redirect.DISCARD).redirectOutput(elements.toFile()).start();
+                .redirectError(ProcessBuilder.Redirect.DISCARD).redirectOutput(elements.toFile());
+            call.environment().put("TMPDIR", profile.toString());   // Chromium leaves its socket behind
+            Process process = call.start();
             if (!process.waitFor(MOST_SECONDS, TimeUnit.SECONDS)) {
                 process.destroyForcibly().waitFor();
             }

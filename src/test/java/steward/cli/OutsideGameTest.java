@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.io.OutputStream;
+import java.net.URISyntaxException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -37,17 +38,20 @@ class OutsideGameTest {
     private static Path scene;
 
     @BeforeAll
-    static void buildJar() throws IOException {
+    static void buildJar() throws IOException, URISyntaxException {
         Path classes = Files.createDirectories(folder.resolve("classes"));
-        String engine = GameTypes.class.getProtectionDomain().getCodeSource().getLocation().getPath();
-        String jackson = JsonGenerator.class.getProtectionDomain().getCodeSource().getLocation().getPath();
         List<String> call = Stream.concat(
-            Stream.of("-d", classes.toString(), "-proc:none", "-cp", engine + ":" + jackson),
+            Stream.of("-d", classes.toString(), "-proc:none", "-cp", source(GameTypes.class) + ":" + source(JsonGenerator.class)),
             sources(".java").map(Path::toString)).toList();
         assertEquals(0, ToolProvider.getSystemJavaCompiler().run(null, null, null, call.toArray(new String[0])));
         games = Files.createDirectories(folder.resolve("games"));
         pack(games.resolve("sumo.jar"), classes, "");
         scene = Files.copy(SOURCES.resolve("sumo.json"), folder.resolve("sumo.json"));
+    }
+
+    /** The folder or jar of a class; its URL has spaces and accents encoded. */
+    private static Path source(Class<?> type) throws URISyntaxException {
+        return Path.of(type.getProtectionDomain().getCodeSource().getLocation().toURI());
     }
 
     private static Stream<Path> sources(String suffix) throws IOException {

@@ -3,17 +3,21 @@ package steward.replay.page;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.File;
+import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Arrays;
 import java.util.Base64;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.BooleanSupplier;
 import java.util.logging.Level;
 import java.util.logging.Logger;
+import java.util.stream.Stream;
 import org.openqa.selenium.By;
 import org.openqa.selenium.Dimension;
 import org.openqa.selenium.chrome.ChromeDriver;
@@ -38,6 +42,8 @@ public final class PageTestBrowser implements AutoCloseable {
     private static final Logger VERSION_FINDER = Logger.getLogger("org.openqa.selenium.devtools.CdpVersionFinder");
 
     private static final AtomicBoolean IN_USE = new AtomicBoolean();
+    /** Chromium's own folder for temporary files, of which it leaves some behind. */
+    private static final Path TEMPORARY = temporary();
 
     private final ChromeDriver driver = Started.DRIVER;
 
@@ -47,7 +53,26 @@ public final class PageTestBrowser implements AutoCloseable {
         static final ChromeDriver DRIVER = driver(browser(), driverProgram());
 
         static {
-            Runtime.getRuntime().addShutdownHook(new Thread(DRIVER::quit));
+            Runtime.getRuntime().addShutdownHook(new Thread(() -> {
+                DRIVER.quit();
+                delete(TEMPORARY);
+            }));
+        }
+    }
+
+    private static Path temporary() {
+        try {
+            return Files.createTempDirectory("steward-browser-");
+        } catch (IOException problem) {
+            throw new UncheckedIOException(problem);
+        }
+    }
+
+    private static void delete(Path folder) {
+        try (Stream<Path> files = Files.walk(folder)) {
+            files.sorted(Comparator.reverseOrder()).forEach(file -> file.toFile().delete());
+        } catch (IOException | UncheckedIOException gone) {
+            folder.toFile().delete();                      // the browser was still tidying up
         }
     }
 
@@ -68,7 +93,8 @@ public final class PageTestBrowser implements AutoCloseable {
         options.setCapability("goog:loggingPrefs", logs);
         System.setProperty(ChromeDriverService.CHROME_DRIVER_EXE_PROPERTY, driverProgram.toString());
         System.setProperty(ChromeDriverService.CHROME_DRIVER_SILENT_OUTPUT_PROPERTY, "true");
-        ChromeDriver driver = new ChromeDriver(options);
+        ChromeDriver driver = new ChromeDriver(new ChromeDriverService.Builder()
+            .withEnvironment(Map.of("TMPDIR", TEMPORARY.toString())).build(), options);
         driver.manage().timeouts().scriptTimeout(PATIENCE).pageLoadTimeout(PATIENCE);
         return driver;
     }
