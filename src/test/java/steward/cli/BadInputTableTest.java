@@ -160,7 +160,8 @@ class BadInputTableTest {
     }
 
     @Test
-    @EnabledIfSystemProperty(named = "steward.recordBadInput", matches = ".+")
+    @EnabledIfSystemProperty(named = "steward.recordBadInput", matches = ".+",
+        disabledReason = "bad inputs are recorded on demand, -Psteward.recordBadInput=FOLDER")
     void writesTheTableAnew() throws IOException, InterruptedException {
         Path target = Files.createDirectories(Path.of(System.getProperty("steward.recordBadInput")));
         int calls = 0;

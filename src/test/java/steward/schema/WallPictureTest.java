@@ -165,7 +165,8 @@ class WallPictureTest {
     }
 
     @Test
-    @EnabledIfSystemProperty(named = "steward.recordPictures", matches = ".+")
+    @EnabledIfSystemProperty(named = "steward.recordPictures", matches = ".+",
+        disabledReason = "pictures are recorded on demand, -Psteward.recordPictures=FOLDER")
     void thePictureIsDrawnAnew() throws IOException {
         Path folder = Files.createDirectories(Path.of(System.getProperty("steward.recordPictures")));
         Files.writeString(folder.resolve("walls.svg"), drawn());
