@@ -48,7 +48,7 @@ public enum GroundTruth {
         Path own = root.resolve(game);
         Path folder = Files.isDirectory(own) || !game.equals(FIRST) ? own : root;
         assumeTrue(Files.isDirectory(folder),
-            () -> "skipped: no folder of " + property.replace("steward.", "") + " of " + game + ", -P" + property + "=FOLDER");
+            () -> "skipped: no folder of " + property.replace("steward.", "") + ", -P" + property + "=FOLDER");
         try (Stream<Path> files = Files.list(folder)) {
             List<Path> named = files.filter(file -> Arrays.stream(endings).anyMatch(file.toString()::endsWith))
                 .sorted().toList();
@@ -72,8 +72,7 @@ public enum GroundTruth {
     /** A file of the folder of official recordings of the pod race. */
     public static Path replay(String name) {
         Path file = Path.of(System.getProperty("steward.replays", "../shared/replays")).resolve(name);
-        assumeTrue(Files.isRegularFile(file),
-            () -> "skipped: no " + name + ", -Psteward.replays=FOLDER");
+        assumeTrue(Files.isRegularFile(file), "skipped: no folder of replays, -Psteward.replays=FOLDER");
         return file;
     }
 

@@ -76,7 +76,8 @@ public final class SkippedTests implements TestExecutionListener {
     /** Returns a reason without the words that JUnit and tests put before it, so that equal reasons are equal texts. */
     private static String normalized(String reason) {
         String text = reason == null ? "" : reason.strip().replaceFirst("^Assumption failed: ", "")
-            .replaceFirst("^skipped: ", "").replaceFirst("^there is no ", "no ").replace(" on the PATH", "");
+            .replaceFirst("^System property .* ==> ", "").replaceFirst("^skipped: ", "")
+            .replaceFirst("^there is no ", "no ").replace(" on the PATH", "");
         return text.isEmpty() || text.startsWith("Assumption failed") ? "a test that does not say why" : text;
     }
 }

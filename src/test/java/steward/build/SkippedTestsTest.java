@@ -59,7 +59,7 @@ class SkippedTestsTest {
             listener.executionStarted(classes.get(0));
             finish(listener, tests.get(0), TestExecutionResult.successful());
             finish(listener, tests.get(1), aborted("Assumption failed: skipped: there is no unicorn on the PATH"));
-            listener.executionSkipped(tests.get(2), "no unicorn");
+            listener.executionSkipped(tests.get(2), "System property [horn] does not exist ==> no unicorn");
             listener.executionFinished(classes.get(0), TestExecutionResult.successful());
             finish(listener, classes.get(1), aborted("Assumption failed: no folder of wands, -Pwands=FOLDER"));
             listener.executionFinished(engine, TestExecutionResult.successful());

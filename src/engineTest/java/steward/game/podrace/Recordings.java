@@ -34,7 +34,7 @@ public final class Recordings {
     /** The folder of recordings; the test is skipped, saying so, where there is none. */
     static Path folder() {
         Path folder = Path.of(System.getProperty("steward.replays", "../shared/replays"));
-        assumeTrue(Files.isDirectory(folder), "skipped: no folder of replays of pod-race, -Psteward.replays=FOLDER");
+        assumeTrue(Files.isDirectory(folder), "skipped: no folder of replays, -Psteward.replays=FOLDER");
         return folder;
     }
 

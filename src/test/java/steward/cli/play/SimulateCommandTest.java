@@ -51,7 +51,7 @@ class SimulateCommandTest {
 
     private static List<Recording> recordings() {
         Path folder = Path.of(System.getProperty("steward.replays", "../shared/replays"));
-        assumeTrue(Files.isDirectory(folder), "skipped: no folder of replays of pod-race, -Psteward.replays=FOLDER");
+        assumeTrue(Files.isDirectory(folder), "skipped: no folder of replays, -Psteward.replays=FOLDER");
         try (Stream<Path> files = Files.list(folder)) {
             List<Path> named = files.filter(file -> file.getFileName().toString().startsWith("replay_")).sorted()
                 .toList();

@@ -47,7 +47,7 @@ class OfficialRecordingsImportTest {
     @Tag("slow")
     void everyOfficialGameVerifies(TestReporter report) throws IOException, InterruptedException {
         Path folder = Path.of(System.getProperty("steward.replays", "../shared/replays"));
-        assumeTrue(Files.isDirectory(folder), "skipped: no folder of replays of pod-race, -Psteward.replays=FOLDER");
+        assumeTrue(Files.isDirectory(folder), "skipped: no folder of replays, -Psteward.replays=FOLDER");
         List<Path> files;
         try (Stream<Path> all = Files.list(folder)) {
             files = all.filter(file -> file.getFileName().toString().startsWith("replay_")).sorted().toList();
