@@ -21,7 +21,11 @@ function choose(bot) {
 
 function drawAll() {
   const { league } = state;
-  find('scene').textContent = `${thousands(league.games)} games of ${league.scene}`
+  const left = [[league.repeats, 'only repeat earlier ones'], [league.again, 'were played again'], [league.without, 'have no result']]
+    .filter(([count]) => count).map(([count, words]) => `${thousands(count)} ${words}`);
+  const all = league.games + league.repeats + league.again + league.without;
+  find('scene').textContent = `${thousands(all)} games of ${league.scene}`
+    + (left.length ? `: ${[`${thousands(league.games)} count`, ...left].join(', ')}` : '')
     + (league.rate ? `, ${fixed(league.rate, league.rate < 10 ? 2 : 0)} a second` : '');
   drawTable(choose);
   drawWorkers();

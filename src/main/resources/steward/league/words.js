@@ -1,6 +1,6 @@
 // What all parts of the page of a league need: the league shown, elements, numbers, colours of bots.
 
-import { teamColours } from '../view/theme.js';
+import { colourOfMany } from '../view/theme.js';
 
 const SVG = 'http://www.w3.org/2000/svg';
 
@@ -27,8 +27,7 @@ export function drawIn(parent, tag, values, content) {
 
 /** A bot keeps its colour while ranks change: it goes by the number of its version, as on the pages of matches. */
 export function colourOf(version) {
-  const colours = teamColours(state.isDark);
-  return colours[(version - 1) % colours.length];
+  return colourOfMany(version - 1, state.isDark);
 }
 
 export function paint(node, bot) {

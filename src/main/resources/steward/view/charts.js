@@ -3,6 +3,7 @@
 import { areSteps, limitMs } from './series.js';
 import { element, grouped, nameOf } from './text.js';
 import { FONT } from './draw.js';
+import { wholeTicks } from './ticks.js';
 
 const HEIGHT = 104;
 const LEAST_MS = 0.001;
@@ -41,7 +42,7 @@ class Chart {
       width, height: HEIGHT, legend: { show: false }, padding: [6, 4, 0, 0],
       cursor: { sync: { key: 'turns' }, y: false, points: { show: false }, drag: { x: false, y: false } },
       scales: { x: { time: false }, y: this.isLog ? { distr: 3 } : { range: fromZero } },
-      axes: [{ ...axis, size: 18, gap: 2, space: 60, incrs: WHOLE },
+      axes: [{ ...axis, size: 18, gap: 2, splits: wholeTicks },
         { ...axis, size: 40, gap: 3, space: 26, ...this.isLog ? { splits: powersOfTen } : {}, values: (_, splits) => splits.map(value =>
           (value === null ? '' : this.isLog ? log(value) : short(value))) }],
       series: [{}, ...this.lists().map((_, player) =>
@@ -69,7 +70,8 @@ class Chart {
     this.shown = turn;
     const when = element('small', '', `${this.isWithin ? 'in' : 'after'} ${turn}`);
     this.values.replaceChildren(when, ...this.lists().map((list, player) => {
-      const value = element('b', '', list[turn] === null || list[turn] === undefined ? '–' : grouped(list[turn]));
+      const number = list[turn] === null || list[turn] === undefined ? '–' : grouped(list[turn]);
+      const value = element('b', '', this.names.length > 1 ? `${this.names[player]} ${number}` : number);
       value.style.color = `var(--team-${player % 16})`;
       value.title = this.names[player] ?? nameOf(this.charts.match, player);
       return value;
@@ -77,7 +79,6 @@ class Chart {
   }
 }
 const MOST_VALUES = 4;
-const WHOLE = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000];       // steps between turns
 
 function fromZero(_, low, high) {
   return [Math.min(0, low), high > 0 ? high * 1.05 : 1];

@@ -86,12 +86,6 @@ export function directionLine(scene, body, x, y) {
   targetLine(scene, body, body.x + (x - body.x) * share, body.y + (y - body.y) * share, share === 1);
 }
 
-/** 1, 2 or 5 times a power of ten, at least as large as asked for. */
-export function niceStep(least) {
-  const power = 10 ** Math.floor(Math.log10(least));
-  return [1, 2, 5, 10].find(factor => factor * power >= least) * power;
-}
-
 /** A number 0..1 that follows from two whole numbers: decoration that is the same whenever one scrubs back. */
 export function hash01(a, b) {
   let h = Math.imul(a + 0x9e3779b9, 0x85ebca6b) ^ Math.imul(b + 0x165667b1, 0xc2b2ae35);

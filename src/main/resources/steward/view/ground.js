@@ -1,6 +1,7 @@
 // The ground: sky, stars, field, zones and walls. It is drawn once for each camera, then only copied.
 
-import { circle, hash01, lineTo, moveTo, niceStep, TAU, write } from './draw.js';
+import { circle, hash01, lineTo, moveTo, TAU, write } from './draw.js';
+import { niceStep } from './ticks.js';
 import { withAlpha } from './theme.js';
 
 const STARS = 170;

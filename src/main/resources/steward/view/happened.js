@@ -1,8 +1,7 @@
 // What happened around the moment shown: impacts, events and faults, each a button that goes there.
 
-import { element, grouped, nameOf, shorten, withNames } from './text.js';
+import { element, eventWords, grouped, nameOf, shorten } from './text.js';
 import { inTeamColour } from './theme.js';
-import { pairOf } from './timeline.js';
 import { firstAfter } from './times.js';
 
 const MOST_SHOWN = 9;
@@ -54,19 +53,16 @@ export class Happened {
   #describe({ impact, event, turn, player, fault }) {
     if (impact) {
       const { owner } = this.match.describeIn(impact.a, turn);
-      const words = impact.wall === undefined ? this.#pairOfNames(impact, turn) : pairOf(impact);
-      return { words, value: impact.impulse === undefined ? '' : grouped(Math.round(Math.abs(impact.impulse))), player: owner };
+      return { words: this.#pairOfNames(impact, turn), value: impact.impulse === undefined ? '' : grouped(Math.round(Math.abs(impact.impulse))), player: owner };
     }
-    if (event) return { words: withNames(this.match, event.text), value: '✓', player: this.timeline.ownerOf(event, turn) };
+    if (event) return { words: eventWords(this.match, { event, turn }), value: '✓', player: this.timeline.ownerOf(event, turn) };
     return { words: `${nameOf(this.match, player)}: ${fault}`, value: '×', player };
   }
 
-  /** Both bodies, with the kind where there are several kinds. */
+  /** Both bodies, with the kind where there are several kinds; or a body and a wall. */
   #pairOfNames(impact, turn) {
-    return [impact.a, impact.b].map(id => {
-      const { kind } = this.match.describeIn(id, turn);
-      return this.#kinds() > 1 ? `${kind} ${id}` : String(id);
-    }).join(' × ');
+    const nameOfBody = id => (this.#kinds() > 1 ? `${this.match.describeIn(id, turn).kind} ${id}` : String(id));
+    return `${nameOfBody(impact.a)} × ${impact.wall === undefined ? nameOfBody(impact.b) : this.match.wallName(impact.wall)}`;
   }
 
   #kinds() {

@@ -1,6 +1,7 @@
 // For tests and for the curious, in the console: where the page stands, and where it draws what.
 
 import { contactOf, flashRadius } from './effects.js';
+import { pairOf } from './timeline.js';
 
 /** Places are in CSS pixels of the window. */
 export function hookOf(page) {
@@ -22,6 +23,7 @@ export function hookOf(page) {
       const { x, y } = contactOf(page.match, met);
       return { time: met.time, ...toWindow(x, y), radius: flashRadius(page.match, met) * page.stage.view.scale };
     }),
+    impactWords: () => page.match.impacts.map(({ impact }) => pairOf(page.match, impact)),
     field: () => {
       const { left, top, right, bottom } = page.stage.field;
       const [from, to] = [toWindow(left, top), toWindow(right, bottom)];

@@ -138,6 +138,13 @@ export class Match {
     return this.describe(id, this.turn(number)?.bodies.get(id) ?? this.turn(number - 1)?.bodies.get(id));
   }
 
+  /** Name of a wall by its place: a side of the field, or its kind with its number where several have the name. */
+  wallName(index) {
+    this.#wallNames ??= namesOfWalls(this.header.drawing);
+    return this.#wallNames[index] ?? 'wall';
+  }
+  #wallNames = null;
+
   /** Whether the player was still asked for a command in that turn. */
   isIn(player, number) {
     if (number === 0 || !this.turns.length) return true;
@@ -267,6 +274,23 @@ export class Match {
 }
 
 const NO_STATE = {};
+
+function namesOfWalls({ walls = [], field }) {
+  const names = walls.map(wall => nameOfWall(wall, field));
+  return names.map((name, index) => (names.indexOf(name) === names.lastIndexOf(name) ? name : `${name} ${index}`));
+}
+
+/** The y axis points down. */
+function nameOfWall({ type, insideX, insideY, ax, ay, bx, by }, field) {
+  if (type === 'arena') return 'arena';
+  if (type === 'half-plane') {
+    if (Math.abs(insideX) === 1) return insideX > 0 ? 'left wall' : 'right wall';
+    if (Math.abs(insideY) === 1) return insideY > 0 ? 'top wall' : 'bottom wall';
+  }
+  if (type === 'segment' && field && ax === bx) return ax < field.x + field.width / 2 ? 'left wall' : 'right wall';
+  if (type === 'segment' && field && ay === by) return ay < field.y + field.height / 2 ? 'top wall' : 'bottom wall';
+  return 'wall';
+}
 
 function byId(bodies) {
   return new Map(bodies.map(body => [body.id, body]));

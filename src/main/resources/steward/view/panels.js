@@ -88,13 +88,14 @@ export class BodyList {
   }
 
   update(moment, selected) {
-    const bodies = this.match.bodiesAt(moment).filter(body => body.owner !== null && body.owner !== undefined)
-      .slice(0, MOST_BODIES);
-    const key = bodies.map(body => body.id).join();
+    const all = this.match.bodiesAt(moment).filter(body => body.owner !== null && body.owner !== undefined);
+    const bodies = all.slice(0, MOST_BODIES);
+    const key = `${all.length} ${bodies.map(body => body.id).join()}`;
     if (key !== this.#key) {
       this.#key = key;
       this.rows = new Map(bodies.map(body => [body.id, this.#makeRow(body)]));
       this.root.replaceChildren(...[...this.rows.values()].map(row => row.root));
+      if (all.length > bodies.length) this.root.append(element('p', 'more', `and ${all.length - bodies.length} more, in the state below`));
     }
     this.root.hidden = !bodies.length;
     const most = this.match.topSpeed || 1;

@@ -76,6 +76,7 @@ addLook('pod-race', {
 });
 
 function orderWords(order) {
+  if (!order) return 'nothing';
   return `(${plainNumber(order.x)}, ${plainNumber(order.y)}) `
     + (order.shield ? 'SHIELD' : order.boost ? 'BOOST' : `thrust ${order.thrust}`);
 }

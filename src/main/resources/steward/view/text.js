@@ -46,3 +46,11 @@ export function nameOf(match, player) {
 export function withNames(match, words) {
   return words.replace(/\bplayer (\d+)\b/g, (all, player) => (match.players[player] ? nameOf(match, player) : all));
 }
+
+/** Words of an event of the match; a body that ceased to be is named, with its owner. */
+export function eventWords(match, { event, turn }) {
+  const words = withNames(match, event.text);
+  if (event.kind !== 'death' || event.body === undefined) return words;
+  const { kind, owner } = match.describeIn(event.body, turn);
+  return `${owner === null ? '' : `${nameOf(match, owner)}, `}${kind} ${event.body}: ${words}`;
+}

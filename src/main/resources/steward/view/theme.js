@@ -24,8 +24,20 @@ export class Theme {
     const kept = remembered(STORED);
     if (kept === 'light' || kept === 'dark') document.documentElement.dataset.theme = kept;
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.read());
+    addEventListener('beforeprint', () => this.#print('light'));
+    addEventListener('afterprint', () => this.#print(this.#chosen));
     this.read();
   }
+
+  /** Paper is light, whatever the screen is. */
+  #print(theme) {
+    const root = document.documentElement;
+    if (theme === 'light') this.#chosen = root.dataset.theme;
+    if (theme) root.dataset.theme = theme;
+    else delete root.dataset.theme;
+    this.read();
+  }
+  #chosen;
 
   /** True if decoration should keep still. */
   get isCalm() {
@@ -62,8 +74,14 @@ export class Theme {
 }
 
 /** Colours of teams on dark or light ground. */
-export function teamColours(isDark) {
+function teamColours(isDark) {
   return isDark ? TEAM_ON_DARK : TEAM_ON_LIGHT;
+}
+
+/** One colour of many: behind the sixteen, hues by the golden angle, three times lighter and darker in turn. */
+export function colourOfMany(k, isDark) {
+  const colours = teamColours(isDark);
+  return colours[k] ?? `oklch(${(isDark ? 0.84 : 0.58) - 0.09 * (k % 3)} 0.13 ${Math.round(k * 137.508 % 360)})`;
 }
 
 /** Gives an element the colour of a player. */

@@ -4,7 +4,7 @@
 import { circle, FONT, openCanvas } from './draw.js';
 import { strengthOf } from './effects.js';
 import { areSteps } from './series.js';
-import { grouped, nameOf, shorten, withNames } from './text.js';
+import { eventWords, grouped, nameOf, shorten } from './text.js';
 import { withAlpha } from './theme.js';
 import { within } from './times.js';
 
@@ -201,9 +201,9 @@ export class Timeline {
     const impacts = within(this.match.impacts, time - near, time + near);
     const strongest = impacts.reduce((one, other) =>
       (!one || Math.abs(other.impact.impulse ?? 0) > Math.abs(one.impact.impulse ?? 0) ? other : one), null);
-    if (strongest) lines.push(`impact ${pairOf(strongest.impact)}: ${grouped(Math.round(Math.abs(strongest.impact.impulse ?? 0)))}`);
-    for (const { event: each } of within(this.match.events, time - near, time + near).slice(0, 2)) {
-      if (each.text) lines.push(shorten(withNames(this.match, each.text), 60));
+    if (strongest) lines.push(`impact ${pairOf(this.match, strongest.impact)}: ${grouped(Math.round(Math.abs(strongest.impact.impulse ?? 0)))}`);
+    for (const each of within(this.match.events, time - near, time + near).slice(0, 2)) {
+      if (each.event.text) lines.push(shorten(eventWords(this.match, each), 60));
     }
     for (const { player, fault } of within(this.match.faults, time - near, time + near).slice(0, 2)) {
       lines.push(`${nameOf(this.match, player)}: ${shorten(fault, 60)}`);
@@ -218,13 +218,16 @@ export class Timeline {
     const lead = this.series.lead();
     if (!lead) return [];
     const name = this.match.header.drawing.lead ?? this.look.leadName;
-    if (lead.length !== 2) return lead.slice(0, 4).map((list, player) => `${nameOf(this.match, player)}: ${grouped(list[turn] ?? 0)}`);
+    if (lead.length !== 2) {
+      return lead.map((list, player) => ({ player, value: list[turn] ?? 0 })).sort((one, other) => other.value - one.value)
+        .map(({ player, value }) => `${nameOf(this.match, player)}: ${grouped(value)}`);
+    }
     const ahead = (lead[0][turn] ?? 0) - (lead[1][turn] ?? 0);
     return [ahead === 0 ? 'level' : `${nameOf(this.match, ahead > 0 ? 0 : 1)} +${grouped(Math.abs(ahead))} ${name}`];
   }
 }
 
 /** Who met whom: two bodies, or a body and a wall. */
-export function pairOf(impact) {
-  return impact.wall === undefined ? `${impact.a} × ${impact.b}` : `${impact.a} × wall`;
+export function pairOf(match, impact) {
+  return `${impact.a} × ${impact.wall === undefined ? impact.b : match.wallName(impact.wall)}`;
 }

@@ -19,6 +19,9 @@ import steward.text.TextFormat;
  */
 record IndexPage(List<TournamentCommand.Entry> entries, LeagueTable table, String why) {
 
+    /** Characters of what the check found; all of it is on the author's page. */
+    private static final int STANDING = 160;
+
     void write(Path file) throws IOException {
         StringBuilder page = new StringBuilder(Html.head("Tournament")).append(table == null
             ? "<p>" + why + "</p>"
@@ -53,6 +56,6 @@ record IndexPage(List<TournamentCommand.Entry> entries, LeagueTable table, Strin
             page.append("<td class=num>").append(number);
         }
         page.append(entry.ready().problem() == null && entry.check().passes() ? "<td>" : "<td class=bad>")
-            .append(Html.escape(entry.standing())).append("</tr>");
+            .append(Html.escape(TextFormat.shorten(entry.standing(), STANDING))).append("</tr>");
     }
 }

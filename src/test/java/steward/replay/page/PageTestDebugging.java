@@ -97,6 +97,25 @@ class PageTestDebugging {
             () -> Math.abs(browser.number("steward.camera().scale") / whole - 1) < 0.01);
     }
 
+    /** The line of the first pod took effect, and the second was none: that pod's command is null in the replay. */
+    @Test
+    void aBotThatFailedInItsSecondLineShowsItsFirst() {
+        String race = new String(PageTestRaces.play(PageTestRaces.scene("mad-pod-racing"), 3), StandardCharsets.UTF_8);
+        byte[] failed = race.replaceFirst("(\"turn\":30,\"commands\":\\[\\[\\{[^}]*},)\\{[^}]*}", "$1null")
+            .getBytes(StandardCharsets.UTF_8);
+        browser.open(new PageTestPages(folder).page(failed, "Failed"), "#t=30");
+        assertTrue(browser.text("#cards").contains("pod 1: nothing"), browser.text("#cards"));
+        assertEquals(List.of(), browser.complaints());
+    }
+
+    @Test
+    void wallsAreNamedByTheirSide() {
+        browser.open(new PageTestPages(folder).page(PageTestRaces.play(PageTestRaces.scene("walled-race"), 3), "Walls"),
+            "#t=20");
+        assertTrue(browser.is("steward.impactWords().some(words => words.endsWith(' × bottom wall'))"));
+        assertFalse(browser.is("steward.impactWords().some(words => words.endsWith(' × wall'))"));
+    }
+
     @Test
     void scrubbingGoesOnPlayingIfItWas() {
         browser.run("steward.play()");
