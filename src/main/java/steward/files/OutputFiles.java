@@ -73,6 +73,16 @@ public final class OutputFiles {
         }
     }
 
+    /** Returns a name for a copy beside a file, such as {@code league.db.before-drop-1}: the first that is free. */
+    public static Path copyBeside(Path file, String occasion) {
+        for (int number = 1;; number++) {
+            Path copy = file.resolveSibling(file.getFileName() + "." + occasion + "-" + number);
+            if (Files.notExists(copy)) {
+                return copy;
+            }
+        }
+    }
+
     /**
      * Makes sure that a folder exists and can be written into.
      *

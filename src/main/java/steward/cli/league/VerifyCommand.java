@@ -11,6 +11,7 @@ import steward.cli.options.ProgramCommand;
 import steward.cli.shared.ExitStatus;
 import steward.cli.streams.Json;
 import steward.files.InputException;
+import steward.files.OutputFiles;
 import steward.json.JsonObject;
 import steward.league.FolderLock;
 import steward.league.LeagueFolder;
@@ -23,8 +24,9 @@ import steward.text.TextFormat;
     footer = {"",
         "Other commands refuse a database with such a row. --drop takes these rows out,",
         "with the games that need them, and keeps a copy of the database as it was.",
-        "A value that is only untrue, such as another score, is not found: replays are",
-        "checked by steward replay --verify.",
+        "A row has a digest, which finds values that were changed by accident; it keeps",
+        "nobody from forging. Replays are checked by steward replay --verify. A database of",
+        "an earlier version is brought up to date first, and a copy of it kept.",
         "", "--json: integrity (by SQLite), games, rows (table, key, column, value,",
         "expected; the first 100), more, setAside (rows, games, copy) or null.",
         "", "Exit status: 0 every row can be used, or now can; 1 some cannot.",
@@ -53,8 +55,10 @@ final class VerifyCommand extends ProgramCommand {
             throw new InputException(folder.path() + ": found a league without games, expected one that has been "
                 + "played; 'steward league run " + folder.path() + "' plays it");
         }
-        if (drop) {
+        if (drop || GameStore.isBehind(folder)) {
             try (FolderLock lock = FolderLock.take(folder); GameStore store = GameStore.unchecked(folder, true)) {
+                store.before().ifPresent(copy -> streams.err().println("steward: " + folder.database()
+                    + ": brought up to date; as it was: " + copy));
                 return verify(folder, store);
             }
         }
@@ -118,19 +122,10 @@ final class VerifyCommand extends ProgramCommand {
     private record Dropped(long rows, long games, Path copy) { }
 
     private static Dropped drop(LeagueFolder folder, GameStore store) {
-        Path copy = copyOf(folder);
+        Path copy = OutputFiles.copyBeside(folder.database(), "before-drop");
         long before = store.games();
         store.backup(copy.toAbsolutePath());
         long rows = store.dropBadRows();
         return new Dropped(rows, before - store.games(), copy);
-    }
-
-    private static Path copyOf(LeagueFolder folder) {
-        for (int number = 1;; number++) {
-            Path copy = folder.database().resolveSibling("league.db.before-drop-" + number);
-            if (Files.notExists(copy)) {
-                return copy;
-            }
-        }
     }
 }

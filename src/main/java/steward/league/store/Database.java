@@ -31,6 +31,8 @@ final class Database implements AutoCloseable {
     private final Path file;
     private final Connection connection;
     private final Map<String, PreparedStatement> prepared = new HashMap<>();
+    /** Copy of an older form that has been brought up to date by this connection, or {@code null}. */
+    private Path before;
 
     /** Work with the database. */
     interface Work<T> {
@@ -65,8 +67,23 @@ final class Database implements AutoCloseable {
         refuseUnusable(file, folder.path(), write);
         LeagueFolder.refuseRemote(folder.path());
         NativeLibrary.prepare(folder.path());
-        boolean immutable = !write && !Files.isWritable(folder.path()) && Files.notExists(log(file));
-        return connect(file, write, immutable, patienceMs, database -> database.prepare(write, durable));
+        return connect(file, write, isImmutable(folder, write), patienceMs,
+            database -> database.prepare(write, durable));
+    }
+
+    private static boolean isImmutable(LeagueFolder folder, boolean write) {
+        return !write && !Files.isWritable(folder.path()) && Files.notExists(log(folder.database()));
+    }
+
+    /** True if a league's database is there, and of an older form. */
+    static boolean isBehind(LeagueFolder folder) {
+        Path file = folder.database();
+        boolean[] behind = new boolean[1];
+        NativeLibrary.prepare(folder.path());
+        connect(file, false, isImmutable(folder, false), PATIENCE_MS, database ->
+            behind[0] = SchemaVersion.isBehind(database.connection, file, SchemaVersion.APPLICATION)
+                && SchemaVersion.number(database.connection, "user_version") > 0).close();
+        return behind[0];
     }
 
     /**
@@ -121,7 +138,7 @@ final class Database implements AutoCloseable {
                     throw new InputException(file + ": found " + database.unfit() + ", expected a part, as 'steward "
                         + "league shard' makes it");
                 }
-                SchemaVersion.migrate(database.connection, SchemaVersion.PART);
+                database.before = SchemaVersion.migrate(database, SchemaVersion.PART);
             }
         });
     }
@@ -181,7 +198,7 @@ final class Database implements AutoCloseable {
         if (!write) {
             if (behind) {
                 throw new InputException(file + ": found " + unfit() + ", expected one that 'steward league run' "
-                    + "has made or brought up to date");
+                    + "has made or 'steward league verify' has brought up to date");
             }
             return;
         }
@@ -189,7 +206,7 @@ final class Database implements AutoCloseable {
         execute("PRAGMA synchronous = " + (durable ? "FULL" : "NORMAL"));
         execute("PRAGMA foreign_keys = OFF");
         if (behind) {
-            SchemaVersion.migrate(connection, SchemaVersion.APPLICATION);
+            before = SchemaVersion.migrate(this, SchemaVersion.APPLICATION);
         }
     }
 
@@ -298,6 +315,11 @@ final class Database implements AutoCloseable {
 
     Path file() {
         return file;
+    }
+
+    /** Returns the copy of an older form that has been brought up to date when it was opened, or {@code null}. */
+    Path before() {
+        return before;
     }
 
     private static void close(Connection connection) {

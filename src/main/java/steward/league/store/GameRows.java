@@ -1,8 +1,7 @@
 package steward.league.store;
 
-import java.sql.PreparedStatement;
 import java.sql.SQLException;
-import java.sql.Types;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
@@ -40,61 +39,40 @@ final class GameRows {
      * @return how many are new
      */
     int add(int season, List<StoredGame> games) throws SQLException {
+        long first = ((Number) database.value("SELECT coalesce(max(id), 0) + 1 FROM game")).longValue();
         int added = 0;
         for (StoredGame game : games) {
-            added += add(season, game) ? 1 : 0;
+            added += add(season, game, first + added) ? 1 : 0;
         }
         return added;
     }
 
-    private boolean add(int season, StoredGame game) throws SQLException {
-        PreparedStatement row = database.statement("INSERT INTO game (name, season, decision, seed, lineup, ranks, "
-            + "attempt, counts, turns, problem, played, machine, replay, transcript) "
-            + "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) ON CONFLICT (name) DO NOTHING");
-        row.setBytes(1, game.name());
-        row.setInt(2, season);
-        if (game.decision() < 0) {
-            row.setNull(3, Types.INTEGER);
-        } else {
-            row.setInt(3, game.decision());
+    /** @param id of the game if it is new */
+    private boolean add(int season, StoredGame game, long id) throws SQLException {
+        Object[] row = {id, game.name(), season, game.decision() < 0 ? null : game.decision(), game.seed(),
+            lineup(game), game.ranks(), game.attempt(), !game.counts() ? 0 : game.allFailed() ? ALL_FAILED : 1,
+            game.turns(), game.problem(), game.played(), machine(game.machine()), game.replay(),
+            game.transcript() == 0 ? null : game.transcript(), 0L};
+        List<Object[]> seats = new ArrayList<>();
+        long digest = RowDigest.of(Arrays.copyOf(row, row.length - 1));
+        for (StoredSeat seat : game.seats()) {
+            Object[] values = {season, seat.version(), id, seats.size(), seat.rank(), seat.score(), seat.fault(),
+                seat.answers(), seat.meanNanos(), seat.worstNanos(), seat.firstNanos(),
+                seat.values().isEmpty() ? null : seat.valuesText()};
+            digest += RowDigest.of(values);
+            seats.add(values);
         }
-        row.setLong(4, game.seed());
-        row.setLong(5, lineup(game));
-        row.setString(6, game.ranks());
-        row.setInt(7, game.attempt());
-        row.setInt(8, !game.counts() ? 0 : game.allFailed() ? ALL_FAILED : 1);
-        row.setInt(9, game.turns());
-        row.setString(10, game.problem());
-        row.setLong(11, game.played());
-        row.setLong(12, machine(game.machine()));
-        row.setString(13, game.replay());
-        row.setObject(14, game.transcript() == 0 ? null : game.transcript());
-        if (row.executeUpdate() == 0) {
+        row[row.length - 1] = digest;
+        if (database.update("INSERT INTO game (id, name, season, decision, seed, lineup, ranks, attempt, counts, "
+                + "turns, problem, played, machine, replay, transcript, digest) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
+                + "?, ?, ?, ?, ?, ?) ON CONFLICT (name) DO NOTHING", row) == 0) {
             return false;
         }
-        long id = ((Number) database.value("SELECT last_insert_rowid()")).longValue();
-        for (int seat = 0; seat < game.seats().size(); seat++) {
-            addSeat(season, id, seat, game.seats().get(seat));
+        for (Object[] seat : seats) {
+            database.update("INSERT INTO seat (season, version, game, seat, rank, score, fault, answers, mean_nanos, "
+                + "worst_nanos, first_nanos, own) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)", seat);
         }
         return true;
-    }
-
-    private void addSeat(int season, long game, int place, StoredSeat seat) throws SQLException {
-        PreparedStatement row = database.statement("INSERT INTO seat (season, version, game, seat, rank, score, fault, "
-            + "answers, mean_nanos, worst_nanos, first_nanos, own) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
-        row.setInt(1, season);
-        row.setInt(2, seat.version());
-        row.setLong(3, game);
-        row.setInt(4, place);
-        row.setInt(5, seat.rank());
-        row.setDouble(6, seat.score());
-        row.setString(7, seat.fault());
-        row.setInt(8, seat.answers());
-        row.setLong(9, seat.meanNanos());
-        row.setLong(10, seat.worstNanos());
-        row.setLong(11, seat.firstNanos());
-        row.setString(12, seat.values().isEmpty() ? null : seat.valuesText());
-        row.executeUpdate();
     }
 
     private long lineup(StoredGame game) throws SQLException {
@@ -116,6 +94,7 @@ final class GameRows {
         Object found = database.value(find, text);
         if (found == null) {
             database.update("INSERT INTO " + table + " (" + column + ") VALUES (?)", text);
+            RowDigest.seal(database, table, column + " = ?", text);
             return ((Number) database.value(find, text)).longValue();
         }
         known.put(text, ((Number) found).longValue());

@@ -2,6 +2,7 @@ package steward.league.store;
 
 import java.nio.file.Path;
 import java.sql.ResultSet;
+import java.sql.SQLException;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
@@ -19,6 +20,10 @@ import steward.league.StoredGame;
  * <p>Over 400 lines, because each statement stands beside the method that runs it.
  */
 public final class GameStore implements AutoCloseable {
+
+    private static final String VERSION = "version";
+    private static final String GAME = "game";
+    private static final String ID = "id = ?";
 
     private final Database database;
     private final GameRows gameRows;
@@ -56,6 +61,11 @@ public final class GameStore implements AutoCloseable {
     /** Opens with rows that may be bad: to look for them, or because they have just been looked for. */
     public static GameStore unchecked(LeagueFolder folder, boolean write) {
         return new GameStore(Database.open(folder, write, write));
+    }
+
+    /** True if the games of a league are in a database of an older form. */
+    public static boolean isBehind(LeagueFolder folder) {
+        return Database.isBehind(folder);
     }
 
     /** Refuses a database in which a row cannot be used, before anything is computed from it. */
@@ -122,6 +132,7 @@ public final class GameStore implements AutoCloseable {
                 + "SET opened = excluded.opened", season.key(),
                 season.sceneName(), season.sceneKey(), season.limits(), season.rules(), season.players(),
                 season.lowerScoreIsBetter() ? 1 : 0, order);
+            RowDigest.seal(database, "season", "key = ?", season.key());
             return ((Number) database.value("SELECT id FROM season WHERE key = ?", season.key())).intValue();
         });
     }
@@ -169,10 +180,16 @@ public final class GameStore implements AutoCloseable {
             database.update("INSERT INTO version (bot, number, command, random, began) VALUES (?, 1 + (SELECT "
                 + "coalesce(max(number), 0) FROM version WHERE bot = ?), ?, ?, ?)", bot, bot, command, random ? 1 : 0,
                 now);
-            return database.update("INSERT INTO identity (hash, version, began) VALUES (?, last_insert_rowid(), ?)",
-                identity, now);
+            long id = ((Number) database.value("SELECT last_insert_rowid()")).longValue();
+            return addIdentity(id, identity, now);
         });
         return version(identity).orElseThrow();
+    }
+
+    private Object addIdentity(long version, String identity, long now) throws SQLException {
+        database.update("INSERT INTO identity (hash, version, began) VALUES (?, ?, ?)", identity, version, now);
+        RowDigest.seal(database, VERSION, ID, version);
+        return null;
     }
 
     /** Takes over the versions and identities of another store, with their numbers; this one must have none. */
@@ -187,6 +204,7 @@ public final class GameStore implements AutoCloseable {
             for (Object[] row : identities) {
                 database.update("INSERT INTO identity (hash, version, began) VALUES (?, ?, ?)", row);
             }
+            RowDigest.seal(database, VERSION, "1");
             return null;
         });
     }
@@ -209,19 +227,26 @@ public final class GameStore implements AutoCloseable {
 
     /** Another identity of a version: a change that is said to change nothing. */
     public void same(Version version, String identity, long now) {
-        database.inTransaction(() -> database.update("INSERT INTO identity (hash, version, began) VALUES (?, ?, ?)",
-            identity, version.id(), now));
+        database.inTransaction(() -> addIdentity(version.id(), identity, now));
     }
 
     /** Marks a version as one that draws by lot. @return the version with its mark */
     public Version markRandom(Version version) {
-        database.inTransaction(() -> database.update("UPDATE version SET random = 1 WHERE id = ?", version.id()));
+        database.inTransaction(() -> {
+            database.update("UPDATE version SET random = 1 WHERE id = ?", version.id());
+            RowDigest.seal(database, VERSION, ID, version.id());
+            return null;
+        });
         return version(version.identity()).orElseThrow();
     }
 
     /** All versions of a bot under another name. */
     public void rename(String bot, String name) {
-        database.inTransaction(() -> database.update("UPDATE version SET bot = ? WHERE bot = ?", name, bot));
+        database.inTransaction(() -> {
+            database.update("UPDATE version SET bot = ? WHERE bot = ?", name, bot);
+            RowDigest.seal(database, VERSION, "bot = ?", name);
+            return null;
+        });
     }
 
     /** Returns how many games of any season a version has that count. */
@@ -282,8 +307,11 @@ public final class GameStore implements AutoCloseable {
 
     /** Makes a game that is there part of a decision. */
     public void adopt(byte[] name, int decision) {
-        database.inTransaction(() -> database.update(
-            "UPDATE game SET decision = ? WHERE name = ? AND decision IS NULL", decision, name));
+        database.inTransaction(() -> {
+            database.update("UPDATE game SET decision = ? WHERE name = ? AND decision IS NULL", decision, name);
+            RowDigest.seal(database, GAME, "name = ?", (Object) name);
+            return null;
+        });
     }
 
     /**
@@ -335,6 +363,8 @@ public final class GameStore implements AutoCloseable {
             }
             database.update("UPDATE game SET name = randomblob(16), decision = NULL, counts = 0, problem = ?" + of
                 + " AND problem IS NULL", why, season, machine, machine);
+            RowDigest.seal(database, GAME, of.substring(" WHERE ".length()) + " AND problem = ?", season, machine,
+                machine, why);
             return games;
         });
     }
@@ -344,6 +374,7 @@ public final class GameStore implements AutoCloseable {
         database.inTransaction(() -> {
             for (long game : games) {
                 database.update("UPDATE game SET replay = NULL WHERE id = ?", game);
+                RowDigest.seal(database, GAME, ID, game);
             }
             return null;
         });
@@ -377,7 +408,9 @@ public final class GameStore implements AutoCloseable {
                 database.update("UPDATE seat SET own = ? WHERE game = ? AND seat = ?",
                     StoredGame.StoredSeat.text(facts.values(seat)), game, seat);
             }
-            return database.update("UPDATE game SET transcript = ? WHERE id = ?", facts.transcript(), game);
+            database.update("UPDATE game SET transcript = ? WHERE id = ?", facts.transcript(), game);
+            RowDigest.seal(database, GAME, ID, game);
+            return null;
         });
     }
 
@@ -410,9 +443,20 @@ public final class GameStore implements AutoCloseable {
         return database.with(() -> ((Number) database.value("SELECT count(*) FROM game")).longValue());
     }
 
-    /** Returns {@code ok} if the file is whole, as SQLite sees it, or what is wrong. */
+    /**
+     * Returns {@code ok} if the file is whole, as SQLite sees it, or what is wrong; values of another type than their
+     * column's are bad rows, whole as they are.
+     */
     public String integrity() {
-        return (String) database.with(() -> database.value("PRAGMA integrity_check"));
+        return database.with(() -> {
+            String found = null;
+            try (ResultSet row = database.query("PRAGMA integrity_check")) {
+                while (found == null && row.next()) {
+                    found = row.getString(1).matches("\\S+ value in \\S+") ? null : row.getString(1);
+                }
+            }
+            return found == null ? "ok" : found;
+        });
     }
 
     /**
@@ -426,6 +470,11 @@ public final class GameStore implements AutoCloseable {
                 false)) {
             own.with(() -> own.update("VACUUM INTO ?", file.toString()));
         }
+    }
+
+    /** The copy of an older form that has been brought up to date when it was opened; empty if it was up to date. */
+    public Optional<Path> before() {
+        return Optional.ofNullable(database.before());
     }
 
     /** Returns where it is. */

@@ -4,18 +4,18 @@ import java.sql.ResultSet;
 import java.sql.SQLException;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
-import java.util.Map;
 import java.util.Set;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import steward.league.Season;
+import steward.league.StoredGame.StoredSeat;
 import steward.text.TextFormat;
 
 /**
- * Finds rows of a league's database that no version of the program writes: values of another type or out of range, and
- * rows that others need and that are not there. A value that is only untrue, such as another score, is not found here.
+ * Finds rows of a league's database that no version of the program writes: values of another type or out of range, rows
+ * that others need and that are not there, and those whose {@link RowDigest} is another one.
  */
 final class RowCheck {
 
@@ -29,10 +29,6 @@ final class RowCheck {
     private static final String GAME = "'id = ' || id";
     private static final String SEAT = "'season = ' || quote(season) || ' AND version = ' || quote(version) "
         + "|| ' AND game = ' || quote(game) || ' AND seat = ' || quote(seat)";
-    private static final Pattern RANK = Pattern.compile("\\d{1,2}");
-    /** Make of seat and rank one number, different for each. */
-    private static final int SEAT_WEIGHT = 17;
-    private static final int RANK_WEIGHT = 289;
 
     private final Database database;
     private final int most;
@@ -80,83 +76,76 @@ final class RowCheck {
     }
 
     /**
-     * Looks through all tables.
+     * Looks through all tables. If digests and references are as they should be, nothing else is looked at.
      *
      * @param most after which it stops
      */
     static List<BadRow> of(Database database, int most) throws SQLException {
+        if (RowDigest.isSound(database)) {
+            return List.of();
+        }
         RowCheck check = new RowCheck(database, most);
-        check.seasons();
-        check.table("version", "'id = ' || id", List.of(Rule.small("id"), Rule.text("bot"),
+        check.rules();
+        Set<String> known = check.found.stream().map(row -> row.table() + " " + row.key()).collect(Collectors.toSet());
+        RowDigest.check(database, row -> {
+            if (!known.contains(row.table() + " " + row.key())) {
+                check.add(row);
+            }
+        });
+        return check.found;
+    }
+
+    /** Finds the rows that cannot be used in a database whose rows have no digests yet. */
+    static List<BadRow> withoutDigests(Database database) throws SQLException {
+        RowCheck check = new RowCheck(database, Integer.MAX_VALUE);
+        check.rules();
+        return check.found;
+    }
+
+    private void rules() throws SQLException {
+        seasons();
+        table("version", "'id = ' || id", List.of(Rule.small("id"), Rule.text("bot"),
             Rule.whole("number", 1, Integer.MAX_VALUE, "a whole number from 1 on"), Rule.text("command"),
-            Rule.flag("random"), Rule.whole("began")));
-        check.table("identity", "'hash = ' || quote(hash)", List.of(Rule.text("hash"),
+            Rule.flag("random"), Rule.whole("began"), new Rule("id", "NOT EXISTS (SELECT 1 FROM identity o WHERE "
+            + "o.version = t.id)", "one that a row of the table identity has")));
+        table("identity", "'hash = ' || quote(hash)", List.of(Rule.text("hash"),
             Rule.refers("version", "version"), Rule.whole("began")));
-        check.table("machine", "'id = ' || id", List.of(Rule.text("name")));
-        check.lineups();
-        check.table("game", GAME, List.of(new Rule("name", "name < x'' OR length(name) <> 16", "16 bytes"),
+        table("machine", "'id = ' || id", List.of(Rule.text("name")));
+        lineups();
+        table("game", GAME, List.of(new Rule("name", "name < x'' OR length(name) <> 16", "16 bytes"),
             Rule.refers("season", "season"), Rule.small("decision"), Rule.whole("seed", -Long.MAX_VALUE, Long.MAX_VALUE,
             "a whole number"), Rule.refers("lineup", "lineup"), Rule.text("ranks"), Rule.whole("attempt", 1,
             Integer.MAX_VALUE, "a whole number from 1 on"), Rule.whole("counts", 0, GameRows.ALL_FAILED, "0, 1 or 2"),
             Rule.small("turns"), Rule.text("problem"), new Rule("problem", "counts AND problem IS NOT NULL",
             "nothing, as the game counts"), Rule.whole("played"), Rule.refers("machine", "machine"),
             Rule.text("replay"), Rule.whole("transcript", -Long.MAX_VALUE, Long.MAX_VALUE, "a whole number")));
-        check.table("seat", SEAT, List.of(Rule.small("season"), Rule.small("version"), Rule.whole("game"),
+        table("seat", SEAT, List.of(Rule.small("season"), Rule.small("version"), Rule.whole("game"),
             Rule.whole("seat", 0, MOST_PLAYERS - 1, "a seat of the game"),
             Rule.whole("rank", 0, MOST_PLAYERS - 1, "a rank of the game"), new Rule("score", "score NOT BETWEEN "
             + "-1.7976931348623157e308 AND 1.7976931348623157e308", "a finite number"), Rule.text("fault"),
             Rule.small("answers"), Rule.whole("mean_nanos"), Rule.whole("worst_nanos"), Rule.whole("first_nanos"),
             Rule.text("own")));
-        if (check.found.isEmpty() && !check.isBalanced()) {
-            check.table("game", GAME, List.of(new Rule("lineup", seats("version")
+        ownValues();
+        if (found.isEmpty()) {
+            table("game", GAME, List.of(new Rule("lineup", seats("version")
                 + " <> (SELECT versions FROM lineup o WHERE o.id = t.lineup)", "the versions of its rows of the table "
                 + "seat"), new Rule("ranks", seats("rank") + " <> ranks", "the ranks of its rows of the table seat")));
-            check.table("seat", SEAT, List.of(new Rule("game", "NOT EXISTS (SELECT 1 FROM game o WHERE o.id = t.game "
+            table("seat", SEAT, List.of(new Rule("game", "NOT EXISTS (SELECT 1 FROM game o WHERE o.id = t.game "
                 + "AND o.season = t.season)", "a row of the table game of this season")));
         }
-        return check.found;
     }
 
-    /**
-     * True if the seats of each version are those that lineups and ranks of games say. Both tables are added up: what
-     * is missing or differs in one row makes another sum, and sums take a tenth of the time of looking each row up.
-     */
-    private boolean isBalanced() throws SQLException {
-        Map<Long, long[]> sums = new HashMap<>();
-        Map<Integer, int[]> lineups = new HashMap<>();
-        try (ResultSet row = database.query("SELECT id, versions FROM lineup")) {
-            while (row.next()) {
-                lineups.put(row.getInt(1), GameQueries.numbers(row.getString(2)));
-            }
-        }
-        try (ResultSet row = database.query("SELECT season, lineup, ranks, count(*), sum(id) FROM game "
-            + "GROUP BY season, counts, lineup, ranks")) {
-            while (row.next()) {
-                int[] lineup = lineups.get(row.getInt(2));
-                String[] ranks = row.getString(3).split(" ");
-                for (int seat = 0; seat < lineup.length; seat++) {
-                    String rank = seat < ranks.length && ranks.length == lineup.length ? ranks[seat] : "";
-                    if (!RANK.matcher(rank).matches()) {
-                        return false;
-                    }
-                    add(sums, row.getLong(1), lineup[seat], row.getLong(4), row.getLong(5)
-                        * (1 + SEAT_WEIGHT * seat + RANK_WEIGHT * Integer.parseInt(rank)));
+    private void ownValues() throws SQLException {
+        try (ResultSet row = database.query("SELECT " + SEAT + ", own FROM seat WHERE own IS NOT NULL")) {
+            while (found.size() < most && row.next()) {
+                try {
+                    StoredSeat.values(row.getString(2));
+                } catch (IllegalArgumentException problem) {
+                    add(new BadRow("seat", row.getString(1), "own", "'" + shortened(row.getString(2)) + "'",
+                        "names with numbers, such as 'laps=2.0'"));
                 }
             }
         }
-        try (ResultSet row = database.query("SELECT season, version, count(*), sum(game * (1 + " + SEAT_WEIGHT
-            + " * seat + " + RANK_WEIGHT + " * rank)) FROM seat GROUP BY season, version")) {
-            while (row.next()) {
-                add(sums, row.getLong(1), row.getInt(2), -row.getLong(3), -row.getLong(4));
-            }
-        }
-        return sums.values().stream().allMatch(sum -> sum[0] == 0 && sum[1] == 0);
-    }
-
-    private static void add(Map<Long, long[]> sums, long season, int version, long count, long sum) {
-        long[] all = sums.computeIfAbsent(season << Integer.SIZE | version, key -> new long[2]);
-        all[0] += count;
-        all[1] += sum;
     }
 
     /** Rows of the seats of a game, in their order; empty where it has none. */

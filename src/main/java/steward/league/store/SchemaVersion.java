@@ -7,10 +7,11 @@ import java.sql.SQLException;
 import java.sql.Statement;
 import java.util.List;
 import steward.files.InputException;
+import steward.files.OutputFiles;
 
 /**
  * The form of the database, with its number in {@code PRAGMA user_version}; docs/league.md says what is in each table.
- * An older form is brought up to date step by step, each in a transaction; a newer one is refused.
+ * An older form is copied, then brought up to date step by step in one transaction; a newer one is refused.
  */
 final class SchemaVersion {
 
@@ -88,7 +89,19 @@ final class SchemaVersion {
         List.of("ALTER TABLE game ADD COLUMN transcript INTEGER", "ALTER TABLE seat ADD COLUMN own TEXT"),
         // Form 3 rated games in which all players failed in the same turn, see StoredGame.allFailed.
         List.of("UPDATE game SET counts = 2 WHERE counts = 1 AND id IN (SELECT game FROM seat GROUP BY game "
-            + "HAVING count(*) > 1 AND count(fault) = count(*) AND min(answers) = max(answers))"));
+            + "HAVING count(*) > 1 AND count(fault) = count(*) AND min(answers) = max(answers))"),
+        // Rows of form 4 had no digests, and values of any type.
+        List.of("ALTER TABLE season ADD COLUMN digest INTEGER NOT NULL DEFAULT 0",
+            "ALTER TABLE version ADD COLUMN digest INTEGER NOT NULL DEFAULT 0",
+            "ALTER TABLE machine ADD COLUMN digest INTEGER NOT NULL DEFAULT 0",
+            "ALTER TABLE lineup ADD COLUMN digest INTEGER NOT NULL DEFAULT 0",
+            "ALTER TABLE game ADD COLUMN digest INTEGER NOT NULL DEFAULT 0"));
+
+    /** Makes tables strict, also those with values of other types: what SQLite stores of a strict table is the same. */
+    private static final List<String> STRICT = List.of("PRAGMA writable_schema = ON",
+        "UPDATE sqlite_schema SET sql = sql || iif(sql LIKE '%WITHOUT ROWID', ', STRICT', ' STRICT') WHERE type = "
+            + "'table' AND name IN ('season', 'version', 'identity', 'machine', 'lineup', 'game', 'seat')",
+        "PRAGMA writable_schema = RESET");
 
     /** The newest one. */
     static final int NEWEST = STEPS.size();
@@ -118,19 +131,31 @@ final class SchemaVersion {
         return found < NEWEST;
     }
 
-    /** Brings it up to date. */
-    static void migrate(Connection connection, int application) throws SQLException {
-        try (Statement statement = connection.createStatement()) {
-            statement.execute("BEGIN IMMEDIATE");
-            for (int step = number(connection, "user_version"); step < NEWEST; step++) {
-                for (String change : STEPS.get(step)) {
-                    statement.execute(change);
-                }
-            }
-            statement.execute("PRAGMA application_id = " + application);
-            statement.execute("PRAGMA user_version = " + NEWEST);
-            statement.execute("COMMIT");
+    /**
+     * Brings it up to date.
+     *
+     * @return a copy of it as it was, or {@code null} if there was nothing in it
+     */
+    static Path migrate(Database database, int application) throws SQLException {
+        int before = number(database.connection(), "user_version");
+        Path copy = before == 0 ? null : OutputFiles.copyBeside(database.file(), "before-form-" + NEWEST);
+        if (copy != null) {
+            database.update("VACUUM INTO ?", copy.toString());
         }
+        database.execute("BEGIN IMMEDIATE");
+        for (int step = number(database.connection(), "user_version"); step < NEWEST; step++) {
+            for (String change : STEPS.get(step)) {
+                database.execute(change);
+            }
+        }
+        RowDigest.sealAll(database, RowCheck.withoutDigests(database));
+        for (String change : STRICT) {
+            database.execute(change);
+        }
+        database.execute("PRAGMA application_id = " + application);
+        database.execute("PRAGMA user_version = " + NEWEST);
+        database.execute("COMMIT");
+        return copy;
     }
 
     static int number(Connection connection, String pragma) throws SQLException {

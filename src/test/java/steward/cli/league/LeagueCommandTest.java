@@ -13,10 +13,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermission;
 import java.nio.file.attribute.PosixFilePermissions;
-import java.sql.Connection;
-import java.sql.DriverManager;
 import java.sql.SQLException;
-import java.sql.Statement;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.ExecutionException;
@@ -35,6 +32,7 @@ import steward.cli.streams.Streams;
 import steward.league.LeagueFolder;
 import steward.league.Season;
 import steward.league.store.GameStore;
+import steward.league.store.OlderForm;
 import steward.machines.token.SharedBrokerKey;
 import steward.match.TestScenes;
 
@@ -258,10 +256,7 @@ class LeagueCommandTest {
             + "10 games of before; expected 'steward league run TMP/a --keep-rules', which goes on by the rules of "
             + "before, or 'steward league run TMP/a --new-season', which begins a new table and keeps the old games\n",
             refused("run", "TMP/a", "--games", "10"));
-        try (Connection database = DriverManager.getConnection("jdbc:sqlite:" + folder.resolve("a/league.db"));
-             Statement statement = database.createStatement()) {
-            statement.execute("PRAGMA user_version = 3");
-        }
+        OlderForm.of(folder.resolve("a/league.db"), 3);
         String said = league("run", "TMP/a", "--games", "10", "--keep-rules").done().err();
         assertTrue(said.replace(folder.toString(), "TMP").startsWith("steward: TMP/a/scene.json is the scene with the "
             + "rules of before, and league.json names it\n"), said);

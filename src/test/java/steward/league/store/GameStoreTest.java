@@ -259,10 +259,9 @@ class GameStoreTest {
             store.open(alone);
             store.open(SEASON);
         }
-        run("ALTER TABLE season DROP COLUMN lower_is_better", "ALTER TABLE game DROP COLUMN transcript",
-            "ALTER TABLE seat DROP COLUMN own", "PRAGMA user_version = 1");
+        OlderForm.of(folder.database(), 1);
         assertEquals("DB: found a database of an older form, expected one that 'steward league run' has made or "
-            + "brought up to date", refusal(false));
+            + "'steward league verify' has brought up to date", refusal(false));
         try (GameStore store = GameStore.write(folder)) {
             assertEquals(SEASON, store.lastSeason().orElseThrow());
             store.open(alone);
@@ -283,8 +282,11 @@ class GameStoreTest {
                 new StoredSeat(b.id(), 0, 0, "exited", 1, 100, 100, 100)));
             store.add(season, List.of(failed, game(a, b, 8, -1, 1, true)));
         }
-        for (String older : List.of("UPDATE game SET decision = decision", "UPDATE game SET counts = 1")) {
-            run(older, "PRAGMA user_version = " + (older.contains("counts") ? 3 : SchemaVersion.NEWEST));
+        for (boolean older : List.of(false, true)) {
+            if (older) {
+                run("UPDATE game SET counts = 1");
+                OlderForm.of(folder.database(), 3);
+            }
             try (GameStore store = GameStore.write(folder)) {
                 assertEquals(List.of(), store.badRows(1));
                 assertTrue(store.outcome(failed.name()).orElseThrow().allFailed());

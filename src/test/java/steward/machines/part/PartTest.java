@@ -40,6 +40,7 @@ import steward.league.play.RosterReader;
 import steward.league.store.GameQueries;
 import steward.league.store.GameStore;
 import steward.league.store.PartStore;
+import steward.league.store.SealedRows;
 import steward.league.store.SeasonOpening;
 import steward.machines.check.GzipText;
 import steward.machines.check.TranscriptWriter;
@@ -192,6 +193,12 @@ class PartTest {
         edit("UPDATE transcript SET text = ? WHERE game = 1", (Object) gzip);
     }
 
+    /** Changes rows with their digests. */
+    private void forge(String sql) throws SQLException {
+        edit(sql);
+        SealedRows.ofPart(folder.resolve("part1.db"));
+    }
+
     private void put(String text) throws SQLException {
         put(GzipText.compressed(text.getBytes(StandardCharsets.UTF_8)));
     }
@@ -222,10 +229,12 @@ class PartTest {
         edit("UPDATE game SET ranks = '1 0' WHERE id = 1");
         refused("table game, row id = 1, column ranks: found '1 0'");
         edit("UPDATE game SET ranks = '0 1', turns = 7 WHERE id = 1");
+        refused("table game, row id = 1, column digest: found");
+        forge("UPDATE game SET turns = 7 WHERE id = 1");
         refused("found 7 turns");
-        edit("UPDATE game SET counts = 0 WHERE id = 2");
+        forge("UPDATE game SET counts = 0 WHERE id = 2");
         refused("found attempt 1 that does not count, expected that the last one counts");
-        edit("UPDATE game SET decision = 3, seed = 9 WHERE id = 1");
+        forge("UPDATE game SET decision = 3, seed = 9 WHERE id = 1");
         refused("found decision 3 with the seed 9, expected a game of part 1/3");
     }
 

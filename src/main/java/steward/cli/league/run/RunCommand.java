@@ -148,6 +148,8 @@ public final class RunCommand extends ProgramCommand {
         try (FolderLock lock = FolderLock.take(folder);
              GameStore store = durable ? GameStore.durable(folder) : GameStore.write(folder);
              GameStore viewed = GameStore.unchecked(folder, false)) {
+            store.before().ifPresent(copy -> streams.err().println("steward: " + folder.database()
+                + ": brought up to date; as it was: " + copy));
             int number = SeasonOpening.open(folder, settings, store, season, anew);
             EarlierFacts.add(folder, store, Games.types());
             return play(folder, settings, store, new GameQueries(viewed, number, season), season, number, contest,

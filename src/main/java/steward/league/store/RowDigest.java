@@ -1,0 +1,249 @@
+package steward.league.store;
+
+import java.nio.charset.StandardCharsets;
+import java.sql.ResultSet;
+import java.sql.SQLException;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Consumer;
+import java.util.stream.Collectors;
+import steward.numerics.StateHash;
+
+/**
+ * Digests of rows, in their column {@code digest}: of all other columns in their order, plus those of the rows of
+ * another table that belong to the row, such as the seats of a game. A row that is changed by anything but this program
+ * no longer has its digest. That is meant against accidents, a bit of the disk or a statement by hand; whoever wants
+ * to forge a row can compute its digest, too. Who writes or changes a row seals it in the same transaction.
+ */
+final class RowDigest {
+
+    /**
+     * A table whose rows have digests. Each has the column {@code id}. A column of any table that is called like one of
+     * them refers to its rows.
+     *
+     * @param part  the table whose rows belong to a row of this one, or {@code null}
+     * @param owner its column with the id of the row to which they belong
+     */
+    private record Table(String name, String part, String owner) {
+
+        String rows() {
+            return part == null ? "the row" : "the row and its rows of the table " + part;
+        }
+    }
+
+    /** Each stands behind those to which it refers. */
+    private static final List<Table> TABLES = List.of(new Table("season", null, null),
+        new Table("version", "identity", "version"), new Table("machine", null, null), new Table("lineup", null, null),
+        new Table("game", "seat", "game"));
+    /** Stands for a value that is not there. */
+    private static final long NOTHING = 0x6E6F7468696E67L;
+
+    private RowDigest() { }
+
+    /** Types of columns: the tables are strict, so that no other value stands in them. */
+    private enum Kind { INTEGER, REAL, TEXT, BLOB }
+
+    /**
+     * A column.
+     *
+     * @param isAlways true if it has a value in each row: then one call asks for it
+     * @param referred the rows to which it refers; {@code null} if it refers to none, or they are not known
+     */
+    private record Column(String name, Kind kind, boolean isAlways, Rows referred) { }
+
+    /** Rows by ascending id, each with a digest as it is stored and as it is computed. */
+    private static final class Rows {
+        private long[] ids = new long[16];
+        private long[] stored = new long[16];
+        private long[] computed = new long[16];
+        private int size;
+        /** True if a row refers to another that is not there. */
+        private boolean broken;
+
+        void add(long id, long digest, long found) {
+            if (size == ids.length) {
+                ids = Arrays.copyOf(ids, 2 * size);
+                stored = Arrays.copyOf(stored, 2 * size);
+                computed = Arrays.copyOf(computed, 2 * size);
+            }
+            ids[size] = id;
+            stored[size] = digest;
+            computed[size++] = found;
+        }
+
+        /** Adds a part's digest to that of its row, if there is one. */
+        void addPart(long id, long digest) {
+            int row = find(id);
+            if (row >= 0) {
+                computed[row] += digest;
+            }
+        }
+
+        /** The place of an id; negative if it is not there. */
+        int find(long id) {
+            long guess = size == 0 ? -1 : id - ids[0];                    // right where no row is missing
+            return guess >= 0 && guess < size && ids[(int) guess] == id ? (int) guess
+                : Arrays.binarySearch(ids, 0, size, id);
+        }
+
+        boolean isSound() {
+            return !broken && Arrays.equals(stored, 0, size, computed, 0, size);
+        }
+    }
+
+    /** Computes the digest of values in the order of their columns. */
+    static long of(Object... values) {
+        StateHash hash = new StateHash();
+        for (Object value : values) {
+            if (value == null) {
+                hash.add(NOTHING);
+            } else if (value instanceof Double number) {
+                hash.add(number + 0.0);                                   // SQLite does not keep the sign of 0
+            } else if (value instanceof Number whole) {
+                hash.add(whole.longValue());
+            } else {
+                add(hash, value instanceof String text ? text.getBytes(StandardCharsets.UTF_8) : (byte[]) value);
+            }
+        }
+        return hash.value();
+    }
+
+    private static void add(StateHash hash, byte[] bytes) {
+        hash.add((long) bytes.length);
+        for (int from = 0; from < bytes.length; from += Long.BYTES) {
+            long word = 0;
+            for (int k = from; k < Math.min(bytes.length, from + Long.BYTES); k++) {
+                word = word << Byte.SIZE | bytes[k] & 0xFF;
+            }
+            hash.add(word);
+        }
+    }
+
+    /** Gives rows of a table the digests that they should have. */
+    static void seal(Database database, String table, String where, Object... values) throws SQLException {
+        Table of = TABLES.stream().filter(each -> each.name().equals(table)).findFirst().orElseThrow();
+        List<Long> ids = new ArrayList<>();
+        try (ResultSet row = database.query("SELECT id FROM " + table + " WHERE " + where, values)) {
+            while (row.next()) {
+                ids.add(row.getLong(1));
+            }
+        }
+        for (long id : ids) {
+            set(database, of, rows(database, of, null, " WHERE id = ?", " WHERE " + of.owner() + " = ?", id));
+        }
+    }
+
+    /** Gives all rows their digests, but those that cannot be used: an earlier form had none. */
+    static void sealAll(Database database, List<BadRow> unusable) throws SQLException {
+        for (Table table : TABLES) {
+            set(database, table, rows(database, table, null, "", ""));
+            for (BadRow row : unusable) {
+                String which = row.table().equals(table.name()) ? row.key() : row.table().equals(table.part())
+                    ? "id IN (SELECT " + table.owner() + " FROM " + table.part() + " WHERE " + row.key() + ")" : "0";
+                database.execute("UPDATE " + table.name() + " SET digest = 0 WHERE " + which);
+            }
+        }
+    }
+
+    private static void set(Database database, Table table, Rows rows) throws SQLException {
+        for (int k = 0; k < rows.size; k++) {
+            database.update("UPDATE " + table.name() + " SET digest = ? WHERE id = ?", rows.computed[k], rows.ids[k]);
+        }
+    }
+
+    /** True if all rows have their digests, and none refers to another that is not there. */
+    static boolean isSound(Database database) throws SQLException {
+        Map<String, Rows> known = new HashMap<>();
+        boolean sound = true;
+        for (Table table : TABLES) {
+            sound = sound && rows(database, table, known, "", "").isSound();
+        }
+        return sound;
+    }
+
+    /** Finds rows whose digest is another one. */
+    static void check(Database database, Consumer<BadRow> taker) throws SQLException {
+        for (Table table : TABLES) {
+            Rows rows = rows(database, table, null, "", "");
+            for (int k = 0; k < rows.size; k++) {
+                if (rows.stored[k] != rows.computed[k]) {
+                    taker.accept(new BadRow(table.name(), "id = " + rows.ids[k], "digest",
+                        Long.toString(rows.stored[k]), rows.computed[k] + ", which follows from " + table.rows()
+                        + ": a value was changed"));
+                }
+            }
+        }
+    }
+
+    /** @param known the rows of tables, those of this one are added; {@code null} if nobody asks for references */
+    private static Rows rows(Database database, Table table, Map<String, Rows> known, String where, String partWhere,
+                             Object... values) throws SQLException {
+        Rows rows = new Rows();
+        scan(database, table.name(), known, "id, digest", where + " ORDER BY id", rows,
+            rows::add, values);
+        if (known != null) {
+            known.put(table.name(), rows);
+        }
+        if (table.part() != null) {
+            scan(database, table.part(), known, table.owner() + ", 0", partWhere, rows,
+                (id, none, digest) -> rows.addPart(id, digest), values);
+        }
+        return rows;
+    }
+
+    /** Takes a row: the two columns that stand before the others, and the digest of these. */
+    private interface RowTaker {
+        void take(long first, long second, long digest);
+    }
+
+    /** @param first two columns that stand before the others */
+    private static void scan(Database database, String table, Map<String, Rows> known, String first, String which,
+                             Rows rows, RowTaker taker, Object... values) throws SQLException {
+        Column[] columns = columns(database, table, known);
+        StateHash hash = new StateHash();
+        try (ResultSet row = database.query("SELECT " + first + ", " + Arrays.stream(columns).map(Column::name)
+            .collect(Collectors.joining(", ")) + " FROM " + table + which, values)) {
+            while (row.next()) {
+                hash.reset();
+                for (int k = 0; k < columns.length; k++) {
+                    rows.broken |= !add(hash, row, k + 3, columns[k]);
+                }
+                taker.take(row.getLong(1), row.getLong(2), hash.value());
+            }
+        }
+    }
+
+    /** Adds a value. @return false if it refers to a row that is not there */
+    private static boolean add(StateHash hash, ResultSet row, int place, Column column) throws SQLException {
+        if (column.kind() == Kind.TEXT || column.kind() == Kind.BLOB) {
+            byte[] bytes = row.getBytes(place);
+            if (bytes == null) {
+                hash.add(NOTHING);
+            } else {
+                add(hash, bytes);
+            }
+        } else if (column.kind() == Kind.REAL) {
+            hash.add(row.getDouble(place) + 0.0);
+        } else {
+            long whole = row.getLong(place);
+            hash.add(whole == 0 && !column.isAlways() && row.wasNull() ? NOTHING : whole);
+            return column.referred() == null || column.referred().find(whole) >= 0;
+        }
+        return true;
+    }
+
+    private static Column[] columns(Database database, String table, Map<String, Rows> known) throws SQLException {
+        List<Column> columns = new ArrayList<>();
+        try (ResultSet row = database.query("SELECT name, type, \"notnull\" OR pk FROM pragma_table_info(?) "
+            + "WHERE name <> 'digest'", table)) {
+            while (row.next()) {
+                columns.add(new Column(row.getString(1), Kind.valueOf(row.getString(2)), row.getBoolean(3),
+                    known == null ? null : known.get(row.getString(1))));
+            }
+        }
+        return columns.toArray(new Column[0]);
+    }
+}
