@@ -147,12 +147,14 @@ public final class WorkerCommand extends ProgramCommand {
             join(playing, over);
             return TextFormat.count(worker.played(), "game") + " played";
         })) {
-            worker.play();
+            try {
+                worker.play();
+            } finally {
+                over.set(true);                        // before the interruption is waited for
+            }
         } catch (Worker.RefusedException | InputException end) {
             log.err().println("steward: " + TextFormat.plain(end.getMessage()));
             return end instanceof InputException ? ExitStatus.FAILED : ExitStatus.REFUSED;
-        } finally {
-            over.set(true);
         }
         streams.out().println(TextFormat.count(worker.played(), "game") + " played");
         return ExitStatus.DONE;

@@ -17,7 +17,10 @@ public final class Interruption implements AutoCloseable {
         this(streams, kept == null ? null : () -> kept);
     }
 
-    /** @param kept is called at the interruption, on another thread; gives {@code null} to print nothing */
+    /**
+     * @param kept is called at the interruption, on another thread; gives {@code null} to print nothing. It must not
+     *             wait for who closes this
+     */
     public Interruption(Streams streams, Supplier<String> kept) {
         hooks = streams.hooks();
         hook = kept == null ? null : new Thread(() -> {
@@ -36,11 +39,24 @@ public final class Interruption implements AutoCloseable {
         over = true;
     }
 
+    /** Waits if it has begun to say where the results are: it needs what is closed after this. */
     @Override
     public void close() {
         over = true;
-        if (hook != null) {
-            hooks.remove(hook);
+        if (hook == null) {
+            return;
+        }
+        hooks.remove(hook);
+        boolean interrupted = false;
+        while (hook.isAlive()) {
+            try {
+                hook.join();
+            } catch (InterruptedException again) {
+                interrupted = true;
+            }
+        }
+        if (interrupted) {
+            Thread.currentThread().interrupt();
         }
     }
 }
