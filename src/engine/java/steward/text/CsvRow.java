@@ -1,17 +1,24 @@
 package steward.text;
 
+import java.util.regex.Pattern;
+
 /**
  * A row of a table of comma-separated values (RFC 4180, but with the end of line that Unix has). Built cell by cell,
- * from left to right.
+ * from left to right. A text that a spreadsheet would take for a formula has an apostrophe before it.
  */
 public final class CsvRow {
+
+    /** Begins of formulas; apostrophes before one are part of the text. */
+    private static final Pattern FORMULA = Pattern.compile("'*[=+@\\-\t\r].*", Pattern.DOTALL);
+    private static final Pattern NUMBER = Pattern.compile("-?(\\d+(\\.\\d+)?(E-?\\d+)?|Infinity)");
 
     private final StringBuilder line = new StringBuilder();
     private boolean begun;
 
     /** Cells of words or numbers, each quoted if something in it would otherwise be read as part of the table. */
     public CsvRow words(String... cells) {
-        for (String cell : cells) {
+        for (String given : cells) {
+            String cell = shielded(given);
             boolean special = cell.chars().anyMatch(c -> c == ',' || c == '"' || c == '\n' || c == '\r');
             put(special ? quoted(cell) : cell);
         }
@@ -20,8 +27,17 @@ public final class CsvRow {
 
     /** A cell of free text, always quoted. */
     public CsvRow text(String cell) {
-        put(quoted(cell));
+        put(quoted(shielded(cell)));
         return this;
+    }
+
+    private static String shielded(String cell) {
+        return FORMULA.matcher(cell).matches() && !NUMBER.matcher(cell).matches() ? "'" + cell : cell;
+    }
+
+    /** Returns the text of a cell as it was before {@link #words} or {@link #text} put an apostrophe before it. */
+    public static String unshielded(String cell) {
+        return cell.startsWith("'") && FORMULA.matcher(cell).matches() ? cell.substring(1) : cell;
     }
 
     private void put(String written) {

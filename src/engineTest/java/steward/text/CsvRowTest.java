@@ -31,4 +31,20 @@ class CsvRowTest {
     void anEmptyFirstCellIsACell() {
         assertEquals(",1\n", new CsvRow().words("", "1").line());
     }
+
+    /** Spreadsheets compute what begins so, also when it is quoted. */
+    @Test
+    void noTextBeginsAsAFormula() {
+        for (String text : new String[] {"=cmd()", "+1+1", "-x", "@SUM(A1)", "\t=1", "\r=1", "'=1", "''-x", "1E400-1"}) {
+            String line = new CsvRow().words(text).line();
+            String cell = line.substring(0, line.length() - 1).replaceAll("^\"|\"$", "");
+            assertEquals(text.startsWith("1") ? text : "'" + text, cell);
+            assertEquals(text, CsvRow.unshielded(cell));
+            assertEquals('"' + cell + "\"\n", new CsvRow().text(text).line());
+        }
+        assertEquals("-1,-1.5E-7,-Infinity,'mine' x,'\n",
+            new CsvRow().words("-1", "-1.5E-7", "-Infinity", "'mine' x", "'").line());
+        assertEquals("'mine' x", CsvRow.unshielded("'mine' x"));
+        assertEquals("-1", CsvRow.unshielded("-1"));
+    }
 }

@@ -168,7 +168,7 @@ final class GameFile {
             } else if (c == '"') {
                 quoted = !quoted;
             } else if (c == ',' && !quoted) {
-                cells.add(cell.toString());
+                cells.add(CsvRow.unshielded(cell.toString()));
                 cell.setLength(0);
             } else {
                 cell.append(c);
@@ -177,7 +177,7 @@ final class GameFile {
         if (quoted) {
             throw new InputException(place + ": found a quotation mark that does not end, expected one more");
         }
-        cells.add(cell.toString());
+        cells.add(CsvRow.unshielded(cell.toString()));
         return cells;
     }
 }

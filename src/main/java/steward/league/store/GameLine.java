@@ -7,14 +7,18 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.SortedMap;
+import java.util.function.Predicate;
+import java.util.regex.Pattern;
 import steward.contest.Attempts;
 import steward.files.InputException;
 import steward.league.GameName;
+import steward.league.LeagueReader;
 import steward.league.Season;
 import steward.league.StoredGame;
 import steward.league.StoredGame.StoredSeat;
 import steward.league.store.GameStore.Version;
 import steward.numerics.StateHash;
+import steward.text.TextFormat;
 
 /**
  * One game as a line of text fields, for other programs and other leagues: what it was, and each seat with the identity
@@ -33,6 +37,11 @@ public final class GameLine {
         "fault", "answers", "meanNanos", "worstNanos", "firstNanos", GameLine.VALUES);
     /** Fields that games exported by earlier versions do not have. */
     public static final List<String> OPTIONAL = List.of(GameLine.TRANSCRIPT, GameLine.VALUES);
+
+    private static final Predicate<String> IDENTITY = Pattern.compile("[0-9a-f]{1,64}").asMatchPredicate();
+    /** Characters of a command or a machine at most. */
+    private static final int LONGEST_LINE = 10_000;
+    private static final int LONGEST_SHOWN = 60;
 
     private GameLine() { }
 
@@ -106,7 +115,8 @@ public final class GameLine {
             long seed = number(place, game, "seed", Long.MIN_VALUE, Long.MAX_VALUE);
             int attempt = (int) number(place, game, "attempt", 1, Attempts.MOST);
             byte[] name = GameName.of(season, seed,
-                seats.stream().map(seat -> text(place, seat, "identity")).toList(), attempt);
+                seats.stream().map(seat -> matching(place, seat, "identity", IDENTITY, "up to 64 hexadecimal digits"))
+                    .toList(), attempt);
             if (!HexFormat.of().formatHex(name).equals(text(place, game, "name"))) {
                 throw new InputException(place + ": name: found '" + game.get("name")
                     + "', expected that of its seed, attempt and identities, " + HexFormat.of().formatHex(name));
@@ -114,25 +124,45 @@ public final class GameLine {
             List<StoredSeat> stored = new ArrayList<>();
             seats.forEach(seat -> stored.add(seat(place, seat,
                 known ? version(place, seat).id() : checked(place, seat))));
-            String problem = game.getOrDefault("problem", "");
+            String problem = inOneLine(game.getOrDefault("problem", ""));
             return new StoredGame(0, name, game.getOrDefault("decision", "").isEmpty() ? -1
                 : (int) number(place, game, "decision", 0, Integer.MAX_VALUE), seed, attempt,
                 flag(place, game, "counts") && problem.isEmpty(),
                 (int) number(place, game, "turns", 0, Integer.MAX_VALUE), problem.isEmpty() ? null : problem,
-                number(place, game, "played", 0, Long.MAX_VALUE), text(place, game, "machine"), null,
+                number(place, game, "played", 0, Long.MAX_VALUE), line(place, game, "machine"), null,
                 transcript(place, game), stored);
         }
 
         private static int checked(String place, Map<String, String> seat) {
-            for (String name : List.of("bot", "command", "identity")) {
-                text(place, seat, name);
-            }
+            matching(place, seat, "bot", LeagueReader::isName, LeagueReader.NAME_FORM);
+            line(place, seat, "command");
             flag(place, seat, "random");
             return 0;
         }
 
+        /** A text that is printed as it is: in one line, and without characters that steer a terminal. */
+        private static String line(String place, Map<String, String> fields, String name) {
+            return matching(place, fields, name, text -> text.length() <= LONGEST_LINE
+                && text.chars().noneMatch(c -> TextFormat.isUnsafe((char) c)), "a line of at most " + LONGEST_LINE
+                + " characters without control characters");
+        }
+
+        private static String matching(String place, Map<String, String> fields, String name, Predicate<String> form,
+                                       String expected) {
+            String text = text(place, fields, name);
+            if (!form.test(text)) {
+                throw new InputException(place + ": " + name + ": found '" + inOneLine(TextFormat.shorten(text,
+                    LONGEST_SHOWN)) + "', expected " + expected);
+            }
+            return text;
+        }
+
+        private static String inOneLine(String text) {
+            return TextFormat.plain(text).replace('\n', '?').replace('\t', '?');
+        }
+
         private static StoredSeat seat(String place, Map<String, String> seat, int version) {
-            String fault = seat.getOrDefault("fault", "");
+            String fault = inOneLine(seat.getOrDefault("fault", ""));
             return new StoredSeat(version, (int) number(place, seat, "rank", 0, Integer.MAX_VALUE),
                 score(place, seat), fault.isEmpty() ? null : fault,
                 (int) number(place, seat, "answers", 0, Integer.MAX_VALUE),

@@ -106,6 +106,38 @@ class LeagueCommandTest {
         assertTrue(refused("import", "TMP/other", "TMP/games.csv").contains("found a game of another season"));
     }
 
+    /** What {@code add} refuses comes in by no other way. */
+    @Test
+    @Tag("slow")
+    void namesThatAddRefusesAreNotImported() throws IOException {
+        generated("a", 6);
+        String games = done("export", "TMP/a");
+        String csv = done("export", "TMP/a", "--format", "csv");
+        done("init", "TMP/b", "--scene", "duel");
+        for (String name : List.of("a,b", "=cmd()", "a\\nb", "\\u001b[2J", "x".repeat(300), "a b", "a@elsewhere")) {
+            Files.writeString(folder.resolve("games.jsonl"), games.replace("\"bot\":\"bot-1\"",
+                "\"bot\":\"" + name + "\""));
+            String refused = refused("import", "TMP/b", "TMP/games.jsonl");
+            assertTrue(refused.matches("steward: TMP/games.jsonl:\\d: bot: found '[^\\p{Cntrl}]{1,60}', expected 1 to "
+                + "100 letters, digits, dots, underscores and hyphens\n"), refused);
+        }
+        Files.writeString(folder.resolve("games.csv"), csv.replace("bot-1", "\"a,b\""));
+        assertTrue(refused("import", "TMP/b", "TMP/games.csv").contains(": bot: found 'a,b', expected 1 to 100"));
+        for (String field : List.of("command", "machine")) {
+            Files.writeString(folder.resolve("games.jsonl"), games.replaceFirst("\"" + field + "\":\"",
+                "$0\\\\u001b"));
+            assertTrue(refused("import", "TMP/b", "TMP/games.jsonl").contains(":1: " + field + ": found '?"));
+        }
+        assertTrue(refused("table", "TMP/b").contains("has been played"), "nothing was stored");
+        Files.writeString(folder.resolve("games.jsonl"), games.replace("\"bot\":\"bot-1\"", "\"bot\":\"-x\""));
+        assertEquals("6 games stored\n", done("import", "TMP/b", "TMP/games.jsonl"));
+        assertTrue(done("table", "TMP/b", "--csv").contains(",'-x,"));
+        Files.writeString(folder.resolve("games.csv"), done("export", "TMP/b", "--format", "csv"));
+        done("init", "TMP/c", "--scene", "duel");
+        done("import", "TMP/c", "TMP/games.csv");
+        assertEquals(done("table", "TMP/b", "--csv"), done("table", "TMP/c", "--csv"));
+    }
+
     /** Versions have the numbers in which they came, and sums the rounding of their order. */
     private static String rounded(String json) {
         return json.replaceAll("\"version\":\\d+", "").replaceAll("(\\.\\d{6})\\d+", "$1");
