@@ -103,7 +103,12 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
 
     /** Returns this contest with limits on another clock. */
     public Contest limitedBy(TimeBasis basis) {
-        return new Contest(setup, entrants, time.by(basis), timeFactor, key, isolation, starter);
+        return limitedBy(time.by(basis));
+    }
+
+    /** Returns this contest with other limits, which its factor does not tell. */
+    public Contest limitedBy(TimeControl limits) {
+        return new Contest(setup, entrants, limits, timeFactor, key, isolation, starter);
     }
 
     /**

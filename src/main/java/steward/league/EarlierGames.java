@@ -64,6 +64,14 @@ public final class EarlierGames {
         return count == 0 ? -1 : decision(count - 1);
     }
 
+    /** Tells of every game that was not taken, by decision. */
+    void each(BiConsumer<Integer, int[]> decisionAndLineup) {
+        sort();
+        for (int game = place; game < count; game++) {
+            decisionAndLineup.accept(decision(game), lineups.get((int) games[game]));
+        }
+    }
+
     /** The first decision that has no game. */
     public int firstOpen() {
         sort();

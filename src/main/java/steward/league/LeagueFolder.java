@@ -126,10 +126,20 @@ public record LeagueFolder(Path path) {
         }
     }
 
-    /** Replaces the settings as a whole: a run that is under way sees the old ones or the new ones. */
+    /**
+     * Replaces the settings as a whole: a run that is under way sees the old ones or the new ones.
+     *
+     * @throws InputException if they could not be read again, or not be written
+     */
     public void write(LeagueSettings settings) {
+        String text = LeagueText.write(settings);
         try {
-            OutputFiles.replace(settings(), LeagueText.write(settings).getBytes(StandardCharsets.UTF_8));
+            LeagueReader.read(text, settings().toString());
+        } catch (SceneException unusable) {
+            throw new InputException(unusable.getMessage() + "; nothing was written");
+        }
+        try {
+            OutputFiles.replace(settings(), text.getBytes(StandardCharsets.UTF_8));
         } catch (IOException problem) {
             throw new InputException(settings() + ": cannot be written: " + OutputFiles.reason(settings(), problem));
         }

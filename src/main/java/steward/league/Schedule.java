@@ -3,7 +3,9 @@ package steward.league;
 import java.util.ArrayDeque;
 import java.util.Arrays;
 import java.util.Collection;
+import java.util.Collections;
 import java.util.Deque;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -46,12 +48,26 @@ public final class Schedule {
     private List<Integer> active = List.of();
     private Pairing pairing;
     private RepeatedGroups repeated;
+    /** With a plan: decisions by group, also those of earlier runs that are still to come; {@code null} without. */
+    private Map<List<Integer>, Integer> decided;
+    private Plan plan;
     private Predicate<int[]> mayMeet = group -> true;
     private IntPredicate end = number -> false;
     private boolean ended;
     private int next;
     private final int last;
     private long games;
+
+    /** How often each group is decided on, where that is fixed beforehand. */
+    public interface Plan {
+
+        /**
+         * Returns the number of decisions in all, those of earlier runs included.
+         *
+         * @param group versions, ascending; where each plays alone, none: it is of all
+         */
+        int decisions(List<Integer> group);
+    }
 
     /**
      * A game to be played.
@@ -143,6 +159,25 @@ public final class Schedule {
         return true;
     }
 
+    /**
+     * Decides on each group as often as a plan says, also where its games are repeats; before {@link #play}.
+     *
+     * @param maker makes the plan from the decisions by group so far
+     */
+    public void following(Function<Map<List<Integer>, Integer>, Plan> maker) {
+        if (decided == null) {
+            decided = new HashMap<>();
+            int[] before = {-1};
+            earlier.each((decision, lineup) -> {
+                if (decision != before[0]) {
+                    decided.merge(group(lineup), 1, Integer::sum);
+                }
+                before[0] = decision;
+            });
+        }
+        plan = maker.apply(Collections.unmodifiableMap(decided));
+    }
+
     /** Asks no more for groups whose games only repeat earlier ones; it ends where there are no others. */
     public void without(RepeatedGroups groups) {
         repeated = groups;
@@ -154,12 +189,41 @@ public final class Schedule {
     }
 
     private boolean isWanted(int... group) {
-        return mayMeet.test(group) && !repeated.isRepeated(group);
+        if (plan == null) {
+            return mayMeet.test(group) && !repeated.isRepeated(group);
+        }
+        List<Integer> versions = Arrays.stream(group).boxed().toList();
+        return mayMeet.test(group) && decided.getOrDefault(versions, 0) < plan.decisions(versions);
+    }
+
+    /** Versions of a decision, ascending; where each plays alone, nothing: it is of all. */
+    private List<Integer> group(int... lineup) {
+        return players == 1 ? List.of() : Arrays.stream(lineup).sorted().boxed().toList();
+    }
+
+    /** Number of games that the plan has still to come; before the first is given out. */
+    public long planned() {
+        long[] left = {0};
+        if (players == 1) {
+            left[0] = (long) active.size() * Math.max(last + 1, plan.decisions(List.of()));
+        } else {
+            RoundOrder.groups(active, players, -1).stream().filter(mayMeet).map(this::group)
+                .forEach(group -> left[0] += (long) players * Math.max(decided.getOrDefault(group, 0),
+                    plan.decisions(group)));
+        }
+        earlier.each((decision, lineup) ->
+            left[0] -= Arrays.stream(lineup).allMatch(active::contains) ? 1 : 0);
+        return left[0];
+    }
+
+    /** True if, where each plays alone, there is nothing left to decide. */
+    private boolean isAloneOver(int number) {
+        return plan == null ? repeated.isRepeated() : number >= plan.decisions(List.of());
     }
 
     /** True if it has ended since all groups only repeat games. */
     public boolean isRepeated() {
-        return ended && (players == 1 ? repeated.isRepeated()
+        return ended && plan == null && (players == 1 ? repeated.isRepeated()
             : pairing.choose(this::isWanted) == null);
     }
 
@@ -252,7 +316,7 @@ public final class Schedule {
         }
         List<int[]> done = earlier.take(number);
         repeated.goTo(number - lag + 1);
-        if (done.isEmpty() && number > last && (players == 1 && repeated.isRepeated() || end.test(number))) {
+        if (done.isEmpty() && number > last && (players == 1 && isAloneOver(number) || end.test(number))) {
             ended = true;
             next--;
             return;
@@ -264,9 +328,12 @@ public final class Schedule {
         } else {
             int[] versions = done.isEmpty() ? choose(number) : Lineups.sorted(done.get(0));
             if (versions == null) {
-                ended = true;
-                next--;
+                ended = number > last;             // those before the last one have been decided on already
+                next -= ended ? 1 : 0;
                 return;
+            }
+            if (plan != null && done.isEmpty()) {
+                decided.merge(group(versions), 1, Integer::sum);
             }
             made(1, versions);
             lineups = Lineups.rotations(versions);

@@ -6,25 +6,74 @@ import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import steward.cli.check.BotCheck;
 import steward.cli.check.CheckCommand;
 import steward.cli.check.Dialog;
+import steward.cli.league.view.GameFailures;
+import steward.contest.Failure;
+import steward.league.StoredGame;
+import steward.league.StoredGame.StoredSeat;
+import steward.league.page.EmbeddedReplays;
+import steward.league.page.LeaguePage;
+import steward.replay.page.ReplayPage;
 import steward.text.TextFormat;
 
 /**
- * The page of one author: what the check of the program found, the compiler's error, what the program was sent and
- * answered, and how it failed in the tournament.
+ * The page of one author: what the check of the program found, the compiler's error, its games with the replays of
+ * those that it lost or failed in, and what it was sent and answered in the check. Of other programs it has names,
+ * results and moves, never their stderr or source.
  *
  * @param entry   the program
- * @param games   lines about its games; none before they are played
+ * @param version that plays, or -1 before that is known
+ * @param games   its games that count, the latest first
+ * @param names   of all versions
+ * @param replays the folder of kept replays
  */
-record AuthorPage(TournamentCommand.Entry entry, List<String> games) {
+record AuthorPage(TournamentCommand.Entry entry, int version, List<StoredGame> games, Map<Integer, String> names,
+                  Path replays) {
+
+    /** The page before games are played. */
+    static AuthorPage before(TournamentCommand.Entry entry) {
+        return new AuthorPage(entry, -1, List.of(), Map.of(), null);
+    }
+
+    /** The page with the games of the tournament. */
+    static AuthorPage of(TournamentCommand.Entry entry, PlayedGames played, Path replays) {
+        int version = played.versionOf(entry.name());
+        List<StoredGame> games = played.counted().stream().filter(game -> game.seats().stream()
+            .anyMatch(seat -> seat.version() == version))
+            .sorted(Comparator.comparingLong(StoredGame::id).reversed()).toList();
+        return new AuthorPage(entry, version, games, played.names(), replays);
+    }
+
+    private StoredSeat own(StoredGame game) {
+        return game.seats().stream().filter(seat -> seat.version() == version).findFirst().orElseThrow();
+    }
+
+    private Stream<StoredSeat> others(StoredGame game) {
+        return game.seats().stream().filter(seat -> seat.version() != version);
+    }
 
     void write(Path file) throws IOException {
-        StringBuilder page = new StringBuilder(Html.head(entry.name())).append("<p>")
+        List<StoredGame> bad = games.stream().filter(game -> own(game).fault() != null || own(game).rank() > 0)
+            .sorted(Comparator.comparing(game -> own(game).fault() == null)).toList();
+        EmbeddedReplays kept = EmbeddedReplays.of(bad, replays, (game, seat) ->
+            game.seats().get(seat).version() == version);
+        ReplayPage.Shell shell = ReplayPage.shell();
+        boolean any = !kept.replays().isEmpty();
+        StringBuilder page = new StringBuilder(any ? Html.headWithReplays(entry.name(), shell)
+            : Html.head(entry.name())).append("<p>")
             .append(Html.escape(entry.ready().program().source().getFileName().toString()))
             .append(" · <a href=\"../index.html\">all programs</a></p>");
+        if (entry.ready().source() != null && entry.ready().source().left() != null) {
+            page.append("<p class=bad>").append(Html.escape(entry.ready().source().left())).append(".</p>");
+        }
         if (entry.ready().problem() != null) {
             page.append("<p class=bad>It cannot run:</p>");
             pre(page, entry.ready().problem());
@@ -35,14 +84,63 @@ record AuthorPage(TournamentCommand.Entry entry, List<String> games) {
             page.append("<h2>The check</h2>");
             pre(page, said.toString(StandardCharsets.UTF_8));
         }
-        if (!games.isEmpty()) {
-            page.append("<h2>The tournament</h2>");
-            pre(page, String.join("\n", games));
+        if (version >= 0) {
+            games(page, kept);
         }
         if (entry.check() != null) {
             entry.check().games().forEach(game -> dialog(page, game));
         }
-        Files.writeString(file, page.append(Html.END));
+        Files.writeString(file, page.append(any ? Html.endWithReplays(LeaguePage.inScript(LeaguePage.json(out ->
+            kept.write(out, shell)))) : Html.END));
+    }
+
+    private void games(StringBuilder page, EmbeddedReplays kept) {
+        page.append("<h2>Its games</h2><p>").append(TextFormat.count(games.size(), "game")).append("</p>");
+        GameFailures failures = new GameFailures();
+        games.forEach(game -> failures.add(game, version));
+        if (!failures.lines(names).isEmpty()) {
+            pre(page, String.join("\n", failures.lines(names)));
+        }
+        if (games.isEmpty()) {
+            return;
+        }
+        page.append("<div class=scroll tabindex=0 role=group aria-label=Games><table class=games><tr><th>Against<th>Result"
+            + "<th>Replay</tr>");
+        for (StoredGame game : games) {
+            String against = others(game).map(seat -> names.get(seat.version())).collect(Collectors.joining(", "));
+            page.append("<tr><td class=name>").append(Html.escape(against.isEmpty() ? "alone" : against)).append("<td>")
+                .append(result(game));
+            reasons(page, game);
+            page.append("<td>");
+            if (kept.replays().containsKey(game.id())) {
+                boolean failed = own(game).fault() != null;
+                page.append("<a href=\"#turn=").append(failed ? Math.max(1, own(game).answers()) : game.turns())
+                    .append("\" data-game=").append(game.id()).append(" data-title=\"")
+                    .append(Html.escape(entry.name() + (against.isEmpty() ? "" : " against " + against))).append("\">")
+                    .append(failed ? "the failure" : "the end").append("</a>");
+            }
+            page.append("</tr>");
+        }
+        page.append("</table></div>");
+    }
+
+    private String result(StoredGame game) {
+        StoredSeat own = own(game);
+        long first = game.seats().stream().filter(seat -> seat.rank() == 0).count();
+        return game.seats().size() == 1 ? "score " + TextFormat.number(own.score(), 2)
+            : own.rank() == 0 ? first == 1 ? "won" : "drawn"
+            : game.seats().size() == 2 ? "lost" : "place " + (own.rank() + 1) + " of " + game.seats().size();
+    }
+
+    /** Its own failure in full; of the others no more than the kind. */
+    private void reasons(StringBuilder page, StoredGame game) {
+        if (own(game).fault() != null) {
+            page.append("<div class=bad>failed in turn ").append(own(game).answers()).append(": ")
+                .append(Html.escape(TextFormat.plain(own(game).fault()))).append("</div>");
+        }
+        others(game).filter(seat -> seat.fault() != null).forEach(seat -> page.append("<div>")
+            .append(Html.escape(names.get(seat.version()) + " failed: " + TextFormat.plain(Failure.kind(seat.fault()))))
+            .append("</div>"));
     }
 
     private static void pre(StringBuilder page, String text) {

@@ -2,22 +2,40 @@ package steward.cli.tournament;
 
 import steward.files.Resources;
 import steward.replay.page.PageTemplate;
+import steward.replay.page.ReplayPage;
 
-/** Parts that all pages of a tournament have. They run no script and fetch nothing. */
+/** Parts that the pages of a tournament have in common. They fetch nothing. */
 final class Html {
 
     static final String END = "</main></body></html>\n";
     private static final String STYLE = "/steward/tournament/page.css";
+    private static final String SCRIPT = "/steward/tournament/author.js";
 
-    /** The page up to its heading. */
+    /** The page without scripts up to its heading. */
     static String head(String title) {
+        return head(title, "", "");
+    }
+
+    /** The page up to its heading, with a script that puts pages of matches together. */
+    static String headWithReplays(String title, ReplayPage.Shell shell) {
+        return head(title, "; script-src " + PageTemplate.hash(Resources.text(SCRIPT)) + " " + shell.scriptHash(),
+            " " + shell.styleHash());
+    }
+
+    /** The end of a page with replays. @param data JSON for a script element */
+    static String endWithReplays(String data) {
+        return "<script type=\"application/json\" id=\"data\">" + data + "</script><script>" + Resources.text(SCRIPT)
+            + "</script>" + END;
+    }
+
+    private static String head(String title, String scripts, String styles) {
         String style = Resources.text(STYLE);
         String plain = escape(title);
         return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
             + "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src "
-            + PageTemplate.hash(style) + "; img-src data:\"><meta name=\"viewport\" content=\"width=device-width, "
-            + "initial-scale=1\"><link rel=\"icon\" href=\"data:,\"><style>" + style + "</style><title>" + plain
-            + "</title></head><body><main><h1>" + plain + "</h1>";
+            + PageTemplate.hash(style) + styles + scripts + "; img-src data:\"><meta name=\"viewport\" content=\"width="
+            + "device-width, initial-scale=1\"><link rel=\"icon\" href=\"data:,\"><style>" + style + "</style><title>"
+            + plain + "</title></head><body><main><h1>" + plain + "</h1>";
     }
 
     /** A text that can stand in a page. */

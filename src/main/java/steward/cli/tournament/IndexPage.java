@@ -6,56 +6,60 @@ import java.nio.file.Path;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
-import steward.league.rating.LeagueTable;
 import steward.text.TextFormat;
 
 /**
- * First page of a tournament: the programs by rank, each with a link to the page of its author; below them those that
+ * First page of a tournament: the programs by place, each with a link to the page of its author; below them those that
  * did not play.
  *
  * @param entries the programs
- * @param table   the table, or {@code null} before the games are over
- * @param why     there is no table, if there is none
+ * @param scores  the table, or {@code null} before the games are over
+ * @param notes   below the table, or why there is none
  */
-record IndexPage(List<TournamentCommand.Entry> entries, LeagueTable table, String why) {
+record IndexPage(List<TournamentCommand.Entry> entries, Scores scores, List<String> notes) {
 
     /** Characters of what the check found; all of it is on the author's page. */
     private static final int STANDING = 160;
 
+    /** Numbers that a phone does not show. */
+    private static final Set<Integer> WIDE = Set.of(1, 5);
+
     void write(Path file) throws IOException {
-        StringBuilder page = new StringBuilder(Html.head("Tournament")).append(table == null
-            ? "<p>" + why + "</p>"
-            : "<p><a href=\"league.html\">Ratings, who beats whom, all games</a>"
-                + " · <a href=\"table.csv\">as CSV</a></p>")
-            .append("<div class=scroll tabindex=0 role=group aria-label=Table><table><tr><th class=num>#<th>Program")
-            .append("<th class=num>Rating<th class=num>±<th class=num>Points<th class=num>Games<th>Check</tr>");
+        StringBuilder page = new StringBuilder(Html.head("Tournament"));
+        if (scores != null) {
+            page.append("<p><a href=\"league.html\">Ratings, who beats whom, all games</a>"
+                + " · <a href=\"table.csv\">as CSV</a></p>");
+        }
+        page.append("<div class=scroll tabindex=0 role=group aria-label=Table><table class=places><tr><th class=num>#<th>Program")
+            .append("<th class=num>Points<th class=\"num wide\">Games<th class=num>Won<th class=num>Drawn")
+            .append("<th class=num>Lost<th class=\"num wide\">Failed<th class=why>Check</tr>");
         Set<String> played = new HashSet<>();
-        for (LeagueTable.Row row : table == null ? List.<LeagueTable.Row>of() : table.rows()) {
-            String name = row.entry().name().replaceFirst("#.*", "");
+        for (Scores.Row row : scores == null ? List.<Scores.Row>of() : scores.rows()) {
             for (TournamentCommand.Entry entry : entries) {
-                if (entry.name().equals(name) && row.entry().active() && played.add(name)) {
-                    line(page, entry, Integer.toString(row.rank()), TextFormat.fixed(row.rating(), 0),
-                        row.hasBar() ? TextFormat.fixed(row.bar(), 0) : "–", row.sums().games() == 0 ? "–"
-                            : TextFormat.fixed(100 * row.points(), 1) + "%", Long.toString(row.sums().games()));
+                if (entry.name().equals(row.name()) && played.add(row.name())) {
+                    line(page, entry, Integer.toString(row.place()), Scores.points(row.points()), "" + row.games(),
+                        "" + row.wins(), "" + row.draws(), "" + row.losses(), "" + row.failed());
                 }
             }
         }
         for (TournamentCommand.Entry entry : entries) {
             if (!played.contains(entry.name())) {
-                line(page, entry, "–", "–", "–", "–", "–");
+                line(page, entry, "–", "–", "–", "–", "–", "–", "–");
             }
         }
-        Files.writeString(file, page.append("</table></div>").append(Html.END));
+        page.append("</table></div>");
+        notes.forEach(note -> page.append("<p>").append(Html.escape(note)).append("</p>"));
+        Files.writeString(file, page.append(Html.END));
     }
 
-    private static void line(StringBuilder page, TournamentCommand.Entry entry, String rank, String... numbers) {
+    private static void line(StringBuilder page, TournamentCommand.Entry entry, String place, String... numbers) {
         String name = Html.escape(entry.name());
-        page.append("<tr><td class=num>").append(rank).append("<td class=name><a href=\"")
+        page.append("<tr><td class=num>").append(place).append("<td class=name><a href=\"")
             .append(TournamentCommand.PAGES).append('/').append(name).append(".html\">").append(name).append("</a>");
-        for (String number : numbers) {
-            page.append("<td class=num>").append(number);
+        for (int k = 0; k < numbers.length; k++) {
+            page.append(WIDE.contains(k) ? "<td class=\"num wide\">" : "<td class=num>").append(numbers[k]);
         }
-        page.append(entry.ready().problem() == null && entry.check().passes() ? "<td>" : "<td class=bad>")
-            .append(Html.escape(TextFormat.shorten(entry.standing(), STANDING))).append("</tr>");
+        page.append("<td class=\"why bad\">").append(entry.isReady() ? ""
+            : Html.escape(TextFormat.shorten(entry.standingForAll(), STANDING))).append("</tr>");
     }
 }

@@ -2,12 +2,16 @@ package steward.cli.tournament;
 
 import java.io.IOException;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.text.Normalizer;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
 import steward.files.InputException;
@@ -22,12 +26,26 @@ import steward.text.TextFormat;
  */
 record Programs(List<Program> programs, List<String> others) {
 
+    /** Folder of the copies, in the tournament's. */
+    static final String FOLDER = "programs";
+    /** File beside a copy with the name of what was handed in. */
+    static final String HANDED_IN_AS = "handed-in-as.txt";
+
     private static final int LONGEST = 80;
     /** Names that a league keeps for parameters that are tried. */
     private static final String TUNED = "tune.";
 
     /** Kind of program, by how it is made ready to run. */
-    enum Kind { PYTHON, JS, JAVA, CPP, FOLDER }
+    enum Kind {
+        PYTHON("bot.py"), JS("bot.cjs"), MODULE("bot.mjs"), JAVA("source.txt"), CPP("bot.cpp"), FOLDER("folder");
+
+        /** The name of its copy. */
+        final String copy;
+
+        Kind(String copy) {
+            this.copy = copy;
+        }
+    }
 
     /**
      * A program as its author hands it in.
@@ -40,14 +58,14 @@ record Programs(List<Program> programs, List<String> others) {
     /**
      * Finds the programs.
      *
-     * @param without a folder that is none of them
+     * @param into the tournament's folder, which is none of them; a file has the name there that it had before
      * @throws InputException if there are none, or the folder cannot be read
      */
-    static Programs in(Path folder, Path without) {
+    static Programs in(Path folder, Path into) {
         List<Path> entries = new ArrayList<>();
         try (Stream<Path> files = Files.list(folder)) {
             files.filter(file -> !file.getFileName().toString().startsWith("."))
-                .filter(file -> !file.toAbsolutePath().normalize().equals(without.toAbsolutePath().normalize()))
+                .filter(file -> !file.toAbsolutePath().normalize().equals(into.toAbsolutePath().normalize()))
                 .sorted().forEach(entries::add);
         } catch (IOException problem) {
             throw new InputException(folder + ": " + (Files.isDirectory(folder) ? "cannot be read: "
@@ -56,13 +74,18 @@ record Programs(List<Program> programs, List<String> others) {
         }
         List<Program> programs = new ArrayList<>();
         List<String> others = new ArrayList<>();
+        Map<String, String> known = known(into.resolve(FOLDER));
         Set<String> names = new HashSet<>();
+        entries.forEach(entry -> Optional.ofNullable(known.get(entry.getFileName().toString())).ifPresent(name ->
+            names.add(name.toLowerCase(Locale.ROOT))));
         for (Path entry : entries) {
             Kind kind = kind(entry);
+            String file = entry.getFileName().toString();
             if (kind == null) {
-                others.add(entry.getFileName().toString());
+                others.add(file);
             } else {
-                programs.add(new Program(unique(name(entry, kind), names), entry, kind));
+                programs.add(new Program(known.containsKey(file) ? known.get(file) : unique(name(entry, kind), names),
+                    entry, kind));
             }
         }
         if (programs.isEmpty()) {
@@ -73,13 +96,28 @@ record Programs(List<Program> programs, List<String> others) {
         return new Programs(programs, others);
     }
 
+    /** Names that files have got earlier, by the name of the file. */
+    private static Map<String, String> known(Path programs) {
+        Map<String, String> known = new HashMap<>();
+        try (Stream<Path> folders = Files.list(programs)) {
+            for (Path each : folders.sorted().toList()) {
+                if (Files.isRegularFile(each.resolve(HANDED_IN_AS))) {
+                    known.put(Files.readString(each.resolve(HANDED_IN_AS)).strip(), each.getFileName().toString());
+                }
+            }
+        } catch (IOException none) {
+            return known;
+        }
+        return known;
+    }
+
     private static Kind kind(Path entry) {
-        if (Files.isDirectory(entry)) {
-            return Files.isRegularFile(entry.resolve("run")) ? Kind.FOLDER : null;
+        if (Files.isDirectory(entry, LinkOption.NOFOLLOW_LINKS)) {
+            return Files.exists(entry.resolve("run"), LinkOption.NOFOLLOW_LINKS) ? Kind.FOLDER : null;
         }
         String name = entry.getFileName().toString().toLowerCase(Locale.ROOT);
-        return !Files.isRegularFile(entry) ? null : name.endsWith(".py") ? Kind.PYTHON
-            : name.endsWith(".js") || name.endsWith(".mjs") || name.endsWith(".cjs") ? Kind.JS
+        return name.endsWith(".py") ? Kind.PYTHON : name.endsWith(".mjs") ? Kind.MODULE
+            : name.endsWith(".js") || name.endsWith(".cjs") ? Kind.JS
             : name.endsWith(".java") ? Kind.JAVA
             : name.endsWith(".cpp") || name.endsWith(".cc") || name.endsWith(".cxx") ? Kind.CPP : null;
     }

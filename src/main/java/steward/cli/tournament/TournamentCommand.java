@@ -1,14 +1,16 @@
 package steward.cli.tournament;
 
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
-import java.util.function.Consumer;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.stream.Stream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -17,11 +19,7 @@ import picocli.CommandLine.Parameters;
 import steward.cli.check.BotCheck;
 import steward.cli.league.run.NoServing;
 import steward.cli.league.run.RunCommand;
-import steward.cli.league.view.GameFailures;
 import steward.cli.league.view.LeagueOpening;
-import steward.cli.league.view.OwnValues;
-import steward.cli.league.view.PageCommand;
-import steward.cli.league.view.TableCommand;
 import steward.cli.options.ProgramCommand;
 import steward.cli.options.ProtocolWord;
 import steward.cli.options.ShippedScenes;
@@ -37,11 +35,18 @@ import steward.contest.KeptReplays;
 import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.json.JsonObject;
+import steward.league.FolderLock;
 import steward.league.LeagueBot;
 import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
+import steward.league.Schedule;
 import steward.league.StoredGame;
+import steward.league.page.EmbeddedReplays;
 import steward.league.page.LeagueJson;
+import steward.league.page.LeaguePage;
+import steward.league.page.LeagueView;
+import steward.league.play.Roster;
+import steward.league.rating.LeagueTable;
 import steward.match.Protocol;
 import steward.scene.SceneFiles;
 import steward.text.TextFormat;
@@ -71,6 +76,10 @@ public final class TournamentCommand extends ProgramCommand {
     private static final String INDEX = "index.html";
     private static final List<String> LEVELS = List.of("auto", "strict", "light", "off");
     private static final int MOST_GAMES = 100_000;
+    private static final int MOST_MEGABYTES = 100_000;
+    private static final int MOST_FILES = 1_000_000;
+    /** Up to so many games of a group all replays are kept; of more only those of failures, as they fill the disk. */
+    private static final int ALL_KEPT = 20;
 
     @Parameters(index = "0", paramLabel = "FOLDER", description = "The folder with the programs.")
     private String folder;
@@ -97,6 +106,14 @@ public final class TournamentCommand extends ProgramCommand {
         description = "Seconds for the compilation of one program (default: ${DEFAULT-VALUE}).")
     private Integer compileLimit;
 
+    @Option(names = "--most-megabytes", paramLabel = "N", defaultValue = "50",
+        description = "A program with more is refused (default: ${DEFAULT-VALUE}).")
+    private Integer mostMegabytes;
+
+    @Option(names = "--most-files", paramLabel = "N", defaultValue = "2000",
+        description = "A program of more files and folders is refused (default: ${DEFAULT-VALUE}).")
+    private Integer mostFiles;
+
     @Option(names = "--sandbox", paramLabel = "LEVEL", defaultValue = "auto",
         description = "How far programs are kept apart: strict, light, off or auto, as in 'match' "
             + "(default: ${DEFAULT-VALUE}).")
@@ -122,9 +139,22 @@ public final class TournamentCommand extends ProgramCommand {
             return ready.program().name();
         }
 
+        boolean isReady() {
+            return ready.problem() == null && check.passes();
+        }
+
+        /** Its first problem, for its author and who called. */
         String standing() {
             return ready.problem() != null ? "cannot run: " + ready.problem().lines().findFirst().orElse("")
                 : check.passes() ? "is ready" : check.problems().get(0);
+        }
+
+        /** The same without a word of its source, its stderr and its answers. */
+        String standingForAll() {
+            return ready.problem() != null ? "cannot run" + (ready.problem().startsWith(Workshop.COMPILER)
+                    ? ": " + Workshop.COMPILER : "")
+                : check.passes() ? "is ready" : check.failure() == null ? check.problems().get(0)
+                : "failed in turn " + check.failure().turn() + ": " + check.failure().kind();
         }
     }
 
@@ -133,6 +163,8 @@ public final class TournamentCommand extends ProgramCommand {
         check.range("--games", games, 1, MOST_GAMES);
         check.range("--compile-limit", compileLimit, 1, (int) TimeUnit.HOURS.toSeconds(1));
         check.that(LEVELS.contains(sandbox), "--sandbox: found '" + sandbox + "', expected auto, strict, light or off");
+        check.range("--most-megabytes", mostMegabytes, 1, MOST_MEGABYTES);
+        check.range("--most-files", mostFiles, 1, MOST_FILES);
         threads.check();
         Path from = OutputFiles.path(folder);
         Path into = page == null ? from.resolveSibling(from.toAbsolutePath().normalize().getFileName() + "-tournament")
@@ -143,7 +175,13 @@ public final class TournamentCommand extends ProgramCommand {
         LeagueFolder league = new LeagueFolder(into.resolve("league"));
         boolean before = Files.isRegularFile(league.settings());
         prepare(into, before);
-        LeagueSettings settings = settings(league, before, spoken);
+        try (FolderLock lock = FolderLock.take(new LeagueFolder(into))) {
+            return call(from, into, programs, league, settings(league, before), spoken);
+        }
+    }
+
+    private int call(Path from, Path into, Programs programs, LeagueFolder league, LeagueSettings settings,
+                     Protocol spoken) throws Exception {
         Contest empty = LeagueOpening.contest(league, settings, streams);
         Contest.checkPlayable(empty.setup(), List.of(new Contest.Entrant("all", "all", spoken, List.of())));
         programs.others().forEach(other -> streams.err().println("steward: " + TextFormat.plain(other)
@@ -152,20 +190,58 @@ public final class TournamentCommand extends ProgramCommand {
         List<LeagueBot> bots = entries.stream().filter(entry -> entry.check() != null).map(entry -> bot(entry, spoken))
             .toList();
         if (bots.size() < Math.max(1, empty.players())) {
-            new IndexPage(entries, null, "Too few programs can run.").write(into.resolve(INDEX));
+            new IndexPage(entries, null, List.of("Too few programs can run.")).write(into.resolve(INDEX));
             throw new FailedException("found " + TextFormat.count(bots.size(), "program") + " that can run, expected "
                 + "at least " + empty.players() + "; see " + into.resolve(INDEX));
         }
-        league.write(settings.withBots(with(settings.bots(), bots)));
-        new IndexPage(entries, null, "The games are not over yet: the table comes when they are. If they were "
-            + "interrupted, the same command goes on.").write(into.resolve(INDEX));
-        long total = total(league, bots, empty.players());
-        streams.err().println("Everybody meets everybody: " + TextFormat.count(total, "game") + " in all");
-        int status = new RunCommand(new NoServing()).run(json ? streams.withoutOutput() : streams,
-            league.path().toString(), "--games", "" + total, "--pause-after", "0", "--threads",
+        league.write(settings.withBots(bots));
+        new IndexPage(entries, null, List.of("The games are not over yet: the table comes when they are. If they were "
+            + "interrupted, the same command goes on.")).write(into.resolve(INDEX));
+        AtomicReference<Roster> roster = new AtomicReference<>();
+        int status = new RunCommand(new NoServing()).following((found, decided) -> {
+            roster.set(found);
+            return everybody(decided, found, empty.players());
+        }).run(json ? streams.withoutOutput() : streams, league.path().toString(), "--pause-after", "0", "--threads",
             "" + threads.count(streams));
-        finish(league, into, entries);
+        finish(league, into, entries, roster.get());
+        changes(from, into, entries);
         return status;
+    }
+
+    /** Everybody meets everybody, so often as is asked for or as some have met already. */
+    private Schedule.Plan everybody(Map<List<Integer>, Integer> decided, Roster roster, int players) {
+        int asked = (games + Math.max(1, players) - 1) / Math.max(1, players);
+        int most = decided.entrySet().stream().filter(each -> roster.versions().containsAll(each.getKey()))
+            .mapToInt(Map.Entry::getValue).max().orElse(0);
+        if (most > asked) {
+            streams.err().println("steward: everybody meets everybody in " + most * players + " games, as before: some "
+                + "have met so often");
+        }
+        return group -> Math.max(asked, most);
+    }
+
+    /** Says what was handed in during the games. */
+    private void changes(Path from, Path into, List<Entry> entries) {
+        List<String> lines = new ArrayList<>();
+        Map<Path, Workshop.Ready> known = new HashMap<>();
+        entries.forEach(entry -> known.put(entry.ready().program().source(), entry.ready()));
+        try {
+            for (Programs.Program program : Programs.in(from, into).programs()) {
+                Workshop.Ready ready = known.remove(program.source());
+                if (ready == null || ready.isChanged(bounds())) {
+                    lines.add(program.source().getFileName() + (ready == null ? " has come" : " has changed"));
+                }
+            }
+        } catch (InputException allGone) {
+            lines.clear();
+        }
+        known.keySet().stream().sorted().forEach(gone -> lines.add(gone.getFileName() + " has gone"));
+        lines.forEach(line -> streams.err().println("steward: " + TextFormat.plain(line)
+            + " since the programs were copied; the next call sees it"));
+    }
+
+    private HandIn.Bounds bounds() {
+        return new HandIn.Bounds(mostMegabytes, mostFiles);
     }
 
     private static void prepare(Path into, boolean before) {
@@ -176,7 +252,7 @@ public final class TournamentCommand extends ProgramCommand {
                     + "tournament");
             }
             Files.createDirectories(into.resolve(PAGES));
-            for (String each : List.of("programs", "league")) {
+            for (String each : List.of(Programs.FOLDER, "league")) {
                 OutputFiles.privateFolder(into.resolve(each));
             }
         } catch (IOException problem) {
@@ -184,7 +260,7 @@ public final class TournamentCommand extends ProgramCommand {
         }
     }
 
-    private LeagueSettings settings(LeagueFolder league, boolean before, Protocol spoken) throws IOException {
+    private LeagueSettings settings(LeagueFolder league, boolean before) throws IOException {
         LeagueSettings known = before ? league.read() : LeagueSettings.usual(scene, 1);
         boolean file = SceneFiles.file(scene).isPresent();
         if (file) {
@@ -193,7 +269,8 @@ public final class TournamentCommand extends ProgramCommand {
         String named = file ? LeagueFolder.SCENE : SceneFiles.shipped().contains(scene) ? scene
             : scene.replaceFirst("\\.json$", "");
         LeagueSettings settings = new LeagueSettings(named, known.seed(), null, false, known.lag(), pace.factor(),
-            pace.basis(), Hiccups.REPLAY, List.of("--sandbox", sandbox), KeptReplays.FAILED, List.of(), known.bots());
+            pace.basis(), Hiccups.REPLAY, List.of("--sandbox", sandbox), games > ALL_KEPT ? KeptReplays.FAILED
+                : KeptReplays.ALL, List.of(), known.bots());
         league.write(settings);
         return settings;
     }
@@ -201,15 +278,16 @@ public final class TournamentCommand extends ProgramCommand {
     /** Makes ready and checks each program, alone, and writes the pages of the authors. */
     private List<Entry> entries(Programs programs, Path into, Contest empty, Protocol spoken)
             throws IOException, InterruptedException {
-        Workshop workshop = new Workshop(into.resolve("programs").toAbsolutePath().normalize(), empty.isolation().get(),
-            TimeUnit.SECONDS.toMillis(compileLimit));
+        Workshop workshop = new Workshop(into.resolve(Programs.FOLDER).toAbsolutePath().normalize(),
+            empty.isolation().get(), TimeUnit.SECONDS.toMillis(compileLimit), bounds());
+        withoutPages(into, programs);
         List<Entry> entries = new ArrayList<>();
         for (Programs.Program program : programs.programs()) {
             Workshop.Ready ready = workshop.make(program);
             Entry entry = new Entry(ready, ready.problem() != null ? null : BotCheck.of(empty,
                 Contest.entrant(bot(ready, spoken).typed(), spoken)));
             entries.add(entry);
-            new AuthorPage(entry, List.of()).write(page(into, entry));
+            AuthorPage.before(entry).write(page(into, entry));
             streams.err().println(TextFormat.plain(entry.name() + ": " + entry.standing()));
         }
         return entries;
@@ -217,6 +295,16 @@ public final class TournamentCommand extends ProgramCommand {
 
     private static Path page(Path into, Entry entry) {
         return into.resolve(PAGES).resolve(entry.name() + ".html");
+    }
+
+    /** Deletes the pages of programs that are gone. */
+    private static void withoutPages(Path into, Programs programs) throws IOException {
+        List<String> names = programs.programs().stream().map(program -> program.name() + ".html").toList();
+        try (Stream<Path> pages = Files.list(into.resolve(PAGES))) {
+            for (Path each : pages.filter(page -> !names.contains(page.getFileName().toString())).toList()) {
+                Files.delete(each);
+            }
+        }
     }
 
     private static LeagueBot bot(Entry entry, Protocol spoken) {
@@ -229,102 +317,47 @@ public final class TournamentCommand extends ProgramCommand {
             ready.files().stream().map(Path::toString).toList(), false, false);
     }
 
-    /** The bots of the league: those that are gone play no more. */
-    private static List<LeagueBot> with(List<LeagueBot> known, List<LeagueBot> now) {
-        List<LeagueBot> all = new ArrayList<>();
-        for (LeagueBot bot : known) {
-            if (now.stream().noneMatch(each -> each.name().equals(bot.name()))) {
-                all.add(bot.retired(true));
-            }
-        }
-        all.addAll(now);
-        return all;
-    }
-
-    /** Number of games that the league has when every group has met so often. */
-    private long total(LeagueFolder league, List<LeagueBot> bots, int players) {
-        Map<List<String>, Integer> met = new HashMap<>();
-        long[] played = {0};
-        if (Files.exists(league.database())) {
-            try (LeagueOpening.Opened opened = LeagueOpening.read(league)) {
-                Map<Integer, String> names = new HashMap<>();
-                opened.entries().stream().filter(entry -> entry.active()).forEach(entry -> names.put(entry.version(),
-                    entry.name().replaceFirst("#.*", "")));
-                opened.games().games(game -> {
-                    played[0] += game.decision() >= 0 && (game.counts() || game.problem() != null) ? 1 : 0;
-                    if (game.counts()) {
-                        met.merge(game.seats().stream().map(seat -> names.getOrDefault(seat.version(), "")).sorted()
-                            .toList(), 1, Integer::sum);
-                    }
-                });
-            } catch (InputException withoutGames) {
-                met.clear();
-            }
-        }
-        int wanted = (games + players - 1) / players * players;
-        long[] missing = {0};
-        groups(bots.stream().map(LeagueBot::name).sorted().toList(), players, 0, new ArrayList<>(), group ->
-            missing[0] += Math.max(0, wanted - met.getOrDefault(group, 0)));
-        return Math.max(1, played[0] + missing[0]);
-    }
-
-    private static void groups(List<String> names, int size, int from, List<String> group,
-                               Consumer<List<String>> taker) {
-        if (group.size() == size) {
-            taker.accept(List.copyOf(group));
-            return;
-        }
-        for (int k = from; k < names.size(); k++) {
-            group.add(names.get(k));
-            groups(names, size, k + 1, group, taker);
-            group.remove(group.size() - 1);
-        }
-    }
-
-    /** The table, the pages of authors with their games, and the page of the league. */
-    private void finish(LeagueFolder league, Path into, List<Entry> entries) throws Exception {
+    /** The table, the pages of authors with their games, and the page of the league, all from the same games. */
+    private void finish(LeagueFolder league, Path into, List<Entry> entries, Roster roster) throws IOException {
         try (LeagueOpening.Opened opened = LeagueOpening.read(league)) {
-            OwnValues own = new OwnValues();
-            opened.games().games(own::add);
-            Files.writeString(into.resolve("table.csv"), TableCommand.csv(opened.table(), own));
-            new IndexPage(entries, opened.table(), null).write(into.resolve(INDEX));
+            PlayedGames played = PlayedGames.read(opened, roster);
+            Scores scores = Scores.of(played);
+            LeagueTable ratings = played.ratings();
+            Files.writeString(into.resolve("table.csv"), scores.csv(played, ratings));
+            new IndexPage(entries, scores, scores.notes(played)).write(into.resolve(INDEX));
             if (json) {
                 Json.print(streams, out -> {
                     out.writeStringProperty("folder", into.toString());
                     JsonObject.writeAll(out, "programs", entries, entry -> {
                         out.writeStringProperty("name", entry.name());
-                        out.writeBooleanProperty("ready", entry.check() != null && entry.check().passes());
+                        out.writeBooleanProperty("ready", entry.isReady());
                         out.writeStringProperty("standing", entry.standing());
                     });
-                    LeagueJson.table(out, opened.season(), opened.table(), opened.workers());
+                    scores.json(out);
+                    LeagueJson.table(out, opened.season(), ratings, opened.workers());
                 });
             }
-            Map<Integer, String> names = new HashMap<>();
-            opened.entries().forEach(entry -> names.put(entry.version(), entry.name()));
             for (Entry entry : entries) {
-                GameFailures failures = new GameFailures();
-                int[] count = {0};
-                opened.entries().stream().filter(each -> each.active() && names.get(each.version())
-                    .replaceFirst("#.*", "").equals(entry.name())).forEach(each ->
-                    opened.games().gamesOf(each.version(), game -> {
-                        count[0] += game.counts() ? 1 : 0;
-                        failures.add(of(game, each.version()));
-                    }));
-                List<String> lines = new ArrayList<>(List.of(TextFormat.count(count[0], "game")));
-                lines.addAll(failures.lines(names));
-                new AuthorPage(entry, lines).write(page(into, entry));
+                AuthorPage.of(entry, played, league.replays()).write(page(into, entry));
+            }
+            leaguePage(played, ratings, league, into.resolve("league.html"));
+            if (!json) {
+                scores.lines().forEach(streams.out()::println);
+                scores.notes(played).forEach(streams.out()::println);
+                streams.out().println("Written: " + into.resolve(INDEX) + ", league.html, table.csv, and a page for "
+                    + "each author in " + PAGES);
             }
         }
-        Streams told = json ? streams.withoutOutput() : streams;
-        new PageCommand().run(told, league.path().toString(), "--out", into.resolve("league.html").toString());
-        told.out().println("Written: " + into.resolve(INDEX) + ", " + into.resolve("table.csv")
-            + ", and a page for each author in " + into.resolve(PAGES));
     }
 
-    /** The game with the failures of one version alone. */
-    private static StoredGame of(StoredGame game, int version) {
-        return new StoredGame(game.id(), game.name(), game.decision(), game.seed(), game.attempt(), game.counts(),
-            game.turns(), game.problem(), game.played(), game.machine(), game.replay(), game.transcript(),
-            game.seats().stream().filter(seat -> seat.version() == version).toList());
+    /** The page of the league over these games; nobody's stderr is in it. */
+    private static void leaguePage(PlayedGames played, LeagueTable ratings, LeagueFolder league, Path file)
+            throws IOException {
+        List<StoredGame> games = new ArrayList<>(played.games());
+        Collections.reverse(games);
+        ByteArrayOutputStream html = new ByteArrayOutputStream();
+        LeaguePage.write(new LeagueView(played.season(), ratings, played.path(), games, Double.NaN, List.of()),
+            league.replays(), EmbeddedReplays.of(games, league.replays(), (game, seat) -> false), html, "Tournament");
+        OutputFiles.replace(file, html.toByteArray());
     }
 }

@@ -10,7 +10,6 @@ import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.Enumeration;
 import java.util.List;
-import java.util.Locale;
 import java.util.OptionalInt;
 import java.util.concurrent.TimeUnit;
 import java.util.jar.JarEntry;
@@ -24,7 +23,9 @@ import steward.bot.isolation.Isolation;
 import steward.bot.isolation.Launch;
 import steward.bot.process.ProgramRun;
 import steward.cli.tournament.Programs.Program;
+import steward.files.InputException;
 import steward.files.OutputFiles;
+import steward.scene.json.JsonLimits;
 import steward.text.Utf8Text;
 import steward.text.Utf8Text.NotUtf8Exception;
 
@@ -36,12 +37,19 @@ import steward.text.Utf8Text.NotUtf8Exception;
  * @param folder    of all of them
  * @param isolation of compilers
  * @param limitMs   for one program
+ * @param bounds    of one program
  */
-record Workshop(Path folder, Isolation isolation, long limitMs) {
+record Workshop(Path folder, Isolation isolation, long limitMs, HandIn.Bounds bounds) {
 
+    static final String COMPILER = "the compiler failed";
     /** So much of what a compiler says is kept, in bytes. */
     private static final int SAID = 20_000;
-    private static final int MOST_FILES = 10_000;
+    /** Files of a folder whose change during the games is seen; of more, league.json could not be read. */
+    private static final int WATCHED = 400;
+    /** The name of the program and the digest of what was handed in: equal programs of two people are two. */
+    private static final String CONTENT = "content.txt";
+    /** Characters of a command that league.json can hold behind a prefix. */
+    private static final int MOST_COMMAND = JsonLimits.TEXT - 20;
     /** The source that was compiled last. */
     private static final String COMPILED = "compiled.txt";
     private static final Pattern PUBLIC = Pattern.compile(
@@ -67,14 +75,31 @@ record Workshop(Path folder, Isolation isolation, long limitMs) {
      * @param command its words, or {@code null} if it cannot run
      * @param files   that it consists of
      * @param problem why it cannot run, what the compiler said; or {@code null}
+     * @param source  what was handed in, as it was copied; or {@code null}
      */
-    record Ready(Program program, List<String> command, List<Path> files, String problem) { }
+    record Ready(Program program, List<String> command, List<Path> files, String problem, HandIn source) {
 
-    /** Makes a program ready, unless that has been done with the same source. */
+        /** True if the source is another one now. */
+        boolean isChanged(HandIn.Bounds bounds) {
+            return source != null && source.isChanged(bounds);
+        }
+    }
+
+    /** Makes a program ready; what has been compiled from the same source is not compiled again. */
     Ready make(Program program) throws InterruptedException {
         Path own = folder.resolve(program.name());
+        HandIn source = null;
         try {
-            return make(program, Files.createDirectories(own));
+            source = HandIn.of(program.source(), bounds);
+            Path copy = Files.createDirectories(own).resolve(program.kind().copy);
+            String digest = source.copy(copy);
+            Path content = Files.writeString(own.resolve(CONTENT), program.name() + "\n" + digest + "\n");
+            Files.writeString(own.resolve(Programs.HANDED_IN_AS), program.source().getFileName().toString());
+            Ready ready = make(program, own, copy, source);
+            return ready.problem() != null ? ready : new Ready(program, ready.command(),
+                Stream.concat(Stream.of(content), ready.files().stream().limit(WATCHED)).toList(), null, source);
+        } catch (InputException problem) {
+            return new Ready(program, null, List.of(), problem.getMessage(), source);
         } catch (IOException problem) {
             return failed(program, "cannot be copied: " + OutputFiles.reason(program.source(), problem));
         } catch (InvalidPathException problem) {
@@ -83,52 +108,41 @@ record Workshop(Path folder, Isolation isolation, long limitMs) {
         }
     }
 
-    private Ready make(Program program, Path own) throws IOException, InterruptedException {
+    private Ready make(Program program, Path own, Path copy, HandIn source) throws IOException, InterruptedException {
         return switch (program.kind()) {
-            case PYTHON -> script(program, own.resolve("bot.py"), "python3");
-            case JS -> script(program, own.resolve(program.source().getFileName().toString().toLowerCase(
-                Locale.ROOT).endsWith(".mjs") ? "bot.mjs" : "bot.cjs"), "node");
-            case CPP -> cpp(program, own);
-            case JAVA -> java(program, own);
-            case FOLDER -> folder(program, own.resolve("folder"));
+            case PYTHON -> script(program, copy, "python3");
+            case JS, MODULE -> script(program, copy, "node");
+            case CPP -> cpp(program, own, copy);
+            case JAVA -> java(program, own, copy);
+            case FOLDER -> folder(program, copy, source);
         };
     }
 
     private static Ready failed(Program program, String problem) {
-        return new Ready(program, null, List.of(), problem);
+        return new Ready(program, null, List.of(), problem, null);
     }
 
-    private static Ready script(Program program, Path copy, String interpreter) throws IOException {
-        copy(program.source(), copy);
+    private static Ready script(Program program, Path copy, String interpreter) {
         return ProgramFinder.find(interpreter) == null
             ? failed(program, "there is no program '" + interpreter + "' on the PATH of this machine")
-            : new Ready(program, List.of(interpreter, copy.toString()), List.of(copy), null);
+            : new Ready(program, List.of(interpreter, copy.toString()), List.of(copy), null, null);
     }
 
-    /** A file that is the same already is left alone, so that its bot is the same version. */
-    private static void copy(Path from, Path to) throws IOException {
-        if (!Files.isRegularFile(to) || Files.mismatch(from, to) >= 0) {
-            Files.copy(from, to, StandardCopyOption.REPLACE_EXISTING, StandardCopyOption.COPY_ATTRIBUTES);
-        }
-    }
-
-    private Ready cpp(Program program, Path own) throws IOException, InterruptedException {
+    private Ready cpp(Program program, Path own, Path source) throws IOException, InterruptedException {
         Path compiler = Stream.of("g++", "clang++", "c++").map(ProgramFinder::find).filter(each -> each != null)
             .findFirst().orElse(null);
-        Path source = own.resolve("bot.cpp");
         Path made = own.resolve("bot");
-        copy(program.source(), source);
         String problem = compiler == null ? "there is no C++ compiler (g++ or clang++) on the PATH of this machine"
             : compile(source, made, CPP, compiler.toString());
         if (problem != null) {
             return failed(program, problem);
         }
-        return made.toFile().setExecutable(true) ? new Ready(program, List.of(made.toString()), List.of(made), null)
+        return made.toFile().setExecutable(true) ? new Ready(program, List.of(made.toString()), List.of(made), null, null)
             : failed(program, made + " cannot be made executable");
     }
 
-    private Ready java(Program program, Path own) throws IOException, InterruptedException {
-        String text = new String(Files.readAllBytes(program.source()), StandardCharsets.UTF_8)
+    private Ready java(Program program, Path own, Path copy) throws IOException, InterruptedException {
+        String text = new String(Files.readAllBytes(copy), StandardCharsets.UTF_8)
             .replaceFirst("^\uFEFF", "");
         Matcher named = PUBLIC.matcher(text);
         Path source = own.resolve((named.find() ? named.group(1) : "Bot") + ".java");
@@ -146,7 +160,7 @@ record Workshop(Path folder, Isolation isolation, long limitMs) {
         }
         String main = main(made);
         return main == null ? failed(program, "found no class with a method 'public static void main(String[] args)'")
-            : new Ready(program, List.of(tool("java").toString(), "-cp", made.toString(), main), List.of(made), null);
+            : new Ready(program, List.of(tool("java").toString(), "-cp", made.toString(), main), List.of(made), null, null);
     }
 
     private static Path tool(String name) {
@@ -172,23 +186,11 @@ record Workshop(Path folder, Isolation isolation, long limitMs) {
         return null;
     }
 
-    private static Ready folder(Program program, Path copy) throws IOException {
-        Files.createDirectories(copy);
-        List<Path> files = new ArrayList<>();
-        try (Stream<Path> all = Files.walk(program.source())) {
-            for (Path file : all.limit(MOST_FILES + 1L).toList()) {
-                Path to = copy.resolve(program.source().relativize(file).toString());
-                if (Files.isDirectory(file)) {
-                    Files.createDirectories(to);
-                } else {
-                    copy(file, to);
-                    files.add(to);
-                }
-            }
+    private static Ready folder(Program program, Path copy, HandIn source) throws IOException {
+        if (!source.files().containsKey("run")) {
+            return failed(program, "run: found no regular file, expected one with a command such as 'python3 main.py'");
         }
-        if (files.size() >= MOST_FILES) {
-            return failed(program, "found " + files.size() + " files or more, expected fewer than " + MOST_FILES);
-        }
+        List<Path> files = source.files().keySet().stream().map(copy::resolve).toList();
         List<String> words = new ArrayList<>(List.of("sh", "-c", "cd \"$0\" && exec \"$@\"", copy.toString()));
         try {
             String run = Utf8Text.decode(Files.readAllBytes(copy.resolve("run")), "run", "a command in UTF-8")
@@ -204,9 +206,14 @@ record Workshop(Path folder, Isolation isolation, long limitMs) {
         } catch (IllegalArgumentException problem) {
             return failed(program, "run: " + problem.getMessage());
         }
+        int length = CommandLine.quote(words).length();
+        if (length > MOST_COMMAND) {
+            return failed(program, "run: found a command that is " + length + " characters long as it is called, "
+                + "expected at most " + MOST_COMMAND + "; a script beside it can have a longer one");
+        }
         return words.size() == 4
             ? failed(program, "run: found an empty file, expected a command such as 'python3 main.py'")
-            : new Ready(program, words, files, null);
+            : new Ready(program, words, files, null, null);
     }
 
     /** Compiles, unless it was compiled from the same source; returns what the compiler said if that failed. */
@@ -225,7 +232,7 @@ record Workshop(Path folder, Isolation isolation, long limitMs) {
         String text = beginning(said);
         if (status.isEmpty() || status.getAsInt() != 0) {
             Files.deleteIfExists(part);
-            return (status.isPresent() ? "the compiler failed: " + firstError(text, source)
+            return (status.isPresent() ? COMPILER + ": " + firstError(text, source)
                 : "the compiler did not end within " + TimeUnit.MILLISECONDS.toSeconds(limitMs) + " s") + "\n" + text;
         }
         Files.move(part, made, StandardCopyOption.REPLACE_EXISTING);

@@ -7,13 +7,10 @@ import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.LinkedHashMap;
-import java.util.Map;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import steward.json.JsonNumbers;
 import steward.league.StoredGame;
-import steward.replay.ReplayException;
 import steward.replay.page.PageTemplate;
 import steward.replay.page.ReplayPage;
 import tools.jackson.core.JsonGenerator;
@@ -26,8 +23,6 @@ import tools.jackson.core.ObjectWriteContext;
 public final class LeaguePage {
 
     private static final String FOLDER = "/steward/league/";
-    /** Replays that a page holds at most, together, in bytes of the page: it is still opened in a moment. */
-    private static final long MOST_BYTES = 24 << 20;
     private static final String LIVE = "live";
     private static final String IN_PAGE = "page";
 
@@ -50,61 +45,30 @@ public final class LeaguePage {
     /**
      * Writes the page of a league as it is.
      *
-     * @param replays the folder of its replays
+     * @param folder  of the kept replays
+     * @param replays those that are in the page
      * @param html    is not closed
      * @param title   plain text
-     * @return how many replays are in it
      * @throws IOException if it cannot be written
      */
-    public static int write(LeagueView view, Path replays, OutputStream html, String title) throws IOException {
+    public static void write(LeagueView view, Path folder, EmbeddedReplays replays, OutputStream html, String title)
+            throws IOException {
         ReplayPage.Shell shell = ReplayPage.shell();
         PageTemplate page = new PageTemplate(FOLDER, title);
         page.put("policy", page.policy("'none'", " " + shell.scriptHash(), " " + shell.styleHash()));
         page.put("source", "");
-        Map<Long, String> embedded = embedded(view, replays);
         Function<StoredGame, String> where = game -> game.replay() == null ? null
-            : embedded.containsKey(game.id()) ? IN_PAGE : replays.resolve(game.replay()).toString();
+            : replays.replays().containsKey(game.id()) ? IN_PAGE : folder.resolve(game.replay()).toString();
         String data = json(out -> {
             LeagueJson.view(out, view, where);
-            out.writeObjectPropertyStart("replays");
-            embedded.forEach((game, replay) -> out.writeStringProperty(Long.toString(game), replay));
-            out.writeEndObject();
-            if (!embedded.isEmpty()) {
-                out.writeObjectPropertyStart("shell");
-                out.writeStringProperty("before", shell.before());
-                out.writeStringProperty("after", shell.after());
-                out.writeEndObject();
-            }
+            replays.write(out, shell);
         });
-        page.write(html, out -> out.write(inScript(data)));
-        return embedded.size();
+        page.write(html, out -> out.write(inScript(data).getBytes(StandardCharsets.UTF_8)));
     }
 
-    /** The latest kept replays that can be read, up to a size. */
-    private static Map<Long, String> embedded(LeagueView view, Path replays) {
-        Map<Long, String> embedded = new LinkedHashMap<>();
-        long bytes = 0;
-        for (StoredGame game : view.games()) {
-            if (game.replay() == null || !Files.isRegularFile(replays.resolve(game.replay()))) {
-                continue;
-            }
-            try {
-                String replay = ReplayPage.embedded(replays.resolve(game.replay()));
-                bytes += replay.length();
-                if (bytes > MOST_BYTES) {
-                    break;
-                }
-                embedded.put(game.id(), replay);
-            } catch (IOException | ReplayException damaged) {
-                continue;                              // the page is about the league; it says where the file is
-            }
-        }
-        return embedded;
-    }
-
-    /** Nothing in the data can end the element that it stands in. */
-    private static byte[] inScript(String json) {
-        return json.replace("<", "\\u003c").getBytes(StandardCharsets.UTF_8);
+    /** JSON for a script element: nothing in it can end the element. */
+    public static String inScript(String json) {
+        return json.replace("<", "\\u003c");
     }
 
     /**
@@ -131,7 +95,8 @@ public final class LeaguePage {
         return json(out -> LeagueJson.view(out, view, game -> game.replay() == null ? null : LIVE));
     }
 
-    private static String json(Consumer<JsonGenerator> fields) {
+    /** An object of these fields. */
+    public static String json(Consumer<JsonGenerator> fields) {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         try (JsonGenerator out = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(), bytes)) {
             out.writeStartObject();

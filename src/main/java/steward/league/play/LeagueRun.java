@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
+import java.util.function.BiFunction;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
 import steward.contest.Contest;
@@ -63,6 +64,7 @@ public final class LeagueRun {
     private KnownResults known;
     private LeagueEnd leagueEnd;
     private StopRule rule = StopRule.NONE;
+    private BiFunction<Roster, Map<List<Integer>, Integer>, Schedule.Plan> plan;
     private Roster roster;
     private Map<Integer, Member> members;
     private int underWay;
@@ -125,6 +127,9 @@ public final class LeagueRun {
         LeagueSettings settings = next.settings();
         pauses.use(next, schedule);
         schedule.meeting(next.meeting());
+        if (plan != null) {
+            schedule.following(decided -> plan.apply(next, decided));
+        }
         schedule.play(next.versions(), versions -> pairing(settings, versions, next));
     }
 
@@ -153,6 +158,18 @@ public final class LeagueRun {
         leagueEnd = new LeagueEnd(stop, known, roster.settings().lag(), schedule::active);
         schedule.until(leagueEnd);
         use(roster);
+    }
+
+    /**
+     * Plays what a plan says and no more; before {@link #play}.
+     *
+     * @param maker makes the plan for a roster from the decisions by group so far
+     * @return the number of games to be played
+     */
+    public synchronized long following(BiFunction<Roster, Map<List<Integer>, Integer>, Schedule.Plan> maker) {
+        plan = maker;
+        use(roster);
+        return schedule.planned();
     }
 
     /** The rule that ended the run with what was known, or {@code null}. */

@@ -9,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Base64;
+import java.util.function.IntPredicate;
 import java.util.zip.Deflater;
 import java.util.zip.GZIPOutputStream;
 import steward.replay.JsonLine;
@@ -94,13 +95,14 @@ public final class ReplayPage {
     /**
      * A replay as it stands in a page: gzip in base64.
      *
+     * @param stderr whether what a player wrote there, and its command, may be seen; {@code null} for all
      * @throws IOException     if it cannot be read
      * @throws ReplayException if the file is no replay, of a newer format, or damaged before its end
      */
-    public static String embedded(Path replay) throws IOException {
+    public static String embedded(Path replay, IntPredicate stderr) throws IOException {
         byte[] bytes = Files.readAllBytes(replay);
         byte[] whole = check(bytes, replay.toString()) == null ? bytes : upToCut(bytes);
-        return embedded(whole);
+        return embedded(stderr == null ? whole : OwnStderr.of(whole, stderr));
     }
 
     private static String embedded(byte[] lines) throws IOException {

@@ -18,7 +18,9 @@ import steward.bots.pokerchiprace.PokerChipRaceBots;
 import steward.bots.searchrace.SearchRaceBots;
 import steward.cli.Cli;
 import steward.cli.ShellBots;
+import steward.league.page.EmbeddedReplays;
 import steward.league.page.LeaguePage;
+import steward.league.page.LeagueView;
 import steward.league.page.PageTestLeague;
 import steward.match.TestScenes;
 import steward.replay.Recorded;
@@ -106,7 +108,8 @@ final class PageGallery {
     private Path league(int bots, int rounds) throws IOException {
         Path page = folder.resolve("league-of-" + bots + ".html");
         try (OutputStream html = Files.newOutputStream(page)) {
-            LeaguePage.write(PageTestLeague.of(bots, rounds), folder, html, "League night");
+            LeagueView view = PageTestLeague.of(bots, rounds);
+            LeaguePage.write(view, folder, EmbeddedReplays.of(view.games(), folder, null), html, "League night");
         }
         return page;
     }

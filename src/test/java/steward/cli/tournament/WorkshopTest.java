@@ -24,13 +24,15 @@ import steward.bot.isolation.SandboxSupport;
 @Timeout(300)
 class WorkshopTest {
 
+    private static final HandIn.Bounds BOUNDS = new HandIn.Bounds(1, 20);
+
     @TempDir
     private Path folder;
 
     private Workshop.Ready made(String file, Programs.Kind kind, Isolation isolation, String text)
             throws IOException, InterruptedException {
         Path source = Files.writeString(Files.createDirectories(folder.resolve("in")).resolve(file), text);
-        return new Workshop(Files.createDirectories(folder.resolve("out")), isolation, 120_000)
+        return new Workshop(Files.createDirectories(folder.resolve("out")), isolation, 120_000, BOUNDS)
             .make(new Programs.Program("bot", source, kind));
     }
 
@@ -54,7 +56,7 @@ class WorkshopTest {
 
     @Test
     void aProgramThatCannotBeReadIsTold() throws Exception {
-        Workshop.Ready ready = new Workshop(folder, Isolation.OFF, 1).make(
+        Workshop.Ready ready = new Workshop(folder, Isolation.OFF, 1, BOUNDS).make(
             new Programs.Program("bot", folder.resolve("gone.py"), Programs.Kind.PYTHON));
         assertTrue(ready.problem().startsWith("cannot be copied: "), ready.problem());
     }

@@ -31,6 +31,8 @@ final class LeagueProgress {
     private Supplier<Results> anew;
     private long began = System.nanoTime();
     private long played;
+    /** Games of this run, where a plan says how many, or -1. */
+    private long planned = -1;
 
     LeagueProgress(GameStore store, LeagueRun.Limits limits) {
         this.store = store;
@@ -41,6 +43,17 @@ final class LeagueProgress {
     synchronized void goOn(Results before) {
         results = before;
         began = System.nanoTime();
+    }
+
+    /** A plan has so many games that are to be played. */
+    synchronized void planned(long games) {
+        planned = games;
+    }
+
+    /** Number of planned games, in words. */
+    synchronized String planned() {
+        return planned == 0 ? "no game is to be played" : TextFormat.count(planned, "game")
+            + (planned == 1 ? " is to be played" : " are to be played");
     }
 
     /** A game has ended. */
@@ -107,18 +120,19 @@ final class LeagueProgress {
     /** Games, games a second, time left. */
     String standing(LeagueRun run) {
         double rate = rate();
-        long done = run.games();
+        long done = planned < 0 ? run.games() : played();
+        long most = planned < 0 ? limits.games() : planned;
         StringBuilder line = new StringBuilder(TextFormat.count(done, "game"));
-        if (limits.games() != Long.MAX_VALUE) {
-            line.append(" of ").append(limits.games());
+        if (most != Long.MAX_VALUE) {
+            line.append(" of ").append(most);
         }
         line.append(", ").append(TextFormat.number(rate, rate < 10 ? 2 : 0)).append(" games/s");
         double left = Double.POSITIVE_INFINITY;
         if (limits.nanos() != Long.MAX_VALUE) {
             left = (limits.nanos() - (System.nanoTime() - began)) / NANOS;
         }
-        if (limits.games() != Long.MAX_VALUE && rate > 0) {
-            left = Math.min(left, (limits.games() - done) / rate);
+        if (most != Long.MAX_VALUE && rate > 0) {
+            left = Math.min(left, (most - done) / rate);
         }
         return line + (left < TimeUnit.DAYS.toSeconds(365) ? ", " + TextFormat.about(Math.max(0, left)) + " left" : "")
             + "; Ctrl-C ends it";

@@ -2,11 +2,13 @@ package steward.cli.league.run;
 
 import java.lang.management.ManagementFactory;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.BiFunction;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import picocli.CommandLine.Command;
@@ -30,6 +32,7 @@ import steward.files.InputException;
 import steward.league.FolderLock;
 import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
+import steward.league.Schedule;
 import steward.league.Season;
 import steward.league.pairing.StopRule;
 import steward.league.play.EarlierFacts;
@@ -116,9 +119,18 @@ public final class RunCommand extends ProgramCommand {
         + "plays.")
     private boolean json;
 
+    /** Games to be played and no others, or {@code null}. */
+    private BiFunction<Roster, Map<List<Integer>, Integer>, Schedule.Plan> plan;
+
     /** @param serving an object with options that let other machines play */
     public RunCommand(Serving serving) {
         this.serving = serving;
+    }
+
+    /** Plays what a plan says, see {@link LeagueRun#following}, and prints no table. */
+    public RunCommand following(BiFunction<Roster, Map<List<Integer>, Integer>, Schedule.Plan> maker) {
+        plan = maker;
+        return this;
     }
 
     @Override
@@ -202,6 +214,9 @@ public final class RunCommand extends ProgramCommand {
         if (rule.isAny()) {
             run.until(rule);
         }
+        if (plan != null) {
+            progress.planned(run.following(plan));
+        }
         AtomicBoolean told = new AtomicBoolean();
         try (Serving.Service machines = serving.start(folder, season, contest, settings,
                 what -> say(screen.get(), what));
@@ -222,7 +237,7 @@ public final class RunCommand extends ProgramCommand {
                 if (!contest.hold().isEmpty()) {
                     say(screen.get(), contest.hold());
                 }
-                say(screen.get(), RoundText.length(settings, roster.versions(), season.players(),
+                say(screen.get(), plan != null ? progress.planned() : RoundText.length(settings, roster.versions(), season.players(),
                     settings.gauntlet() == null ? -1 : roster.versionOf(settings.gauntlet()).orElse(-1),
                     roster.meeting()));
             }
@@ -283,6 +298,14 @@ public final class RunCommand extends ProgramCommand {
             return;
         }
         progress.settle();
+        if (plan == null) {
+            tellTable(run, progress, season, machines);
+        }
+        streams.out().println(TextFormat.count(progress.played(), "game") + " in this run, "
+            + TextFormat.number(progress.rate(), 2) + " games/s.");
+    }
+
+    private void tellTable(LeagueRun run, LeagueProgress progress, Season season, Serving.Service machines) {
         LeagueTable table = progress.table(run.roster().settings());
         TableText.whole(table, season, machines == null ? List.of() : machines.workers(), streams.outColour())
             .forEach(streams.out()::println);
@@ -294,8 +317,6 @@ public final class RunCommand extends ProgramCommand {
             streams.out().println("The bots only repeat games that were played before, whatever the seed is: more of "
                 + "them tell nothing. A bot that draws by lot is to be marked, \"random\": true in league.json.");
         }
-        streams.out().println(TextFormat.count(progress.played(), "game") + " in this run, "
-            + TextFormat.number(progress.rate(), 2) + " games/s.");
     }
 
     /** Returns the machine that is noted with each game. */

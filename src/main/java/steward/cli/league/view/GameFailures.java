@@ -33,8 +33,13 @@ public final class GameFailures {
 
     /** Adds a game; the first one of a kind is its example. */
     public void add(StoredGame game) {
+        game.seats().forEach(seat -> add(game, seat.version()));
+    }
+
+    /** Adds the failure of one version in a game, if it failed. */
+    public void add(StoredGame game, int version) {
         for (StoredGame.StoredSeat seat : game.seats()) {
-            if (seat.fault() != null) {
+            if (seat.version() == version && seat.fault() != null) {
                 Kind kind = kinds.computeIfAbsent(List.of(seat.version(), Failure.kind(seat.fault())),
                     key -> new Kind());
                 kind.games++;

@@ -78,12 +78,12 @@ public final class OwnValues {
     }
 
     /** Heads of the columns that {@link #cells} fills. */
-    String[] heads() {
+    public String[] heads() {
         return names().stream().flatMap(name -> Stream.of(name + "Mean", name + "Deviation")).toArray(String[]::new);
     }
 
     /** Mean and standard deviation of each value of a version; empty where there is none. */
-    String[] cells(int version) {
+    public String[] cells(int version) {
         Map<String, Sum> own = sums.getOrDefault(version, Map.of());
         return names().stream().map(own::get).flatMap(sum -> sum == null ? Stream.of("", "")
             : Stream.of(TableCommand.number(sum.mean), TableCommand.number(sum.deviation()))).toArray(String[]::new);

@@ -18,6 +18,7 @@ import steward.cli.shared.Pages;
 import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.league.StoredGame;
+import steward.league.page.EmbeddedReplays;
 import steward.league.page.LeaguePage;
 import steward.league.page.LeagueView;
 import steward.league.rating.LeagueTable;
@@ -74,10 +75,13 @@ public final class PageCommand extends ProgramCommand {
 
     /** Writes the page; returns how many replays are in it. */
     static int write(LeagueOpening.Opened opened, LeagueTable table, OutputStream html) {
+        List<StoredGame> games = games(opened);
+        Path folder = opened.folder().replays();
+        EmbeddedReplays replays = EmbeddedReplays.of(games, folder, null);
         try {
-            return LeaguePage.write(new LeagueView(opened.season(), table, opened.games().path(opened.entries()),
-                games(opened), Double.NaN, opened.workers()), opened.folder().replays(), html,
-                title(opened.folder().path()));
+            LeaguePage.write(new LeagueView(opened.season(), table, opened.games().path(opened.entries()), games,
+                Double.NaN, opened.workers()), folder, replays, html, title(opened.folder().path()));
+            return replays.replays().size();
         } catch (IOException problem) {
             throw new FailedException("the page cannot be written: " + problem.getMessage());
         }

@@ -11,6 +11,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.regex.Pattern;
 import java.util.stream.IntStream;
@@ -23,6 +24,7 @@ import steward.cli.Cli;
 import steward.cli.streams.Colour;
 import steward.league.LeagueSettings;
 import steward.league.Season;
+import steward.league.page.EmbeddedReplays;
 import steward.league.page.LeaguePage;
 import steward.league.page.LeaguePlots;
 import steward.league.page.LeagueView;
@@ -92,7 +94,8 @@ class FewGamesTest {
             String text = String.join("\n", TableText.whole(table, SEASON, List.of(), Colour.NONE));
             assertFalse(Pattern.compile("9999|\\d{5}|Infinity|NaN|∞").matcher(text).find(), text);
             ByteArrayOutputStream page = new ByteArrayOutputStream();
-            LeaguePage.write(new LeagueView(SEASON, table, path.path(), List.of(), Double.NaN, List.of()), folder, page,
+            LeaguePage.write(new LeagueView(SEASON, table, path.path(), List.of(), Double.NaN, List.of()), folder,
+                new EmbeddedReplays(Map.of()), page,
                 "few");
             String html = page.toString(StandardCharsets.UTF_8);
             String data = html.substring(html.indexOf("{\"scene\":"));

@@ -1,0 +1,81 @@
+package steward.cli.tournament;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import steward.cli.league.view.LeagueOpening;
+import steward.league.Season;
+import steward.league.StoredGame;
+import steward.league.play.Roster;
+import steward.league.rating.LeagueTable;
+import steward.league.rating.RatingPath;
+import steward.league.rating.Results;
+
+/**
+ * The games between the programs that play now. Table and pages are made from these and nothing else: games of older
+ * versions and of programs that are gone stay in the league and are in none of them.
+ *
+ * @param entries the versions that play, by the names of their programs
+ * @param games   in the order in which they were stored, those that do not count among them
+ */
+record PlayedGames(Season season, List<LeagueTable.Entry> entries, List<StoredGame> games) {
+
+    /** Reads the games of a league that has been played. */
+    static PlayedGames read(LeagueOpening.Opened opened, Roster roster) {
+        List<LeagueTable.Entry> entries = roster.members().stream().map(member ->
+            new LeagueTable.Entry(member.version().id(), member.bot().name(), member.version().random(), true)).toList();
+        List<Integer> versions = roster.versions();
+        List<StoredGame> games = new ArrayList<>();
+        opened.games().games(game -> {
+            if (game.seats().stream().allMatch(seat -> versions.contains(seat.version()))) {
+                games.add(game);
+            }
+        });
+        return new PlayedGames(opened.season(), entries, games);
+    }
+
+    /** The games that count, each once, however often it was played. */
+    List<StoredGame> counted() {
+        return games.stream().filter(StoredGame::counts).toList();
+    }
+
+    Map<Integer, String> names() {
+        Map<Integer, String> names = new HashMap<>();
+        entries.forEach(entry -> names.put(entry.version(), entry.name()));
+        return names;
+    }
+
+    /** The version of a program, or -1 if it does not play. */
+    int versionOf(String name) {
+        return entries.stream().filter(entry -> entry.name().equals(name)).mapToInt(LeagueTable.Entry::version)
+            .findFirst().orElse(-1);
+    }
+
+    /** The ratings over these games. */
+    LeagueTable ratings() {
+        Results results = new Results(season);
+        games.forEach(game -> add(results, game));
+        return LeagueTable.of(results, entries);
+    }
+
+    /** Path of the ratings over these games. */
+    RatingPath path() {
+        Results results = new Results(season);
+        RatingPath.Collector path = new RatingPath.Collector(entries);
+        long step = Math.max(1, games.size() / RatingPath.points(entries.size()));
+        for (int k = 0; k < games.size(); k++) {
+            add(results, games.get(k));
+            if ((k + 1) % step == 0 || k + 1 == games.size()) {
+                path.take(results);
+            }
+        }
+        return path.path();
+    }
+
+    private void add(Results results, StoredGame game) {
+        results.add(entries.stream().anyMatch(entry -> entry.random()
+            && game.seats().stream().anyMatch(seat -> seat.version() == entry.version()))
+            ? game.withoutTranscript() : game);
+    }
+}

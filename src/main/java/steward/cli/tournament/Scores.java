@@ -1,0 +1,217 @@
+package steward.cli.tournament;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.function.ToIntFunction;
+import java.util.stream.IntStream;
+import steward.cli.league.view.OwnValues;
+import steward.json.JsonNumbers;
+import steward.json.JsonObject;
+import steward.league.StoredGame;
+import steward.league.StoredGame.StoredSeat;
+import steward.league.rating.LeagueTable;
+import steward.text.CsvRow;
+import steward.text.TextFormat;
+import tools.jackson.core.JsonGenerator;
+
+/**
+ * The table of a tournament: every game that counts gives 1 point to its winner, 1/2 for a draw; among several players,
+ * the share of the others that are ranked below. Where each plays alone, the results on one map are a game of all.
+ *
+ * @param rows best first
+ * @param rule how ties are broken, in words
+ */
+record Scores(List<Row> rows, String rule) {
+
+    /** Rule of ties where everybody meets everybody. */
+    static final String DIRECT = "Ties: points in the games between those tied, then wins; then the place is shared.";
+
+    private static final int WIDEST = 40;
+
+    /**
+     * One program.
+     *
+     * @param place  from 1; shared where nothing tells two apart
+     * @param games  that count
+     * @param failed games in which it failed
+     * @param tie    what breaks ties: points against those with equal points, or Buchholz
+     */
+    record Row(int place, int version, String name, int games, int wins, int draws, int losses, double points,
+               double tie, int failed) { }
+
+    /** Sums of one program; points are halves of pairs, so that they are whole numbers. */
+    private static final class Sum {
+        private int games;
+        private int wins;
+        private int draws;
+        private int failed;
+        private final Map<Integer, Integer> halves = new TreeMap<>();
+
+        private int points() {
+            return halves.values().stream().mapToInt(Integer::intValue).sum();
+        }
+    }
+
+    /** The table where everybody meets everybody. */
+    static Scores of(PlayedGames played) {
+        Map<Integer, Sum> sums = sums(played);
+        return table(played, sums, DIRECT, (version, tied) -> tied.stream().mapToInt(other ->
+            sums.get(version).halves.getOrDefault(other, 0)).sum());
+    }
+
+    /** Breaks a tie. */
+    interface TieBreak {
+        /** Returns a number that is larger for the better one. @param tied all with as many points */
+        int of(int version, List<Integer> tied);
+    }
+
+    private static Scores table(PlayedGames played, Map<Integer, Sum> sums, String rule, TieBreak tieBreak) {
+        Map<Integer, List<Integer>> tied = new HashMap<>();
+        sums.forEach((version, sum) -> tied.computeIfAbsent(sum.points(), points -> new ArrayList<>()).add(version));
+        ToIntFunction<Integer> tie = version -> tieBreak.of(version, tied.get(sums.get(version).points()));
+        Map<Integer, String> names = played.names();
+        Comparator<Integer> better = Comparator.<Integer>comparingInt(version -> -sums.get(version).points())
+            .thenComparingInt(version -> -tie.applyAsInt(version)).thenComparingInt(version -> -sums.get(version).wins);
+        List<Integer> order = sums.keySet().stream().sorted(better.thenComparing(names::get)).toList();
+        double unit = 2.0 * Math.max(1, others(played));
+        List<Row> rows = new ArrayList<>();
+        for (int version : order) {
+            Sum sum = sums.get(version);
+            int above = rows.size() - 1;
+            int place = above >= 0 && better.compare(rows.get(above).version(), version) == 0 ? rows.get(above).place()
+                : rows.size() + 1;
+            rows.add(new Row(place, version, names.get(version), sum.games, sum.wins, sum.draws,
+                sum.games - sum.wins - sum.draws, sum.points() / unit, tie.applyAsInt(version) / unit, sum.failed));
+        }
+        return new Scores(rows, rule);
+    }
+
+    /** Others in a game, for the share of them; alone, all others are met one by one. */
+    private static int others(PlayedGames played) {
+        return (played.season().players() == 1 ? played.entries().size() : played.season().players()) - 1;
+    }
+
+    /** Everything that a reader of the table has to know: how ties are broken, and why counts differ, if they do. */
+    List<String> notes(PlayedGames played) {
+        List<String> notes = new ArrayList<>(List.of("A win is 1 point, a draw 1/2"
+            + (others(played) > 1 ? "; of several others, the share that is ranked below" : "") + ". " + rule));
+        long again = played.games().stream().filter(game -> !game.counts() && game.problem() == null).count();
+        if (again > 0) {
+            notes.add(TextFormat.count(again, "attempt") + " at a game " + (again == 1 ? "was" : "were")
+                + " repeated, as other programs used the processors; each game counts once.");
+        }
+        long allFailed = played.counted().stream().filter(StoredGame::allFailed).count();
+        if (allFailed > 0) {
+            notes.add("In " + TextFormat.count(allFailed, "game") + " all failed in the same turn: they count here as "
+                + "the rules say, and in no rating.");
+        }
+        int most = rows.stream().mapToInt(Row::games).max().orElse(0);
+        rows.stream().filter(row -> row.games() < most).forEach(row -> notes.add(row.name() + " has "
+            + TextFormat.count(row.games(), "game") + ", others up to " + most + ": " + missing(played, row.version())));
+        return notes;
+    }
+
+    private static String missing(PlayedGames played, int version) {
+        List<StoredGame> without = played.games().stream().filter(game -> game.problem() != null
+            && game.seats().stream().anyMatch(seat -> seat.version() == version)).toList();
+        return without.isEmpty() ? "the others are not played yet; the same command goes on."
+            : TextFormat.count(without.size(), "game") + " without a result, such as "
+                + TextFormat.plain(without.get(0).problem()) + ".";
+    }
+
+    private static Map<Integer, Sum> sums(PlayedGames played) {
+        Map<Integer, Sum> sums = new TreeMap<>();
+        played.entries().forEach(entry -> sums.put(entry.version(), new Sum()));
+        Map<Long, List<StoredSeat>> maps = new TreeMap<>();
+        for (StoredGame game : played.counted()) {
+            for (StoredSeat seat : game.seats()) {
+                Sum sum = sums.get(seat.version());
+                sum.games++;
+                sum.failed += seat.fault() == null ? 0 : 1;
+            }
+            if (game.seats().size() == 1) {
+                maps.computeIfAbsent(game.seed(), seed -> new ArrayList<>()).add(game.seats().get(0));
+            } else {
+                add(sums, game.seats().stream().mapToInt(StoredSeat::version).toArray(),
+                    game.seats().stream().mapToInt(StoredSeat::rank).toArray());
+            }
+        }
+        int sign = played.season().lowerScoreIsBetter() ? 1 : -1;
+        maps.values().forEach(seats -> add(sums, seats.stream().mapToInt(StoredSeat::version).toArray(),
+            seats.stream().mapToInt(seat -> (int) seats.stream().filter(other ->
+                sign * Double.compare(other.score(), seat.score()) < 0).count()).toArray()));
+        return sums;
+    }
+
+    private static void add(Map<Integer, Sum> sums, int[] versions, int... ranks) {
+        long first = IntStream.of(ranks).filter(rank -> rank == 0).count();
+        for (int k = 0; k < versions.length; k++) {
+            Sum sum = sums.get(versions[k]);
+            sum.wins += ranks[k] == 0 && first == 1 ? 1 : 0;
+            sum.draws += ranks[k] == 0 && first > 1 ? 1 : 0;
+            for (int j = 0; j < versions.length; j++) {
+                if (j != k) {
+                    sum.halves.merge(versions[j], 1 + Integer.signum(ranks[j] - ranks[k]), Integer::sum);
+                }
+            }
+        }
+    }
+
+    /** The table for a terminal. */
+    List<String> lines() {
+        int width = rows.stream().mapToInt(row -> row.name().length()).max().orElse(0);
+        int column = Math.min(WIDEST, Math.max("program".length(), width)) + 2;
+        List<String> lines = new ArrayList<>(List.of("  # " + TextFormat.left("program", column)
+            + " points  games    won  drawn   lost  failed"));
+        for (Row row : rows) {
+            lines.add(TextFormat.right("" + row.place(), 3) + " "
+                + TextFormat.left(TextFormat.plain(TextFormat.shorten(row.name(), WIDEST)), column)
+                + TextFormat.right(points(row.points()), 7) + TextFormat.right("" + row.games(), 7)
+                + TextFormat.right("" + row.wins(), 7) + TextFormat.right("" + row.draws(), 7)
+                + TextFormat.right("" + row.losses(), 7) + TextFormat.right("" + row.failed(), 8));
+        }
+        return lines;
+    }
+
+    /** The field {@code scores}. */
+    void json(JsonGenerator out) {
+        JsonObject.writeAll(out, "scores", rows, row -> {
+            out.writeNumberProperty("place", row.place());
+            out.writeStringProperty("name", row.name());
+            out.writeNumberProperty("games", row.games());
+            out.writeNumberProperty("won", row.wins());
+            out.writeNumberProperty("drawn", row.draws());
+            out.writeNumberProperty("lost", row.losses());
+            out.writeNumberProperty("failed", row.failed());
+            JsonNumbers.write(out, "points", row.points());
+            JsonNumbers.write(out, "tie", row.tie());
+        });
+    }
+
+    /** The table with ratings and the games' own values, as comma-separated values. */
+    String csv(PlayedGames played, LeagueTable ratings) {
+        OwnValues own = new OwnValues();
+        played.games().forEach(own::add);
+        Map<Integer, LeagueTable.Row> rated = new HashMap<>();
+        ratings.rows().forEach(row -> rated.put(row.entry().version(), row));
+        StringBuilder lines = new StringBuilder(new CsvRow().words("place", "program", "points", "games", "won",
+            "drawn", "lost", "failed", "tie", "rating", "bar").words(own.heads()).line());
+        for (Row row : rows) {
+            LeagueTable.Row rating = rated.get(row.version());
+            lines.append(new CsvRow().words("" + row.place(), row.name(), points(row.points()), "" + row.games(),
+                "" + row.wins(), "" + row.draws(), "" + row.losses(), "" + row.failed(), points(row.tie()),
+                TextFormat.number(rating.rating(), 1), rating.hasBar() ? TextFormat.number(rating.bar(), 1) : "")
+                .words(own.cells(row.version())).line());
+        }
+        return lines.toString();
+    }
+
+    /** Points as they are written: one digit behind the point, two where several play. */
+    static String points(double points) {
+        return TextFormat.number(points, Math.rint(2 * points) == 2 * points ? 1 : 2);
+    }
+}

@@ -1,0 +1,66 @@
+package steward.league.page;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.BiPredicate;
+import steward.league.StoredGame;
+import steward.replay.ReplayException;
+import steward.replay.page.ReplayPage;
+import tools.jackson.core.JsonGenerator;
+
+/**
+ * Kept replays that a page of games holds, by game: the page puts together the page of a match by itself.
+ *
+ * @param replays as they stand in a page
+ */
+public record EmbeddedReplays(Map<Long, String> replays) {
+
+    /** Replays that a page holds at most, together, in bytes of the page: it is still opened in a moment. */
+    private static final long MOST_BYTES = 24 << 20;
+
+    /**
+     * The kept replays that can be read, up to a size.
+     *
+     * @param games  the most important first
+     * @param folder of the replays
+     * @param stderr whether what the bot of a seat wrote there may be seen; {@code null} for all
+     */
+    public static EmbeddedReplays of(List<StoredGame> games, Path folder, BiPredicate<StoredGame, Integer> stderr) {
+        Map<Long, String> embedded = new LinkedHashMap<>();
+        long bytes = 0;
+        for (StoredGame game : games) {
+            if (game.replay() == null || !Files.isRegularFile(folder.resolve(game.replay()))) {
+                continue;
+            }
+            try {
+                String replay = ReplayPage.embedded(folder.resolve(game.replay()),
+                    stderr == null ? null : seat -> stderr.test(game, seat));
+                bytes += replay.length();
+                if (bytes > MOST_BYTES) {
+                    break;
+                }
+                embedded.put(game.id(), replay);
+            } catch (IOException | ReplayException damaged) {
+                continue;                              // the page is about more; it says where the file is
+            }
+        }
+        return new EmbeddedReplays(embedded);
+    }
+
+    /** The fields {@code replays} and {@code shell}. */
+    public void write(JsonGenerator out, ReplayPage.Shell shell) {
+        out.writeObjectPropertyStart("replays");
+        replays.forEach((game, replay) -> out.writeStringProperty(Long.toString(game), replay));
+        out.writeEndObject();
+        if (!replays.isEmpty()) {
+            out.writeObjectPropertyStart("shell");
+            out.writeStringProperty("before", shell.before());
+            out.writeStringProperty("after", shell.after());
+            out.writeEndObject();
+        }
+    }
+}
