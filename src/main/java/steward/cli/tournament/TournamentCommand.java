@@ -62,9 +62,12 @@ import steward.text.TextFormat;
         "",
         "The folder of --page has index.html, a page for each author in bots/, the table",
         "as table.csv, and in league/ a league, which 'steward league' goes on with. The",
-        "same command plays what is new: changed programs, and more --games.",
-        "", "--json: folder, programs (name, ready, standing), and the table as in 'league",
-        "table --json'.",
+        "same command plays what is new: changed programs, and more --games. Table and",
+        "pages are of the programs as they are now, and everybody has as many games.",
+        "Links, pipes and devices among hand-ins are not opened.",
+        "", "--json: folder, programs (name, ready, standing), scores (place, name, games,",
+        "won, drawn, lost, failed, points, tie), and the ratings as in 'league table",
+        "--json'.",
         "", "Examples:",
         "  steward tournament submissions --scene mad-pod-racing",
         "  steward tournament submissions --games 10 --page results --threads auto",
@@ -159,6 +162,7 @@ public final class TournamentCommand extends ProgramCommand {
     }
 
     @Override
+    @SuppressWarnings("try")                           // the lock is only closed, never used
     public Integer call() throws Exception {
         check.range("--games", games, 1, MOST_GAMES);
         check.range("--compile-limit", compileLimit, 1, (int) TimeUnit.HOURS.toSeconds(1));
