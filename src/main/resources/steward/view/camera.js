@@ -15,6 +15,7 @@ export class Camera {
   height = 1;
   follow = 'field';
   isHeld = false;               // moved by hand: it stays
+  isReturning = false;          // on its way back to the whole
   covered = 0;                  // pixels at the top
   whole = null;
   box = null;
@@ -27,16 +28,19 @@ export class Camera {
     return this.offsetY + units * this.scale;
   }
 
-  /** The size of the canvas, the box that is the whole, and the strip at the top that is covered. */
-  resize(width, height, box, covered) {
-    const isFirst = this.width === 1 || !this.isMoved;
+  /** The size of the canvas, and the strip at the top that is covered. */
+  resize(width, height, covered) {
     Object.assign(this, { width, height, covered });
-    this.whole = this.#fit(box);
-    this.box = box;
-    if (isFirst) this.#set(this.whole);
   }
 
-  /** True if it does not show the whole field at rest. */
+  /** The box that is the whole now; unless it was moved, that is what is seen. */
+  frame(box) {
+    this.box = box;
+    this.whole = this.#fit(box);
+    if (!this.isMoved && !this.isReturning) this.#set(this.whole);
+  }
+
+  /** True if it does not show the whole field. */
   get isMoved() {
     return this.isHeld || this.follow !== 'field';
   }
@@ -65,6 +69,7 @@ export class Camera {
     const far = Math.max(Math.abs(goal.offsetX - this.offsetX), Math.abs(goal.offsetY - this.offsetY),
       1000 * Math.abs(goal.scale / this.scale - 1));
     if (far < 0.3) {
+      this.isReturning = false;
       this.#set(goal);
       return false;
     }
@@ -103,6 +108,7 @@ export class Camera {
 
   setFollow(mode) {
     this.isHeld = false;
+    this.isReturning = mode === 'field';
     this.follow = mode;
   }
 }

@@ -1,6 +1,6 @@
 // Impacts and marks of the game, which stay in view for a moment. All follows from the time alone.
 
-import { captionSize, circle, hash01, sprites, TAU, write } from './draw.js';
+import { captionSize, circle, FONT, hash01, sprites, TAU, write } from './draw.js';
 import { paintGlow } from './hulls.js';
 import { MOST_WORDS } from './notes.js';
 import { grouped, shorten, withNames } from './text.js';
@@ -11,6 +11,10 @@ const FLASH_SECONDS = 0.15;     // and at least this long when turns fly by
 const MARK_TURNS = 4;
 const MOST_FLASHES = 60;        // at once; of more, the strongest are drawn
 const NUMBERED_SPEED = 5;       // turns a second up to which impulses are written
+const MOST_NUMBERS = 8;         // of the strongest
+const NUMBER_SIZE = 12;         // pixels
+const BESIDE = [1, 1.8, 2.6].flatMap(far => [[0, -1], [0, 1], [1, 0], [-1, 0], [0.7, -0.7], [-0.7, -0.7], [0.7, 0.7],
+  [-0.7, 0.7]].map(([dx, dy]) => [far * dx, far * dy]));         // where a number may stand beside its flash
 
 /** The place where two bodies, or a body and a wall, touched in a turn. */
 export function contactOf(match, { impact, turn }) {
@@ -31,6 +35,7 @@ export function strengthOf(match, impact) {
   return match.largestImpulse > 0 ? Math.abs(impact.impulse ?? 0) / match.largestImpulse : 0;
 }
 
+/** Draws what is in view of impacts; returns the numbers beside them, with their places. */
 export function drawImpacts(scene) {
   const { match, moment, turnsPerSecond } = scene;
   const life = Math.max(FLASH_TURNS, FLASH_SECONDS * turnsPerSecond);
@@ -40,11 +45,54 @@ export function drawImpacts(scene) {
       .slice(0, MOST_FLASHES);
   }
   for (const met of impacts) drawFlash(scene, met, (moment.time - met.time) / life);
+  return turnsPerSecond <= NUMBERED_SPEED ? drawNumbers(scene, impacts, life) : [];
+}
+
+/** Impulses that rise from the strongest impacts in view, beside all bodies: none covers one, or another number. */
+function drawNumbers(scene, impacts, life) {
+  const { ctx, view, paint, match, moment } = scene;
+  const taken = scene.bodies.map(body => ({ x: view.x(body.x), y: view.y(body.y), reach: body.radius * view.scale + 2 }));
+  const strongest = impacts.filter(met => met.size * view.scale > NUMBER_SIZE && met.impact.impulse !== undefined)
+    .sort((one, other) => strengthOf(match, other.impact) - strengthOf(match, one.impact)).slice(0, MOST_NUMBERS);
+  ctx.font = `700 ${NUMBER_SIZE}px ${FONT}`;
+  const numbers = strongest.flatMap(met => {
+    const age = (moment.time - met.time) / life;
+    const words = grouped(Math.round(Math.abs(met.impact.impulse)));
+    const box = { words, age, half: ctx.measureText(words).width / 2 + 2, high: NUMBER_SIZE / 2 + 1 };
+    const [x, y, far] = [view.x(met.contact.x), view.y(met.contact.y), met.size * view.scale * 0.55 + 6 + 16 * age];
+    for (const side of met.side ? [met.side, ...BESIDE] : BESIDE) {
+      const at = { ...box, x: x + side[0] * far + Math.sign(side[0]) * box.half,
+        y: y + side[1] * far + Math.sign(side[1]) * box.high };
+      if (taken.every(other => isApart(at, other)) && isWithin(at, view)) {
+        met.side = side;                                    // it stays there while there is room
+        taken.push(at);
+        return [at];
+      }
+    }
+    return [];
+  });
+  for (const { words, x, y, age } of numbers) {
+    ctx.globalAlpha = Math.min(1, 2 * (1 - age) ** 1.5);
+    write({ ctx, paint }, words, x, y, NUMBER_SIZE, paint.flash, '700');
+  }
+  ctx.globalAlpha = 1;
+  return numbers;
+}
+
+/** True if a box of words covers neither a disc nor another box. */
+function isApart(box, other) {
+  const [dx, dy] = [Math.abs(box.x - other.x), Math.abs(box.y - other.y)];
+  if (other.reach === undefined) return dx > box.half + other.half || dy > box.high + other.high;
+  return Math.hypot(Math.max(0, dx - box.half), Math.max(0, dy - box.high)) > other.reach;
+}
+
+function isWithin({ x, y, half, high }, view) {
+  return x >= half && x <= view.width - half && y >= view.covered + high && y <= view.height - high;
 }
 
 /** A core of light, a shock ring, sparks, and the impulse that rises from it. */
 function drawFlash(scene, met, age) {
-  const { ctx, view, paint, match, theme, turnsPerSecond } = scene;
+  const { ctx, view, paint, match, theme } = scene;
   const at = met.contact ??= contactOf(match, met);
   const [x, y] = [view.x(at.x), view.y(at.y)];
   const full = Math.max(8, (met.size ??= flashRadius(match, met)) * view.scale);
@@ -60,11 +108,6 @@ function drawFlash(scene, met, age) {
   const strength = strengthOf(match, met.impact);
   drawSparks(ctx, x, y, full, 8 + Math.round(18 * Math.sqrt(strength)), age, met);
   ctx.globalAlpha = 1;
-  if (turnsPerSecond <= NUMBERED_SPEED && age < 0.7 && met.impact.impulse !== undefined && full > 12) {
-    ctx.globalAlpha = Math.min(1, 2 * fade);
-    write({ ctx, paint }, grouped(Math.round(Math.abs(met.impact.impulse))), x, y - full * 0.55 - 6 - 16 * age, 12, paint.flash, '700');
-    ctx.globalAlpha = 1;
-  }
 }
 
 function drawSparks(ctx, x, y, full, sparks, age, met) {

@@ -16,6 +16,7 @@ const GOAL_TURNS = 6;           // how long a goal is celebrated
 
 addLook('fantastic-bits', {
   leadName: 'goals',
+  focus: () => ({ left: -GOAL_DEPTH, top: 0, right: PITCH.width + GOAL_DEPTH, bottom: PITCH.height }),
 
   /** A goal has the colour of the player who scores in it. */
   drawGround(scene) {

@@ -24,6 +24,7 @@ export function hookOf(page) {
       return { time: met.time, ...toWindow(x, y), radius: flashRadius(page.match, met) * page.stage.view.scale };
     }),
     impactWords: () => page.match.impacts.map(({ impact }) => pairOf(page.match, impact)),
+    numbers: () => page.stage.numbers,
     field: () => {
       const { left, top, right, bottom } = page.stage.field;
       const [from, to] = [toWindow(left, top), toWindow(right, bottom)];

@@ -3,7 +3,8 @@
 // A look may have: drawGround, drawBelow, drawBody, drawAbove (each gets a scene), standing(match, turn) with rank,
 // body, big, small, warning and pips of each player, leadName and progress(match, turn) with their numbers,
 // commandLines(command, player, match), commandOf(body, match, turn), field(name, value), rest(state, match) with pairs
-// of name and text beside the bodies, charts(match, series), and isUndrawn.
+// of name and text beside the bodies, charts(match, series), focus(match) with the box of what matters of the field, and
+// isUndrawn.
 
 import { circle, captionSize, targetLine, write } from './draw.js';
 import { putDisc } from './hulls.js';

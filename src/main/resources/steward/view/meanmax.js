@@ -16,6 +16,13 @@ const TEXT_PIXELS = 9;          // things drawn smaller than this have no words
 addLook('mean-max', {
   leadName: 'water',
 
+  /** The arena: around it tankers only come and go. */
+  focus(match) {
+    const arena = match.header.drawing.zones?.find(zone => zone.label === 'arena');
+    return arena && { left: arena.x - arena.radius, top: arena.y - arena.radius, right: arena.x + arena.radius,
+      bottom: arena.y + arena.radius };
+  },
+
   drawGround(scene) {
     (scene.match.header.drawing.zones ?? []).forEach(zone => paintPlace(scene, zone));
   },

@@ -8,7 +8,10 @@ import { drawRing } from './looks.js';
 import { readNotes } from './notes.js';
 import { drawTrails, drawVelocities } from './trails.js';
 
-const GROWTH = 0.05;            // how far beyond the field the view may reach, as a share of it
+const GROWTH = 0.05;            // how far beyond the field the view may reach, as a share of it, and
+const REACH = 0.4;              // how far for bodies of players, while they are out there
+const LOOK_AHEAD = 3;           // turns before and after those in which the view makes room for them
+const SMOOTH = 2;               // turns before and after over which it moves
 const PICK_PIXELS = 14;         // a tap this near to a small body means it
 
 export class Stage {
@@ -16,6 +19,7 @@ export class Stage {
   show = { trails: true, vectors: true, targets: false, impacts: true, notes: true, names: true };
   selected = null;
   hovered = null;
+  numbers = [];                 // impulses drawn last, with their places
   #ground = new Ground();
 
   constructor(canvas, match, theme, look) {
@@ -32,7 +36,7 @@ export class Stage {
     this.pixelRatio = devicePixelRatio || 1;
     const [wide, high] = [Math.round(width * this.pixelRatio), Math.round(height * this.pixelRatio)];
     if (this.canvas.width !== wide || this.canvas.height !== high) Object.assign(this.canvas, { width: wide, height: high });
-    if (this.match.header && width && height) this.view.resize(width, height, this.#box(), covered);
+    if (this.match.header && width && height) this.view.resize(width, height, covered);
   }
 
   /** The field as the game declared it, or the box of all that moves where it did not. */
@@ -45,23 +49,50 @@ export class Stage {
     return { left: x, top: y, right: x + width, bottom: y + height, width, height };
   }
 
-  /** The field, grown where bodies leave it, within bounds; who goes farther is pointed at from the edge. */
-  #box() {
-    const field = this.field;
-    const seen = this.match.extent();
-    const most = GROWTH * Math.min(field.width, field.height);
-    return {
-      left: Math.max(field.left - most, Math.min(field.left, seen.left)),
-      top: Math.max(field.top - most, Math.min(field.top, seen.top)),
-      right: Math.min(field.right + most, Math.max(field.right, seen.right)),
-      bottom: Math.min(field.bottom + most, Math.max(field.bottom, seen.bottom)),
+  /** What is seen as a whole at a time: the field, and who has left it; who goes farther is pointed at from the edge. */
+  #boxAt(time) {
+    const { match, field } = this;
+    const [width, height] = [field.right - field.left, field.bottom - field.top];
+    if (!match.players.length) return reaching(field, match.extent(), GROWTH * width, GROWTH * height);
+    const base = this.look.focus?.(match) ?? field;
+    const room = turn => {                                  // the largest of the turns around it, so that all are seen
+      let box = base;
+      for (let k = turn - LOOK_AHEAD; k <= turn + LOOK_AHEAD; k++) {
+        if (k >= 0 && k <= match.lastTurn) box = around(box, this.#outlineOf(k));
+      }
+      return box;
     };
+    const rooms = [];
+    for (let k = Math.floor(time) - SMOOTH; k <= Math.floor(time) + 1 + SMOOTH; k++) rooms.push(room(k));
+    const past = time - Math.floor(time);
+    const mean = side => rooms.reduce((sum, box, k) =>
+      sum + box[side] * (k === 0 ? 1 - past : k === rooms.length - 1 ? past : 1), 0) / (2 * SMOOTH + 1);
+    const wanted = { left: mean('left'), top: mean('top'), right: mean('right'), bottom: mean('bottom') };
+    return reaching(base, wanted, REACH * width, REACH * height);
   }
+
+  /** The box around the ways of players' bodies through a turn. */
+  #outlineOf(turn) {
+    let box = this.#outlines[turn];
+    if (!box) {
+      box = NOTHING;
+      for (const state of this.match.turn(turn).bodies.values()) {
+        const { owner, radius } = this.match.describe(state.id, state);
+        if (owner === null) continue;
+        for (const [, x, y] of turn === 0 ? [[1, state.x, state.y]] : this.match.path(state.id, turn)) {
+          box = around(box, { left: x - radius, top: y - radius, right: x + radius, bottom: y + radius });
+        }
+      }
+      this.#outlines[turn] = box;
+    }
+    return box;
+  }
+  #outlines = [];
 
   /** Lets the camera move. Returns true while it is on its way. */
   advance(moment, seconds) {
     const { follow } = this.view;
-    if (!this.view.isMoved) return this.view.advance(seconds, [], this.theme.isCalm);
+    if (!this.view.isMoved) return this.view.isReturning && this.view.advance(seconds, [], this.theme.isCalm);
     const bodies = this.match.bodiesAt(moment);
     const leader = this.standing(moment)?.find(each => each.rank === 0)?.body;
     const wanted = follow === 'all' ? bodies.filter(body => body.owner !== null && body.owner !== undefined)
@@ -84,7 +115,8 @@ export class Stage {
   draw(moment, turnsPerSecond) {
     const { ctx, look } = this;
     ctx.setTransform(this.pixelRatio, 0, 0, this.pixelRatio, 0, 0);
-    if (!this.match.header || !this.view.whole) return;
+    if (!this.match.header || this.view.width <= 1) return;
+    this.view.frame(this.#boxAt(moment.time));
     const scene = this.#scene(moment, turnsPerSecond);
     this.#ground.draw(scene, look, this.pixelRatio);
     if (this.show.trails) drawTrails(scene);
@@ -92,7 +124,7 @@ export class Stage {
     if (this.show.vectors) drawVelocities(scene);
     scene.bodies.forEach(body => look.drawBody(scene, body));
     this.#drawRings(scene);
-    if (this.show.impacts) drawImpacts(scene);
+    this.numbers = this.show.impacts ? drawImpacts(scene) : [];
     look.drawAbove?.(scene);
     drawMarks(scene);
     if (this.show.notes) this.#drawNotes(scene);
@@ -132,12 +164,26 @@ export class Stage {
   }
 }
 
-/** A small arrow at the edge for a body that is out of view. */
+const NOTHING = { left: Infinity, top: Infinity, right: -Infinity, bottom: -Infinity };
+
+function around(one, other) {
+  return { left: Math.min(one.left, other.left), top: Math.min(one.top, other.top),
+    right: Math.max(one.right, other.right), bottom: Math.max(one.bottom, other.bottom) };
+}
+
+/** The box around a field and more, which reaches at most so far beyond the field. */
+function reaching(field, more, wide, high) {
+  const box = around(field, more);
+  return { left: Math.max(field.left - wide, box.left), top: Math.max(field.top - high, box.top),
+    right: Math.min(field.right + wide, box.right), bottom: Math.min(field.bottom + high, box.bottom) };
+}
+
+/** A small arrow at the edge for a body that is out of view, or under the scores. */
 function pointAtHidden({ ctx, view, paint, theme }, body) {
   const [x, y] = [view.x(body.x), view.y(body.y)];
-  if (x >= 0 && x <= view.width && y >= 0 && y <= view.height || body.owner === null) return;
+  if (x >= 0 && x <= view.width && y >= view.covered && y <= view.height || body.owner === null) return;
   const atX = Math.min(view.width - 14, Math.max(14, x));
-  const atY = Math.min(view.height - 14, Math.max(14, y));
+  const atY = Math.min(view.height - 14, Math.max(view.covered + 14, y));
   ctx.save();
   ctx.translate(atX, atY);
   ctx.rotate(Math.atan2(y - atY, x - atX));
