@@ -1,10 +1,42 @@
-// The look of bodies: plain discs, and charts of energy, momentum and impacts.
+// The look of bodies: balls in their own colours or in that of their speed; energy, momentum and impacts.
 
-import { addLook } from './looks.js';
+import { FONT, write } from './draw.js';
+import { putBall, putDisc } from './hulls.js';
+import { addLook, LABEL_PIXELS, PLAIN_LOOK } from './looks.js';
+import { grouped } from './text.js';
+
+// Colours of speeds, from rest to the fastest of the match: where they are used there are none of teams.
+const ON_DARK = ['#5675b8', '#3d9fc4', '#46c08f', '#b5d84f', '#ffd54a', '#fff6d8'];
+const ON_LIGHT = ['#6b82b5', '#2b84ad', '#1f8a5c', '#8a8a00', '#c76a00', '#b0123a'];
+const SHADES = 4;               // between two of them
+const FEW = 24;                 // bodies up to which each has its id, unless it has a label
+const LEGEND = { x: 14, y: 18, width: 80, height: 6 };
 
 addLook('bodies', {
+  drawBody(scene, body) {
+    if (body.owner !== null) putDisc(scene, body, scene.match.isIn(body.owner, scene.moment.turn));
+    else putBall(scene, body, body.colour ?? colourOfSpeed(scene, Math.hypot(body.vx, body.vy)));
+    const radius = body.radius * scene.view.scale;
+    const words = body.label || (scene.bodies.length <= FEW ? String(body.id) : '');
+    if (words && radius >= LABEL_PIXELS) {
+      write(scene, words, scene.view.x(body.x), scene.view.y(body.y), Math.max(9, Math.min(15, radius * 0.7)),
+        scene.paint.ink, '800');
+    }
+  },
+
+  drawAbove(scene) {
+    PLAIN_LOOK.drawAbove(scene);
+    if (scene.show.names && scene.bodies.some(body => body.owner === null && !body.colour)) drawLegend(scene);
+  },
+
+  strip(match, series) {
+    const [energy, x, y] = sumsOfTurns(match, series);
+    return [{ name: 'kinetic energy', list: energy },
+      { name: 'momentum', list: x.map((value, turn) => (value === null ? null : Math.hypot(value, y[turn]))) }];
+  },
+
   charts(match, series) {
-    const sums = () => series.ofTurns('sums', 3, turn => (turn.isKept === false ? [] : sumsOf(match, turn)));
+    const sums = () => sumsOfTurns(match, series);
     return [
       { title: 'Kinetic energy', unit: 'mass × (u a turn)²', names: ['energy'], lists: () => sums().slice(0, 1) },
       { title: 'Momentum', unit: 'mass × u a turn', names: ['x', 'y'], lists: () => sums().slice(1) },
@@ -13,6 +45,10 @@ addLook('bodies', {
     ];
   },
 });
+
+function sumsOfTurns(match, series) {
+  return series.ofTurns('sums', 3, turn => (turn.isKept === false ? [] : sumsOf(match, turn)));
+}
 
 function sumsOf(match, turn) {
   let [energy, x, y] = [0, 0, 0];
@@ -24,4 +60,28 @@ function sumsOf(match, turn) {
     y += mass * body.vy;
   }
   return [energy, x, y];
+}
+
+/** Slow and fast are told apart in the lower half, too: the colour goes with the root of the speed. */
+function colourOfSpeed({ match, theme }, speed) {
+  const colours = theme.isDark ? ON_DARK : ON_LIGHT;
+  const at = Math.round(SHADES * (colours.length - 1) * Math.sqrt(Math.min(1, speed / (match.topSpeed || 1))));
+  const [k, more] = [Math.floor(at / SHADES), at % SHADES];
+  return more ? `color-mix(in srgb, ${colours[k]}, ${colours[k + 1]} ${100 * more / SHADES}%)` : colours[k];
+}
+
+/** The colours of speeds, in the corner. */
+function drawLegend(scene) {
+  const { ctx, view, paint, match } = scene;
+  const { x, width, height } = LEGEND;
+  const y = view.height - LEGEND.y;
+  for (let k = 0; k < width; k++) {
+    ctx.fillStyle = colourOfSpeed(scene, match.topSpeed * (k / width) ** 2);
+    ctx.fillRect(x + k, y, 1.5, height);
+  }
+  ctx.font = `11px ${FONT}`;
+  ctx.textAlign = 'left';
+  ctx.textBaseline = 'middle';
+  ctx.fillStyle = paint.muted;
+  ctx.fillText(`0 to ${grouped(match.topSpeed)} u a turn`, x + width + 8, y + height / 2);
 }

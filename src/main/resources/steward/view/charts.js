@@ -39,7 +39,7 @@ class Chart {
       ticks: { show: false } };
     const log = value => (value >= 1 ? grouped(value) : String(Number(value.toPrecision(1))));
     this.plot = new uPlot({
-      width, height: HEIGHT, legend: { show: false }, padding: [6, 4, 0, 0],
+      width, height: HEIGHT, legend: { show: false }, padding: [6, 12, 0, 0],
       cursor: { sync: { key: 'turns' }, y: false, points: { show: false }, drag: { x: false, y: false } },
       scales: { x: { time: false }, y: this.isLog ? { distr: 3 } : { range: fromZero } },
       axes: [{ ...axis, size: 18, gap: 2, splits: wholeTicks },

@@ -3,7 +3,7 @@
 import { captionSize, circle, FONT, hash01, sprites, TAU, write } from './draw.js';
 import { paintGlow } from './hulls.js';
 import { MOST_WORDS } from './notes.js';
-import { grouped, shorten, withNames } from './text.js';
+import { impulseWords, shorten, withNames } from './text.js';
 import { within } from './times.js';
 
 const FLASH_TURNS = 1.6;        // how long an impact stays in view
@@ -57,7 +57,7 @@ function drawNumbers(scene, impacts, life) {
   ctx.font = `700 ${NUMBER_SIZE}px ${FONT}`;
   const numbers = strongest.flatMap(met => {
     const age = (moment.time - met.time) / life;
-    const words = grouped(Math.round(Math.abs(met.impact.impulse)));
+    const words = impulseWords(met.impact);
     const box = { words, age, half: ctx.measureText(words).width / 2 + 2, high: NUMBER_SIZE / 2 + 1 };
     const [x, y, far] = [view.x(met.contact.x), view.y(met.contact.y), met.size * view.scale * 0.55 + 6 + 16 * age];
     for (const side of met.side ? [met.side, ...BESIDE] : BESIDE) {

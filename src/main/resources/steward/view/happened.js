@@ -1,6 +1,6 @@
 // What happened around the moment shown: impacts, events and faults, each a button that goes there.
 
-import { element, eventWords, grouped, nameOf, shorten } from './text.js';
+import { element, eventWords, impulseWords, nameOf, shorten } from './text.js';
 import { inTeamColour } from './theme.js';
 import { firstAfter } from './times.js';
 
@@ -53,7 +53,7 @@ export class Happened {
   #describe({ impact, event, turn, player, fault }) {
     if (impact) {
       const { owner } = this.match.describeIn(impact.a, turn);
-      return { words: this.#pairOfNames(impact, turn), value: impact.impulse === undefined ? '' : grouped(Math.round(Math.abs(impact.impulse))), player: owner };
+      return { words: this.#pairOfNames(impact, turn), value: impact.impulse === undefined ? '' : impulseWords(impact), player: owner };
     }
     if (event) return { words: eventWords(this.match, { event, turn }), value: '✓', player: this.timeline.ownerOf(event, turn) };
     return { words: `${nameOf(this.match, player)}: ${fault}`, value: '×', player };

@@ -113,6 +113,24 @@ export function putDisc(scene, body, isIn = true, name = 'disc') {
   });
 }
 
+/** A ball: its colour to the rim, which stands out from any ground. */
+export function putBall(scene, body, colour) {
+  const { view, paint } = scene;
+  sprites.put(scene, colour, view.x(body.x), view.y(body.y), Math.max(2, body.radius * view.scale), 0, 1.1, (ctx, r) => {
+    circle(ctx, 0, 0, r);
+    ctx.fillStyle = colour;
+    ctx.fill();
+    const light = ctx.createRadialGradient(-0.35 * r, -0.4 * r, 0, -0.35 * r, -0.4 * r, r);
+    light.addColorStop(0, withAlpha('white', 0.55));
+    light.addColorStop(0.6, withAlpha('white', 0));
+    ctx.fillStyle = light;
+    ctx.fill();
+    ctx.strokeStyle = withAlpha(paint.ink, 0.4);
+    ctx.lineWidth = Math.max(0.75, r * 0.07);
+    ctx.stroke();
+  });
+}
+
 export function paintBadge(ctx, r, team, colour, paint, isDark) {
   const light = ctx.createLinearGradient(0, -r, 0, r);
   light.addColorStop(0, isDark ? withAlpha('white', 0.9) : withAlpha(colour, 0.75));

@@ -18,6 +18,7 @@ export class Scores {
     this.clock = element('div', 'clock', null, this.turn, this.of);
     this.cells = match.players.map((_, player) => this.#makeCell(player));
     const middle = Math.ceil(this.cells.length / 2);
+    root.classList.toggle('alone', !this.cells.length);
     root.classList.toggle('many', this.cells.length > 2);
     root.classList.toggle('crowd', this.cells.length > MOST_ABREAST);
     root.setAttribute('role', 'group');

@@ -35,7 +35,14 @@ export function plainNumber(value) {
 /** A number to be read: groups of three digits, two decimals where it is small. */
 export function grouped(value) {
   if (!Number.isFinite(value)) return '–';
-  return GROUPED.format(Math.abs(value) >= 100 ? Math.round(value) : value).replaceAll(',', '\u2009');
+  const rounded = Math.abs(value) >= 100 ? Math.round(value) : Math.round(100 * value) / 100;
+  return GROUPED.format(rounded + 0).replaceAll(',', '\u2009');       // without a sign where it is 0
+}
+
+/** The size of an impulse: whole, or two digits of a small one. */
+export function impulseWords({ impulse }) {
+  const size = Math.abs(impulse ?? 0);
+  return size >= 10 ? grouped(Math.round(size)) : String(Number(size.toPrecision(2)));
 }
 
 export function nameOf(match, player) {

@@ -4,7 +4,7 @@
 import { circle, FONT, openCanvas } from './draw.js';
 import { strengthOf } from './effects.js';
 import { areSteps } from './series.js';
-import { eventWords, grouped, nameOf, shorten } from './text.js';
+import { eventWords, grouped, impulseWords, nameOf, shorten } from './text.js';
 import { withAlpha } from './theme.js';
 import { within } from './times.js';
 
@@ -62,7 +62,7 @@ export class Timeline {
     this.middle = lead && this.match.players.length === 2 ? height * (1 - IMPACT_PART) / 2 : height * (1 - IMPACT_PART) - 4;
     if (lead && this.match.players.length === 2) this.#drawArea(ctx, lead);
     else if (lead) this.#drawLines(ctx, lead);
-    else this.#drawBase(ctx);
+    else this.#drawStrip(ctx);
     this.#drawImpacts(ctx);
     this.#drawEvents(ctx);
     this.#drawFaults(ctx);
@@ -137,12 +137,35 @@ export class Timeline {
     this.#caption(ctx, `${this.match.header.drawing.lead ?? this.look.leadName}, 0 to ${grouped(high)}`);
   }
 
-  #caption(ctx, words) {
+  /** Where there is no lead: the lines of the look, each as high as its largest value. */
+  #drawStrip(ctx) {
+    this.#drawBase(ctx);
+    let x = THUMB / 2;
+    this.#strip().forEach(({ name, list }, k) => {
+      const high = Math.max(...list.filter(value => value !== null));
+      ctx.beginPath();
+      list.forEach((value, turn) => {
+        if (value !== null) ctx.lineTo(this.#toX(turn), this.middle - Math.max(0, value) / (high || 1) * (this.middle - 18));
+      });
+      ctx.strokeStyle = this.theme.team(k);
+      ctx.lineWidth = 1.75;
+      ctx.stroke();
+      x += this.#caption(ctx, `${name}, at most ${grouped(high)}`, x, this.theme.team(k)) + 14;
+    });
+  }
+
+  #strip() {
+    return this.look.strip?.(this.match, this.series) ?? [];
+  }
+
+  /** Returns how wide it is. */
+  #caption(ctx, words, x = THUMB / 2, colour = this.theme.paint.muted) {
     ctx.font = `11px ${FONT}`;
     ctx.textAlign = 'left';
     ctx.textBaseline = 'top';
-    ctx.fillStyle = this.theme.paint.muted;
-    ctx.fillText(words, THUMB / 2, 2);
+    ctx.fillStyle = colour;
+    ctx.fillText(words, x, 2);
+    return ctx.measureText(words).width;
   }
 
   #drawImpacts(ctx) {
@@ -201,7 +224,7 @@ export class Timeline {
     const impacts = within(this.match.impacts, time - near, time + near);
     const strongest = impacts.reduce((one, other) =>
       (!one || Math.abs(other.impact.impulse ?? 0) > Math.abs(one.impact.impulse ?? 0) ? other : one), null);
-    if (strongest) lines.push(`impact ${pairOf(this.match, strongest.impact)}: ${grouped(Math.round(Math.abs(strongest.impact.impulse ?? 0)))}`);
+    if (strongest) lines.push(`impact ${pairOf(this.match, strongest.impact)}: ${impulseWords(strongest.impact)}`);
     for (const each of within(this.match.events, time - near, time + near).slice(0, 2)) {
       if (each.event.text) lines.push(shorten(eventWords(this.match, each), 60));
     }
@@ -216,7 +239,7 @@ export class Timeline {
 
   #leadWords(turn) {
     const lead = this.series.lead();
-    if (!lead) return [];
+    if (!lead) return this.#strip().map(({ name, list }) => `${name} ${grouped(list[turn] ?? NaN)}`);
     const name = this.match.header.drawing.lead ?? this.look.leadName;
     if (lead.length !== 2) {
       return lead.map((list, player) => ({ player, value: list[turn] ?? 0 })).sort((one, other) => other.value - one.value)

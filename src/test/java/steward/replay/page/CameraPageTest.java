@@ -69,7 +69,7 @@ class CameraPageTest {
             }
             return left.length + ' ' + hidden.join('; ');
             """);
-        assertTrue(Integer.parseInt(found.split(" ")[0]) > 20, "no pod leaves the field: " + found);
+        assertTrue(Integer.parseInt(found.split(" ")[0]) > 8, "no pod leaves the field: " + found);
         assertEquals("", found.replaceFirst("\\d+ ", ""));
     }
 

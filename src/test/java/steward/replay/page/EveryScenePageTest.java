@@ -10,6 +10,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
@@ -93,6 +94,27 @@ class EveryScenePageTest {
         }
     }
 
+    /** In the cradle four balls rest and one flies; what has a colour of its own keeps it. No pill waits for scores. */
+    @Test
+    void ballsHaveTheColourOfTheirSpeedAndTheTimelineTheirEnergy() {
+        byte[] match = Recorded.of(TestScenes.open("cradle"), 7, List.of()).bytes();
+        browser.open(new PageTestPages(folder).page(match, "Cradle"), "#t=9.5");
+        assertEquals("2 true true true", browser.run("""
+            const canvas = document.getElementById('field');
+            const { left, top } = canvas.getBoundingClientRect();
+            const colours = steward.bodies().filter(({ id }) => id > 0).map(({ x, y, radius }) =>
+              canvas.getContext('2d').getImageData(x - left + 0.7 * radius, y - top, 1, 1).data.join());
+            const marks = document.getElementById('marks');
+            const strip = marks.getContext('2d').getImageData(0, 20, marks.width, marks.height / 2).data;
+            const has = player => {
+              const wanted = steward.colourOf(player).match(/[0-9a-f]{2}/g).map(hex => parseInt(hex, 16));
+              return strip.some((_, k) => k % 4 === 0 && wanted.every((value, c) => Math.abs(value - strip[k + c]) < 9));
+            };
+            return [new Set(colours).size, colours[4] !== colours[0], has(1),
+              document.getElementById('scores').offsetWidth < 150].join(' ');
+            """));
+    }
+
     /** Bots that play a game; a game without any here fails, and one without players has none. */
     static List<Bot> bots(String game, int players) {
         return Stream.generate(() -> switch (game) {
@@ -147,12 +169,15 @@ class EveryScenePageTest {
         return bodies.map(body => {
           const { owner, colour, radius } = { ...known.get(body.id), ...body };
           const player = body.player ?? owner;
-          const pixels = pixelsOf(corners.left - left + scale * (body.x - drawing.field.x),
-            corners.top - top + scale * (body.y - drawing.field.y), Math.max(1.5, scale * radius));
+          const x = corners.left - left + scale * (body.x - drawing.field.x);
+          const y = corners.top - top + scale * (body.y - drawing.field.y);
+          const isNobodys = player === undefined || player === null;
+          if (isNobodys && (y < 0 || y > canvas.height)) return { drawn: 1, coloured: 1 };     // it comes and goes
+          const pixels = pixelsOf(x, y, Math.max(1.5, scale * radius));
           const far = (k, wanted, light = 1) => Math.hypot(...[0, 1, 2].map(c => whole[k + c] - light * wanted[c]));
           const isNear = (k, wanted) => [1, 0.85, 0.7, 0.55, 0.4].some(light => far(k, wanted, light) < 60);
           const share = holds => pixels.filter(holds).length / pixels.length;
-          const wanted = (colour ?? (player === undefined || player === null ? null : steward.colourOf(player)))
+          const wanted = (colour ?? (isNobodys ? null : steward.colourOf(player)))
             ?.match(/[0-9a-f]{2}/g).map(hex => parseInt(hex, 16));
           return { id: body.id, x: body.x, y: body.y, drawn: share(k => far(k, empty.slice(k, k + 3)) > 6),
             coloured: wanted ? share(k => isNear(k, wanted)) : 1 };
