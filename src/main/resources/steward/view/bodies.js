@@ -38,8 +38,8 @@ addLook('bodies', {
   charts(match, series) {
     const sums = () => sumsOfTurns(match, series);
     return [
-      { title: 'Kinetic energy', unit: 'mass × (u a turn)²', names: ['energy'], lists: () => sums().slice(0, 1) },
-      { title: 'Momentum', unit: 'mass × u a turn', names: ['x', 'y'], lists: () => sums().slice(1) },
+      { title: 'Kinetic energy', unit: 'mass·(u/turn)²', names: ['energy'], lists: () => sums().slice(0, 1) },
+      { title: 'Momentum', unit: 'mass·u/turn', names: ['x', 'y'], lists: () => sums().slice(1) },
       { title: 'Impacts', unit: 'in a turn', names: ['impacts'],
         isWithin: true, lists: () => series.ofTurns('impacts', 1, turn => [turn.impactsInAll ?? 0]) },
     ];
@@ -70,18 +70,21 @@ function colourOfSpeed({ match, theme }, speed) {
   return more ? `color-mix(in srgb, ${colours[k]}, ${colours[k + 1]} ${100 * more / SHADES}%)` : colours[k];
 }
 
-/** The colours of speeds, in the corner. */
+/** The colours of speeds, in the corner, where the field leaves room. */
 function drawLegend(scene) {
-  const { ctx, view, paint, match } = scene;
+  const { ctx, view, paint, match, field } = scene;
   const { x, width, height } = LEGEND;
   const y = view.height - LEGEND.y;
+  const words = `0 to ${grouped(match.topSpeed)} u a turn`;
+  ctx.font = `11px ${FONT}`;
+  const right = x + width + 8 + ctx.measureText(words).width;
+  if (right > view.x(field.left) && y - height < view.y(field.bottom)) return;
   for (let k = 0; k < width; k++) {
     ctx.fillStyle = colourOfSpeed(scene, match.topSpeed * (k / width) ** 2);
     ctx.fillRect(x + k, y, 1.5, height);
   }
-  ctx.font = `11px ${FONT}`;
   ctx.textAlign = 'left';
   ctx.textBaseline = 'middle';
   ctx.fillStyle = paint.muted;
-  ctx.fillText(`0 to ${grouped(match.topSpeed)} u a turn`, x + width + 8, y + height / 2);
+  ctx.fillText(words, x + width + 8, y + height / 2);
 }

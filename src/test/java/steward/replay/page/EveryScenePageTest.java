@@ -105,10 +105,11 @@ class EveryScenePageTest {
             const colours = steward.bodies().filter(({ id }) => id > 0).map(({ x, y, radius }) =>
               canvas.getContext('2d').getImageData(x - left + 0.7 * radius, y - top, 1, 1).data.join());
             const marks = document.getElementById('marks');
-            const strip = marks.getContext('2d').getImageData(0, 20, marks.width, marks.height / 2).data;
+            const strip = marks.getContext('2d').getImageData(marks.width / 2, 10, 40, 20).data;
             const has = player => {
               const wanted = steward.colourOf(player).match(/[0-9a-f]{2}/g).map(hex => parseInt(hex, 16));
-              return strip.some((_, k) => k % 4 === 0 && wanted.every((value, c) => Math.abs(value - strip[k + c]) < 9));
+              return strip.some((_, k) => k % 4 === 0
+                && wanted.every((value, c) => Math.abs(value - strip[k + c]) < 9));
             };
             return [new Set(colours).size, colours[4] !== colours[0], has(1),
               document.getElementById('scores').offsetWidth < 150].join(' ');
