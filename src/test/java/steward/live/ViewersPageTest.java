@@ -106,7 +106,7 @@ class ViewersPageTest {
              Clients first = new Clients(server.address());
              PageTestBrowser browser = PageTestBrowser.start()) {
             server.show("""
-                {"scene":"duel","games":7,"again":0,"without":0,"rate":2.5,"bots":[],"cross":[],\
+                {"scene":"duel","games":7,"repeats":0,"again":0,"without":0,"rate":2.5,"bots":[],"cross":[],\
                 "path":{"versions":[],"points":[]},"list":[]}""");
             Clients.Feed feed = first.feed();
             browser.go(server.address().toString());

@@ -99,7 +99,7 @@ class LeaguePageTest {
     @Test
     void anOpenPageFollows() throws IOException, InterruptedException {
         String state = """
-            {"scene":"duel","games":%d,"again":0,"without":0,"rate":2.5,\
+            {"scene":"duel","games":%d,"repeats":0,"again":0,"without":0,"rate":2.5,\
             "bots":[{"rank":1,"version":1,"name":"<i>a</i>",\
             "active":true,"random":false,"rating":12.5,"bar":30,"games":%d,"points":0.6,"faults":0,"score":1,\
             "meanMs":1,\
@@ -128,7 +128,8 @@ class LeaguePageTest {
     void hostileTextsOfALivePageNeverRun() throws IOException {
         String text = HOSTILE.replace("\u0007", "\\u0007");
         String state = """
-            {"scene":"TEXT","games":9,"again":0,"without":0,"rate":2.5,"bots":[{"rank":1,"version":1,"name":"TEXT",\
+            {"scene":"TEXT","games":9,"repeats":0,"again":0,"without":0,"rate":2.5,\
+            "bots":[{"rank":1,"version":1,"name":"TEXT",\
             "active":true,"random":false,"rating":12.5,"bar":30,"games":9,"points":0.6,"faults":0,"score":1,\
             "meanMs":1,"worstMs":2}],"cross":[[null]],"path":{"versions":[1],"points":[]},\
             "list":[{"id":1,"counts":false,"turns":3,"seed":"7","problem":"TEXT","replay":"TEXT",\
@@ -182,7 +183,8 @@ class LeaguePageTest {
             {"name":"%s","state":"%s","games":%d,"aside":%d,"rate":%s,"faults":%d,"repeated":%d,"program":"0.1.0",\
             "silentMs":%d,"doubts":[%s]}""";
         String state = """
-            {"scene":"duel","games":9,"again":0,"without":0,"rate":2.5,"bots":[{"rank":1,"version":1,"name":"a",\
+            {"scene":"duel","games":9,"repeats":0,"again":0,"without":0,"rate":2.5,\
+            "bots":[{"rank":1,"version":1,"name":"a",\
             "active":true,"random":false,"rating":12.5,"bar":30,"games":9,"points":0.6,"faults":0,"score":1,\
             "meanMs":1,"worstMs":2}],"cross":[[null]],"path":{"versions":[1],"points":[]},"list":[],"workers":["""
             + worker.formatted("attic", "4 at a time", 12_345, 0, "3.25", 0, 2, 1999, "") + ","
