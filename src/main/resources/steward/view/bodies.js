@@ -38,8 +38,8 @@ addLook('bodies', {
   charts(match, series) {
     const sums = () => sumsOfTurns(match, series);
     return [
-      { title: 'Kinetic energy', unit: 'mass·(u/turn)²', names: ['energy'], lists: () => sums().slice(0, 1) },
-      { title: 'Momentum', unit: 'mass·u/turn', names: ['x', 'y'], lists: () => sums().slice(1) },
+      { title: 'Kinetic energy', unit: 'm·(u/turn)²', names: ['energy'], lists: () => sums().slice(0, 1) },
+      { title: 'Momentum', unit: 'm·u/turn', names: ['x', 'y'], lists: () => sums().slice(1) },
       { title: 'Impacts', unit: 'in a turn', names: ['impacts'],
         isWithin: true, lists: () => series.ofTurns('impacts', 1, turn => [turn.impactsInAll ?? 0]) },
     ];
@@ -62,10 +62,10 @@ function sumsOf(match, turn) {
   return [energy, x, y];
 }
 
-/** Slow and fast are told apart in the lower half, too: the colour goes with the root of the speed. */
+/** The colour of a speed, as a share of the fastest of the match. */
 function colourOfSpeed({ match, theme }, speed) {
   const colours = theme.isDark ? ON_DARK : ON_LIGHT;
-  const at = Math.round(SHADES * (colours.length - 1) * Math.sqrt(Math.min(1, speed / (match.topSpeed || 1))));
+  const at = Math.round(SHADES * (colours.length - 1) * Math.min(1, speed / (match.topSpeed || 1)));
   const [k, more] = [Math.floor(at / SHADES), at % SHADES];
   return more ? `color-mix(in srgb, ${colours[k]}, ${colours[k + 1]} ${100 * more / SHADES}%)` : colours[k];
 }
@@ -80,7 +80,7 @@ function drawLegend(scene) {
   const right = x + width + 8 + ctx.measureText(words).width;
   if (right > view.x(field.left) && y - height < view.y(field.bottom)) return;
   for (let k = 0; k < width; k++) {
-    ctx.fillStyle = colourOfSpeed(scene, match.topSpeed * (k / width) ** 2);
+    ctx.fillStyle = colourOfSpeed(scene, match.topSpeed * k / width);
     ctx.fillRect(x + k, y, 1.5, height);
   }
   ctx.textAlign = 'left';

@@ -3,8 +3,8 @@
 // A look may have: drawGround, drawBelow, drawBody, drawAbove (each gets a scene), standing(match, turn) with rank,
 // body, big, small, warning and pips of each player, leadName and progress(match, turn) with their numbers,
 // commandLines(command, player, match), commandOf(body, match, turn), field(name, value), rest(state, match) with pairs
-// of name and text beside the bodies, charts(match, series), strip(match, series) with the lines of the timeline where there is no
-// lead, focus(match) with the box of what matters of the field, and isUndrawn.
+// of name and text beside the bodies, charts(match, series), strip(match, series) with the lines of the timeline where
+// there is no lead, focus(match) with the box of what matters of the field, and isUndrawn.
 
 import { circle, captionSize, targetLine, write } from './draw.js';
 import { putDisc } from './hulls.js';
@@ -15,7 +15,7 @@ const LOOKS = new Map();
 const MOST_CAPTIONS = 100;
 const MOST_REST = 200;
 const MOST_BLOCK = 8000;
-export const LABEL_PIXELS = 8;         // bodies drawn smaller than this have no label
+export const LABEL_PIXELS = 8;  // bodies drawn smaller than this have no label
 
 export function addLook(game, look) {
   LOOKS.set(game, { ...PLAIN_LOOK, ...look });

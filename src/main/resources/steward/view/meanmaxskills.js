@@ -8,7 +8,7 @@ const SKILL_RADIUS = 1000;
 export const SKILL_OF = ['tar', 'grenade', 'oil'];       // by the kind of looter
 export const LOOTERS_EACH = 3;
 
-/** The skills that were really cast in the turn shown, before its end: those that cost rage leave an effect, or are a grenade. */
+/** The skills that were really cast in the turn shown: those that cost rage leave an effect, or are a grenade. */
 export function castsOf(match, moment) {
   const turn = match.turn(moment.turn);
   const casts = [];
