@@ -81,6 +81,13 @@ public final class ErrorLine {
         return search.found < lines.size() ? search.found : -1;
     }
 
+    /** Returns the line of a stderr, the last if none has a known form; empty for none, and for {@code null}. */
+    public static String of(String stderr) {
+        List<String> lines = stderr == null ? List.of() : stderr.lines().filter(line -> !line.isBlank()).toList();
+        int index = index(lines);
+        return lines.isEmpty() ? "" : text(lines.get(index < 0 ? lines.size() - 1 : index));
+    }
+
     /** Returns a line without the space around it, and without what its interpreter always adds. */
     public static String text(String line) {
         return ADVICE.matcher(line).replaceFirst("").strip();

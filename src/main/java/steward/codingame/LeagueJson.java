@@ -1,5 +1,6 @@
 package steward.codingame;
 
+import java.util.Arrays;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.regex.Pattern;
@@ -20,14 +21,19 @@ public final class LeagueJson {
 
     private LeagueJson() { }
 
-    /** Fields of the object, which the caller has opened and closes. */
-    public static void write(JsonGenerator out, long seed, MatchResult result, LeagueAttributes ofTurns) {
+    /**
+     * Fields of the object, which the caller has opened and closes.
+     *
+     * @param faults by player, {@code null} for none
+     */
+    public static void write(JsonGenerator out, long seed, MatchResult result, String[] faults,
+                             LeagueAttributes ofTurns) {
         JsonObject.writeEach(out, "ranks", result.players(), player -> out.writeNumber(player.rank()));
         JsonObject.writeEach(out, "errors", result.players(), player ->
             out.writeNumber(player.fault() == null ? 0 : 1));
         Map<String, String> matchData = data(result.data());
         matchData.remove(SEED);
-        JsonObject.writeEach(out, "faults", result.players(), player -> out.writeString(player.fault()));
+        JsonObject.writeTexts(out, "faults", Arrays.asList(faults));
         out.writeObjectPropertyStart("test_data");
         out.writeNumberProperty(SEED, seed);
         matchData.forEach((name, value) -> writeValue(out, name, value));

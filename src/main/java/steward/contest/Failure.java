@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.regex.Pattern;
 import steward.Internal;
 import steward.bot.Burner;
+import steward.bot.ErrorLine;
 import steward.bot.FaultMessages;
 import steward.bot.TimeSpent;
 
@@ -13,13 +14,16 @@ import steward.bot.TimeSpent;
  * @param player its place in the game
  * @param turn   in which it failed, counted from 1
  * @param reason what was found and what was expected, as the referee says it
- * @param stderr the last lines it wrote there, in this turn or before, oldest first
+ * @param stderr the last lines it wrote there, in this turn or before, oldest first; if {@code error} is not among
+ *               them, it and the lines that follow it
+ * @param error  the line of its stderr that says why, see {@link ErrorLine}; if none has a known form the last one of
+ *               a bot that exited; otherwise empty
  * @param hints  what the reason may be, each a short sentence without its full stop
  * @param time   where the time of a late answer went, or {@code null}
  * @param burner a bot that burned meanwhile and was not yet held, or {@code null}
  */
-public record Failure(int player, int turn, String reason, List<String> stderr, List<String> hints, TimeSpent time,
-                      @Internal Burner burner) {
+public record Failure(int player, int turn, String reason, List<String> stderr, String error, List<String> hints,
+                      TimeSpent time, @Internal Burner burner) {
 
     /** How many lines of stderr are kept at most. */
     public static final int LINES = 10;
@@ -36,12 +40,12 @@ public record Failure(int player, int turn, String reason, List<String> stderr, 
 
     /** One that is not of time. */
     public Failure(int player, int turn, String reason, List<String> stderr, List<String> hints) {
-        this(player, turn, reason, stderr, hints, null, null);
+        this(player, turn, reason, stderr, "", hints, null, null);
     }
 
     /** Returns this failure without lines and hints, to save memory. */
     Failure brief() {
-        return new Failure(player, turn, reason, List.of(), List.of(), time, burner);
+        return new Failure(player, turn, reason, List.of(), "", List.of(), time, burner);
     }
 
     /** True if it was late while other programs used the processors, see {@link TimeSpent#starved}. */

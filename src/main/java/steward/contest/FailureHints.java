@@ -1,10 +1,12 @@
 package steward.contest;
 
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.BooleanSupplier;
+import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 import steward.bot.Burner;
 import steward.bot.FaultMessages;
@@ -41,12 +43,14 @@ final class FailureHints {
     private static final Pattern CLEAR = Pattern.compile("SyntaxError|IndentationError|ModuleNotFoundError|ImportError"
         + "|No such file|can't open|cannot open|ClassNotFound|Could not find or load|command not found|not found$");
 
-    private static final Pattern SYNTAX = Pattern.compile("SyntaxError|IndentationError|TabError|syntax error");
-    /** Where a program says that it was not let do something, or missed something. */
-    private static final Pattern OF_SANDBOX = Pattern.compile("OSError|Permission|No such file|NoSuchFile|FileNotFound"
-        + "|Read-only|not permitted|AccessDenied|EACCES|ENOENT|EROFS|EPERM|ModuleNotFound|ImportError|Cannot find"
-        + "|ClassNotFound|NoClassDef|KeyError|Network|network|[sS]ocket|Connect|connect|UnknownHost|resol"
-        + "|MemoryError|OutOfMemory|bad_alloc|terminate called");
+    /** Words of systems and libraries for what a file denies, with which a line has to name it. */
+    private static final Pattern DENIED = Pattern.compile("Permission denied|Operation not permitted|No such file"
+        + "|NoSuchFile|FileNotFound|AccessDenied|EACCES|ENOENT|EPERM|[Cc]annot find");
+    private static final Pattern READ_ONLY = Pattern.compile("Read-only file system|EROFS|ReadOnlyFileSystem");
+    private static final Pattern PATH = Pattern.compile("(?<![\\w.])/[^\\s\\x00'\"`:;,()<>\\[\\]{}]+");
+    /** Where there is no network. */
+    private static final Pattern UNREACHABLE = Pattern.compile("[Nn]etwork is unreachable|ENETUNREACH|EAI_AGAIN"
+        + "|ENOTFOUND|[Nn]ame or service not known|name resolution|UnknownHostException");
 
     /** Where a program says with a traceback why it ended: a parser met JSON, or did not find its number. */
     private static final Pattern TRACEBACK = Pattern.compile("Traceback \\(most recent call last\\)"
@@ -90,7 +94,7 @@ final class FailureHints {
             if (sandbox.limits().memory() > 0) {
                 hints.add(MEMORY);
             }
-            if (answers == 0 && sandbox.level() != SandboxLevel.OFF && !isExplained(stderr)) {
+            if (answers == 0 && stderr.stream().anyMatch(line -> isOfSandbox(line, sandbox.level()))) {
                 hints.add(sandbox.level() == SandboxLevel.STRICT ? STRICT : LIGHT);
             }
         }
@@ -103,11 +107,12 @@ final class FailureHints {
             + TextFormat.plain(CommandLine.quote(List.of(path.toString())));
     }
 
-    /** True if the program says why it ended, and that is nothing that a sandbox does. */
-    private static boolean isExplained(List<String> stderr) {
-        return stderr.stream().anyMatch(line -> SYNTAX.matcher(line).find())
-            || stderr.stream().anyMatch(line -> TRACEBACK.matcher(line).find())
-            && stderr.stream().noneMatch(line -> OF_SANDBOX.matcher(line).find());
+    /** True if a line says that the network was missing, or a file that this machine has. */
+    private static boolean isOfSandbox(String line, SandboxLevel level) {
+        return level != SandboxLevel.OFF && (UNREACHABLE.matcher(line).find()
+            || READ_ONLY.matcher(line).find() && PATH.matcher(line).find()
+            || DENIED.matcher(line).find() && PATH.matcher(line).results().map(MatchResult::group).anyMatch(path ->
+                level == SandboxLevel.STRICT ? Files.exists(Path.of(path)) : path.startsWith("/proc/")));
     }
 
     /** Bot that computed meanwhile. */

@@ -1,13 +1,12 @@
 package steward.contest;
 
-import java.util.ArrayDeque;
 import java.util.ArrayList;
-import java.util.Deque;
 import java.util.List;
 import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import steward.bot.Burner;
+import steward.bot.ErrorLine;
 import steward.bot.FaultMessages;
 import steward.bot.isolation.Isolation;
 import steward.bot.isolation.MissingFiles;
@@ -134,7 +133,12 @@ public final class GameLog implements MatchListener {
     }
 
     private Failure failure(int player, Turn turn) {
-        List<String> lines = lastLines(stderr[player]);
+        List<String> all = lines(stderr[player]);
+        int found = error(all, turn.stderr(player));
+        int error = found < 0 && FaultMessages.isExit(turn.fault(player)) ? all.size() - 1 : found;
+        int from = Math.max(0, found < 0 ? all.size() - Failure.LINES : Math.min(all.size() - Failure.LINES, found));
+        List<String> lines = all.subList(from, Math.min(all.size(), from + Failure.LINES)).stream()
+            .map(line -> TextFormat.beginning(line, LONGEST)).toList();
         int behind = turn.fault(player).indexOf(Failure.RECEIVED);
         String received = turn.answer(player) != null ? turn.answer(player)
             : behind < 0 ? "" : turn.fault(player).substring(behind + Failure.RECEIVED.length());
@@ -150,22 +154,24 @@ public final class GameLog implements MatchListener {
         if (burner != null) {
             hints.add(FailureHints.beside(entrants.get(burner.player()).name(), burner));
         }
-        return new Failure(player, turn.number(), turn.fault(player), lines, hints, turn.timeSpent(player), burner);
+        return new Failure(player, turn.number(), turn.fault(player), lines, error < 0 ? ""
+            : TextFormat.beginning(ErrorLine.text(all.get(error)), LONGEST), hints, turn.timeSpent(player), burner);
     }
 
-    private static List<String> lastLines(String[] texts) {
+    /** The lines that are not blank of texts, the latest of which stands first. */
+    private static List<String> lines(String... texts) {
         StringBuilder all = new StringBuilder();
         for (int k = texts.length - 1; k >= 0; k--) {
             all.append(texts[k] == null ? "" : texts[k]);
         }
-        Deque<String> last = new ArrayDeque<>();
-        all.toString().lines().filter(line -> !line.isBlank()).forEach(line -> {
-            if (last.size() == Failure.LINES) {
-                last.removeFirst();
-            }
-            last.addLast(TextFormat.beginning(line, LONGEST));
-        });
-        return List.copyOf(last);
+        return all.toString().lines().filter(line -> !line.isBlank()).toList();
+    }
+
+    /** The index of the line that says why, or -1; one of an earlier turn only if the bot wrote nothing in its last. */
+    private static int error(List<String> all, String now) {
+        int before = now == null || now.isBlank() ? 0 : Math.max(0, all.size() - lines(now).size());
+        int found = ErrorLine.index(all.subList(before, all.size()));
+        return found < 0 ? -1 : before + found;
     }
 
     /** Returns how many turns have been played; may be asked by any thread. */

@@ -7,6 +7,7 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import steward.bot.ErrorLine;
 import steward.bot.hold.HoldPolicy;
 import steward.bot.isolation.Isolation;
 import steward.bot.isolation.Launch;
@@ -105,8 +106,10 @@ final class RefereeProcess {
             return new RefereeFault(problem + "; it wrote nothing to its stderr");
         }
         List<String> lines = said.lines().filter(line -> !line.isBlank()).toList();
+        int error = ErrorLine.index(lines);
+        int from = Math.max(0, error < 0 ? lines.size() - STDERR_LINES : Math.min(lines.size() - STDERR_LINES, error));
         return new RefereeFault(problem + "; its stderr: " + String.join(" | ",
-            lines.subList(Math.max(0, lines.size() - STDERR_LINES), lines.size()).stream()
+            lines.subList(from, Math.min(lines.size(), from + STDERR_LINES)).stream()
                 .map(line -> TextFormat.plain(TextFormat.beginning(line.strip(), STDERR_WIDTH))).toList()));
     }
 

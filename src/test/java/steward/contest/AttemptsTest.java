@@ -40,7 +40,7 @@ class AttemptsTest {
     private static List<Failure> late(boolean starved, Burner burner) {
         TimeSpent time = new TimeSpent(75 * MS, 76 * MS, 0, 10 * MS, (starved ? 60 : 20) * MS, 0, 10 * MS,
             TimeSpent.Shows.ALL, false);
-        return List.of(new Failure(1, 5, "no answer", List.of(), List.of(), time, burner));
+        return List.of(new Failure(1, 5, "no answer", List.of(), "", List.of(), time, burner));
     }
 
     private static List<Failure> beside(boolean holdable) {

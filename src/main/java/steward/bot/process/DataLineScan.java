@@ -4,11 +4,13 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.RandomAccessFile;
 import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 import java.util.List;
+import steward.bot.ErrorLine;
 
 /**
- * Finds the lines that carry data for rating tools ({@code [TDATA]}, {@code [PDATA]}, {@code [PDATA+]}) in the part of
- * a bot's stderr that is otherwise dropped because it is too long.
+ * Finds the lines that carry data for rating tools ({@code [TDATA]}, {@code [PDATA]}, {@code [PDATA+]}), and those that
+ * say why a bot failed, in the part of its stderr that is otherwise dropped because it is too long.
  */
 final class DataLineScan {
 
@@ -16,6 +18,10 @@ final class DataLineScan {
     static final int LOOKED_AT = 1 << 20;
     /** Bytes that are kept. */
     static final int KEPT = 4 * 1024;
+
+    /** Lines before and behind the one that says why. */
+    private static final int BEFORE = 4;
+    private static final int BEHIND = 8;
 
     private static final List<byte[]> TAGS = List.of(ascii("[TDATA]"), ascii("[PDATA]"), ascii("[PDATA+]"));
 
@@ -71,5 +77,32 @@ final class DataLineScan {
             atStart = true;
         }
         return lines.toByteArray();
+    }
+
+    /**
+     * The lines around the one that says why, as far as they are dropped and carry no data, with their ends.
+     *
+     * @param from first byte that is dropped
+     * @param to   first byte behind it that is not
+     * @param size of the file; of its end as much is searched as of data
+     */
+    static byte[] error(RandomAccessFile file, long from, long to, long size) throws IOException {
+        long start = Math.max(from, size - LOOKED_AT);
+        byte[] bytes = new byte[(int) Math.min(LOOKED_AT, size - start)];
+        file.seek(start);
+        file.readFully(bytes);
+        // A character for each byte, so that places in the text are those in the file.
+        List<String> lines = Arrays.asList(new String(bytes, StandardCharsets.ISO_8859_1).split("(?<=\n)"));
+        int found = ErrorLine.index(lines.stream().map(String::stripTrailing).toList());
+        ByteArrayOutputStream kept = new ByteArrayOutputStream();
+        long at = start;
+        for (int k = 0; found >= 0 && k < Math.min(found + BEHIND, lines.size()); k++) {
+            byte[] line = lines.get(k).getBytes(StandardCharsets.ISO_8859_1);
+            at += line.length;
+            if (k >= found - BEFORE && at <= to && !isData(line, 0, line.length) && kept.size() + line.length <= KEPT) {
+                kept.writeBytes(line);
+            }
+        }
+        return kept.toByteArray();
     }
 }

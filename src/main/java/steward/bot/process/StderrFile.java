@@ -13,6 +13,7 @@ import java.nio.file.attribute.FileAttribute;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.Set;
 import java.util.concurrent.ThreadLocalRandom;
+import steward.bot.ErrorLine;
 import steward.bot.Utf8;
 
 /**
@@ -118,7 +119,7 @@ final class StderrFile {
      * Collects the text written since the last call: its first {@value #KEPT} bytes, a line that says how many more
      * there were, and of those the data lines that {@link DataLineScan} finds. An incomplete character is left for the
      * next call. In the last call {@value #KEPT_OF_END} of the bytes are the end of what has been written, in whole
-     * lines.
+     * lines, and before them stand the lines around the {@link ErrorLine} if they would be dropped.
      *
      * @param last whether there is no next call
      * @return {@code null} when nothing has been written
@@ -167,13 +168,14 @@ final class StderrFile {
             end = new String(buffer, start, length - start, StandardCharsets.UTF_8);
         }
         byte[] data = more ? DataLineScan.read(file, from, to, lineStart) : new byte[0];
-        long dropped = to - from - data.length + lost;
+        byte[] why = withEnd ? DataLineScan.error(file, from, to, size) : new byte[0];
+        long dropped = to - from - data.length - why.length + lost;
         position = more ? size : from;
         lost = 0;
         if (dropped > 0) {
             text += (text.isEmpty() || text.endsWith("\n") ? "" : "\n") + "[" + dropped + " more bytes dropped]\n";
         }
-        text += new String(data, StandardCharsets.UTF_8) + end;
+        text += new String(data, StandardCharsets.UTF_8) + new String(why, StandardCharsets.UTF_8) + end;
         return text.isEmpty() ? null : text;
     }
 

@@ -39,8 +39,7 @@ public final class Advice {
         }
         if (FaultMessages.isExit(reason)) {
             return failure.stderr().isEmpty() ? "It ended before it answered, and wrote nothing to its stderr"
-                : "It ended with an error; its stderr says where: " + failure.stderr().get(failure.stderr().size() - 1)
-                    .strip();
+                : "It ended with an error; its stderr says why: " + failure.error();
         }
         if (FaultMessages.isTime(reason)) {
             return late(failure);

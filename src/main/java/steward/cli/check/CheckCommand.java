@@ -14,6 +14,7 @@ import steward.cli.options.SandboxOptions;
 import steward.cli.options.SceneOptions;
 import steward.cli.options.TimeLimitOptions;
 import steward.cli.shared.ExitStatus;
+import steward.cli.shared.FailureJson;
 import steward.cli.shared.FailureText;
 import steward.cli.shared.Games;
 import steward.cli.streams.Json;
@@ -30,7 +31,8 @@ import steward.text.TextFormat;
     footer = {"",
         "It plays against the weakest bundled bot of the game, and against players that",
         "never answer. Its slowest answer has to leave a fifth of the limit.",
-        "--json: bot, scene, passes, steps and problems (texts), fault (or null).",
+        "--json: bot, scene, passes, steps and problems (texts), fault and failure (or",
+        "null).",
         "", "Examples:",
         "  steward check 'python3 bot.py'",
         "  steward check codingame:./bot --scene duel",
@@ -104,6 +106,7 @@ public final class CheckCommand extends ProgramCommand {
             JsonObject.writeTexts(out, "steps", check.steps());
             JsonObject.writeTexts(out, "problems", check.problems());
             out.writeStringProperty("fault", check.failure() == null ? null : check.failure().reason());
+            FailureJson.writeField(out, check.failure());
         });
     }
 

@@ -15,6 +15,7 @@ import steward.cli.options.SceneOptions;
 import steward.cli.options.SeedOption;
 import steward.cli.options.TimeLimitOptions;
 import steward.cli.shared.ExitStatus;
+import steward.cli.shared.FailureText;
 import steward.cli.shared.Games;
 import steward.codingame.LeagueAttributes;
 import steward.codingame.LeagueJson;
@@ -24,6 +25,7 @@ import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.game.GameSetup;
 import steward.json.JsonObject;
+import steward.match.MatchResult;
 import steward.match.Protocol;
 import steward.text.TextFormat;
 
@@ -36,8 +38,8 @@ import steward.text.TextFormat;
         "'builtin:contender' and 'builtin:veteran', from weak to strong, come with the",
         "program. One that cannot be started has failed, and the match has a result.",
         "", "The object: ranks (0 for the best), errors (1 for a bot that failed), faults",
-        "(why, or null), test_data (seed, and what was reported about the match),",
-        "player_data, attributes, played_again.",
+        "(why, and what its stderr says, or null), test_data (seed, and what was reported",
+        "about the match), player_data, attributes, played_again.",
         "A game that a bot lost on time while others used the processors is played again,",
         "as 'match --games' does; played_again and the standard error say why.",
         "What bots report on stderr: '[TDATA] name = value' about the match,",
@@ -88,8 +90,11 @@ public final class PlayCommand extends ProgramCommand {
         CountedGame<LeagueAttributes> game = CountedGame.play(contest, used, LeagueAttributes::new,
             () -> replay == null ? null : OutputFiles.open(replay, true));
         RefereeGame.tell(streams, game);
+        RefereeGame.tell(streams, contest, game.failures(), player -> contest.entrants().get(player).name());
+        String[] faults = game.result().players().stream().map(MatchResult.PlayerResult::fault).toArray(String[]::new);
+        game.failures().forEach(failure -> faults[failure.player()] += FailureText.said(failure));
         MatchJson.printObject(streams, json -> {
-            LeagueJson.write(json, used, game.result(), game.follower());
+            LeagueJson.write(json, used, game.result(), faults, game.follower());
             JsonObject.writeTexts(json, "played_again", game.again());
         });
         return ExitStatus.DONE;

@@ -6,15 +6,19 @@ import java.io.OutputStream;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.function.IntFunction;
 import steward.cli.options.SeedOption;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.FailedException;
+import steward.cli.shared.FailureText;
 import steward.cli.shared.Pages;
 import steward.cli.streams.Streams;
 import steward.codingame.GameResultLog;
 import steward.codingame.GameResultScores;
 import steward.contest.Contest;
 import steward.contest.CountedGame;
+import steward.contest.Failure;
 import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.match.MatchListener;
@@ -42,9 +46,7 @@ record RefereeGame(Streams streams, Contest contest, Path log, Path replay, bool
         Path recording = replay == null && page ? temporary() : replay;
         try (OutputStream logStream = log == null ? null : OutputFiles.open(log, true)) {
             CountedGame<?> game = counted(seed, logStream != null, recording);
-            game.failures().stream().filter(failure -> contest.entrants().get(failure.player()).problem() == null)
-                .forEach(failure -> streams.warn("-p" + (failure.player() + 1) + " has failed in turn "
-                    + failure.turn() + ": " + failure.reason()));
+            tell(streams, contest, game.failures(), player -> "-p" + (player + 1));
             printScores(game.result(), wanted == null ? "seed=" + seed : null);
             if (game.follower() instanceof GameResultLog gameResult) {
                 gameResult.write(new BufferedOutputStream(logStream), contest.sceneName(), seed, game.result());
@@ -75,6 +77,15 @@ record RefereeGame(Streams streams, Contest contest, Path log, Path replay, bool
             contest.entrants().forEach(bot -> streams.out().println(-1));
             throw problem;
         }
+    }
+
+    /** Says on the standard error why bots failed, with what their stderr says; not of those that cannot be started. */
+    static void tell(Streams streams, Contest contest, List<Failure> failures, IntFunction<String> names) {
+        failures.stream().filter(each -> contest.entrants().get(each.player()).problem() == null).forEach(failure -> {
+            streams.warn(names.apply(failure.player()) + " has failed in turn " + failure.turn() + ": "
+                + failure.reason());
+            FailureText.print(streams.err(), failure, "  ");
+        });
     }
 
     /**

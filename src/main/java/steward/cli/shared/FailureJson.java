@@ -17,6 +17,7 @@ public final class FailureJson {
     /** The turn, and what may help. */
     public static void write(JsonGenerator out, Failure failure) {
         out.writeNumberProperty("turn", failure.turn());
+        out.writeStringProperty("error", failure.error().isEmpty() ? null : failure.error());
         JsonObject.writeTexts(out, "stderr", failure.stderr());
         JsonObject.writeTexts(out, "hints", failure.hints());
         writeTime(out, "time", failure.time());

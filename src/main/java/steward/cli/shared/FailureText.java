@@ -1,26 +1,31 @@
 package steward.cli.shared;
 
 import java.io.PrintStream;
+import java.util.List;
 import steward.contest.Failure;
 import steward.text.TextFormat;
 
 /** Reason of a bot's failure, for people. */
 public final class FailureText {
 
-    private static final int LONGEST_LAST = 120;
+    private static final int LONGEST = 120;
 
     private FailureText() { }
 
-    /** Prints the lines below the one with the reason: the last lines of its stderr, and hints. */
+    /** Prints the lines below the one with the reason: what its stderr says, and hints. */
     public static void print(PrintStream out, Failure failure, String indent) {
-        if (failure.stderr().isEmpty()) {
+        List<String> lines = failure.stderr();
+        if (lines.isEmpty()) {
             out.println(indent + "it wrote nothing to its stderr");
-        } else {
-            out.println(indent + (failure.stderr().size() == 1 ? "the last line of its stderr:"
-                : "the last " + failure.stderr().size() + " lines of its stderr:"));
-            for (String line : failure.stderr()) {
-                out.println(indent + "  " + TextFormat.plain(line));
-            }
+        } else if (!failure.error().isEmpty()) {
+            out.println(indent + "its stderr says: " + TextFormat.plain(failure.error()));
+        }
+        if (lines.size() > (failure.error().isEmpty() ? 0 : 1)) {
+            boolean onward = !failure.error().isEmpty() && lines.size() == Failure.LINES
+                && lines.get(0).contains(failure.error());
+            out.println(indent + (onward ? "with the lines behind it:" : lines.size() == 1
+                ? "the last line of its stderr:" : "the last " + lines.size() + " lines of its stderr:"));
+            lines.forEach(line -> out.println(indent + "  " + TextFormat.plain(line)));
         }
         for (String hint : failure.hints()) {
             out.println(indent + "hint: " + hint);
@@ -29,9 +34,11 @@ public final class FailureText {
 
     /** {@code me failed in turn 3: exited with status 1 before answering (ValueError: found a dog)}. */
     static String line(String name, Failure failure) {
-        int lines = failure.stderr().size();
-        String last = lines == 0 ? "" : " ("
-            + TextFormat.shorten(failure.stderr().get(lines - 1).strip(), LONGEST_LAST) + ")";
-        return name + " failed in turn " + failure.turn() + ": " + failure.reason() + last;
+        return name + " failed in turn " + failure.turn() + ": " + failure.reason() + said(failure);
+    }
+
+    /** The line of its stderr that says why, in brackets and behind a blank; empty if none does. */
+    public static String said(Failure failure) {
+        return failure.error().isEmpty() ? "" : " (" + TextFormat.shorten(failure.error(), LONGEST) + ")";
     }
 }

@@ -96,10 +96,11 @@ record AuthorPage(TournamentCommand.Entry entry, int version, List<StoredGame> g
 
     private void games(StringBuilder page, EmbeddedReplays kept) {
         page.append("<h2>Its games</h2><p>").append(TextFormat.count(games.size(), "game")).append("</p>");
-        GameFailures failures = new GameFailures();
+        GameFailures failures = new GameFailures(replays);
         games.forEach(game -> failures.add(game, version));
-        if (!failures.lines(names).isEmpty()) {
-            pre(page, String.join("\n", failures.lines(names)));
+        List<String> lines = failures.lines(names);
+        if (!lines.isEmpty()) {
+            pre(page, String.join("\n", lines));
         }
         if (games.isEmpty()) {
             return;

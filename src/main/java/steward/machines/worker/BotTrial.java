@@ -5,6 +5,7 @@ import java.io.UncheckedIOException;
 import java.util.Collections;
 import java.util.List;
 import java.util.stream.IntStream;
+import steward.bot.ErrorLine;
 import steward.bot.FaultMessages;
 import steward.contest.Contest;
 import steward.contest.Contest.Entrant;
@@ -28,9 +29,9 @@ final class BotTrial {
                     // A guest's referee asks whom it likes first.
                     int failed = IntStream.range(0, all.size()).filter(k -> turn.fault(k) != null).findAny().orElse(0);
                     String fault = turn.fault(failed);
-                    String wrote = turn.stderr(failed);
+                    String wrote = ErrorLine.of(turn.stderr(failed));
                     found[0] = fault == null || FaultMessages.isTime(fault) ? null
-                        : fault + (wrote == null || wrote.isBlank() ? "" : "; it wrote: " + wrote.strip());
+                        : fault + (wrote.isEmpty() ? "" : "; it wrote: " + wrote);
                     throw new UncheckedIOException(new IOException("the trial is over"));
                 }
             });

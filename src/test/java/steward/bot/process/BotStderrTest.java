@@ -17,6 +17,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import steward.bot.Answer;
+import steward.bot.ErrorLine;
 import steward.bot.command.ProgramFinder;
 
 /** Text that a bot writes to its stderr belongs to the turn in which it was written, and never blocks it. */
@@ -120,6 +121,21 @@ class BotStderrTest {
         try (BotProcess bot = ScriptedBots.bot(line)) {
             assertEquals("\n[" + (50_000 - 12_288 + 2) + " more bytes dropped]\n" + "f".repeat(4095),
                 ScriptedBots.fault(bot, "a\n", ScriptedBots.FOREVER).stderr().replaceFirst("^e{12288}", ""));
+        }
+    }
+
+    /** Frames of a deep recursion are longer than what is kept of the end. */
+    @Test
+    void theLineThatSaysWhyIsKeptInTheMiddleOfALongLastMessage() {
+        String script = "read -r l; head -c 50000 /dev/zero | tr '\\0' e >&2; echo >&2; echo before >&2;"
+            + " echo '[PDATA] score = 7' >&2; echo 'Exception in thread \"main\" Oops: caf\u00e9' >&2;"
+            + " n=0; while [ $n -lt 500 ]; do printf '\\tat Bot.f(Bot.java:%s)\\n' $n; n=$((n + 1)); done >&2; exit 1";
+        try (BotProcess bot = ScriptedBots.bot(script)) {
+            String said = ScriptedBots.fault(bot, "a\n", ScriptedBots.FOREVER).stderr();
+            assertTrue(said.contains(" more bytes dropped]\n[PDATA] score = 7\nbefore\n"
+                + "Exception in thread \"main\" Oops: caf\u00e9\n\tat Bot.f(Bot.java:0)\n"), said);
+            assertEquals("Exception in thread \"main\" Oops: caf\u00e9", ErrorLine.of(said));
+            assertTrue(said.length() < 24 * 1024 && said.endsWith("499)\n"), said);
         }
     }
 

@@ -133,8 +133,8 @@ class SandboxOptionsTest {
     }
 
     @Test
-    void aBotThatFailsAtOnceIsToldOfItsSandbox() throws IOException {
-        String bot = failing("echo no luck >&2");
+    void aBotThatFailsAtOnceForWantOfAPathIsToldOfItsSandbox() throws IOException {
+        String bot = failing("echo 'cannot write /usr/x: Read-only file system' >&2");
         for (SandboxLevel level : List.of(SandboxLevel.LIGHT, SandboxLevel.STRICT)) {
             assumeWorks(level);
             String hints = match(bot, "--sandbox",
@@ -145,6 +145,12 @@ class SandboxOptionsTest {
         }
         String off = match(bot, "--sandbox", "off").json().get("players").get(0).get("failure").get("hints").toString();
         assertFalse(off.contains("sandbox"), off);
+        for (String other : List.of("at Socket.ondata (node:internal/streams/readable:561:12)", "no luck",
+            "FileNotFoundError: No such file or directory: /no/such/file", "KeyError: HOME")) {
+            String hints = match(failing("echo '" + other + "' >&2")).json().get("players").get(0).get("failure")
+                .get("hints").toString();
+            assertFalse(hints.contains("sandbox"), hints);
+        }
     }
 
     /** The program's folder, the read-only rest, the private folder for temporary files; what is shown besides. */

@@ -50,6 +50,7 @@ class FailureReportTest {
         String out = match("", script, "--no-deadline").out();
         assertTrue(out.contains("""
             me failed in turn 2: exited with status 1 before answering
+              its stderr says: Value?Error: a dog
               the last 10 lines of its stderr:
                 three
                 4
@@ -62,6 +63,46 @@ class FailureReportTest {
                 11
                 Value?Error: a dog
             """), out);
+    }
+
+    /** Its ten last lines are frames. */
+    private static final String TRACE = "echo early >&2; echo 'Exception in thread \"main\" Oops: no dog' >&2; "
+        + "for n in 1 2 3 4 5 6 7 8 9 10 11 12; do printf '\\tat Bot.f(Bot.java:%s)\\n' $n >&2; done; exit 1";
+    private static final String SAYS = "its stderr says: Exception in thread \"main\" Oops: no dog\n";
+
+    @Test
+    void theLineThatSaysWhyIsFoundBehindFramesAndStandsFirst() throws IOException {
+        String out = match("", TRACE, "--no-deadline").out();
+        assertTrue(out.contains("  " + SAYS + "  with the lines behind it:\n    Exception in thread \"main\" Oops: "
+            + "no dog\n    \tat Bot.f(Bot.java:1)\n") && out.contains("Bot.java:9)\n") && !out.contains("Bot.java:10)"),
+            out);
+        assertTrue(match("", TRACE, "--no-deadline", "--quiet").out().endsWith(
+            "before answering (Exception in thread \"main\" Oops: no dog)\n"));
+        Cli check = Cli.run("check", "--scene", "duel", "sh " + folder.resolve("me.sh"));
+        assertTrue(check.out().replaceAll("\\s+", " ").contains("says why: Exception in thread \"main\" Oops:")
+            && check.out().contains(SAYS), check.out());
+        JsonNode failure = Cli.run("check", "--scene", "duel", "sh " + folder.resolve("me.sh"), "--json").json()
+            .get("failure");
+        assertEquals("Exception in thread \"main\" Oops: no dog", failure.get("error").stringValue());
+        assertEquals(10, failure.get("stderr").size());
+    }
+
+    /** An arena tool shows the standard error of its referee, or keeps what it prints. */
+    @Test
+    void refereeAndPlaySayItToo() throws IOException {
+        String bot = "sh " + Files.writeString(folder.resolve("me.sh"), TRACE);
+        Cli referee = Cli.run("referee", "-p1", bot, "-p2", "builtin:racer", "-d", "seed=7");
+        assertTrue(referee.err().contains("-p1 has failed in turn 1: exited with status 1 before answering\n  " + SAYS)
+            && referee.err().contains("Bot.java:9)"), referee.err());
+        assertEquals(2, referee.out().lines().count(), referee.out());
+        Cli play = Cli.run("play", "--json-league", bot, "builtin:racer", "--seed", "7");
+        assertTrue(play.err().contains(SAYS), play.err());
+        assertEquals("exited with status 1 before answering (Exception in thread \"main\" Oops: no dog)",
+            play.json().get("faults").get(0).stringValue());
+        assertTrue(play.json().get("faults").get(1).isNull(), play.out());
+        Cli hinted = Cli.run("play", "--json-league", "sh -c 'exit 127'", "builtin:racer", "--seed", "7");
+        assertTrue(hinted.err().contains("it wrote nothing to its stderr\n  hint: a program was not found"),
+            hinted.err());
     }
 
     /** As in a series: that both fail in one turn says nothing about who plays better. */
@@ -85,8 +126,8 @@ class FailureReportTest {
     void jsonHasTurnLinesAndHints() throws IOException {
         JsonNode players = match("", "echo 'ValueError: a dog' >&2; exit 1", "--no-deadline", "--json", "--sandbox",
             "off").json().get("players");
-        assertEquals("{\"turn\":1,\"stderr\":[\"ValueError: a dog\"],\"hints\":[\"it was sent JSON; is it a CodinGame "
-            + "bot? then write codingame: before its command\"],\"time\":null}",
+        assertEquals("{\"turn\":1,\"error\":\"ValueError: a dog\",\"stderr\":[\"ValueError: a dog\"],"
+            + "\"hints\":[\"it was sent JSON; is it a CodinGame bot? then write codingame: before its command\"],\"time\":null}",
             players.get(0).get("failure").toString());
         assertTrue(players.get(1).get("failure").isNull());
     }

@@ -40,7 +40,8 @@ class PlayCommandTest {
             "--no-deadline"));
         arguments.addAll(List.of(more));
         Cli cli = Cli.run(arguments.toArray(String[]::new));
-        assertEquals("", cli.err());
+        assertTrue(cli.err().lines().allMatch(line -> line.matches("steward: warning: .* has failed in .*|  .*")),
+            cli.err());
         assertEquals(0, cli.status());
         return cli.json();
     }
@@ -133,8 +134,8 @@ class PlayCommandTest {
 
     private static void assertTheOtherWins(JsonNode json) {
         assertEquals("[1,0]", json.get("errors").toString());
-        assertEquals("exited with status 127 before answering (127: a command was not found)",
-            json.get("faults").get(0).asString());
+        String fault = json.get("faults").get(0).asString();
+        assertTrue(fault.startsWith("exited with status 127 before answering (127: a command was not found)"), fault);
     }
 
     @Test

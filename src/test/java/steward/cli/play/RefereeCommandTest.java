@@ -41,19 +41,23 @@ class RefereeCommandTest {
         arguments.addAll(List.of(more));
         Cli cli = Cli.run(arguments.toArray(String[]::new));
         assertTrue(cli.err().lines().allMatch(line -> line.matches(
-            "steward: warning: -p[12] has failed in turn \\d+: .*")), cli.err());
+            "steward: warning: -p[12] has failed in turn \\d+: .*|  .*")), cli.err());
         return new Cli(cli.status(), cli.out(), "");
     }
 
     /** The tool prints no word of what a bot did. */
     @Test
     @Tag("process")
-    void whyABotFailedIsALineOnStderr() {
+    void whyABotFailedIsOnStderr() {
         assumeTrue(ShellBots.runnable(), "there is no /bin/sh");
         Cli cli = Cli.run("referee", "-p1", bots.idler(0), "-p2", "sh -c 'exit 3'", "-scene", "duel", "--no-deadline",
             "-seed", "1");
         assertEquals("1\n-1\n", cli.out());
-        assertEquals("steward: warning: -p2 has failed in turn 1: exited with status 3 before answering\n", cli.err());
+        assertEquals("""
+            steward: warning: -p2 has failed in turn 1: exited with status 3 before answering
+              it wrote nothing to its stderr
+              hint: it was sent CodinGame's lines; does it speak JSON? then write json: before its command
+            """, cli.err());
     }
 
     /** The tool takes a match without scores for a draw. */
@@ -76,7 +80,7 @@ class RefereeCommandTest {
             "true", "--no-deadline", "-seed", "1");
         assertEquals(0, cli.status(), cli.err());
         assertEquals("-1\n-1\n-1\n3\n", cli.out(), "the last is not asked any more");
-        assertEquals(3, cli.err().lines().count(), cli.err());
+        assertEquals(3, cli.err().lines().filter(line -> line.contains("has failed in")).count(), cli.err());
     }
 
     @Test

@@ -50,7 +50,7 @@ class RefereeProcessTest {
         assertEquals("1\n-1\n", out);
         String end = end(process);
         assertTrue(end.startsWith("status 0steward: warning: -p2 has failed in turn 2: line 1 of 1: ")
-            && end.lines().count() == 1, end);
+            && end.lines().skip(1).allMatch(line -> line.startsWith("  ")), end);
     }
 
     /** Does what the tool does: passes lines on as soon as the next command has come. */

@@ -69,8 +69,7 @@ class SeriesReportTest {
             me +\\d+ +[0-9.]+ +[0-9.]+ +[0-9.]+ +[0-9.]+   game \\d, turn \\d+
             far .*
             me failed in 2 games, first in game 1 \\(seed 5\\) in turn 3: exited with status 4 before answering
-              the last line of its stderr:
-                no idea
+              its stderr says: no idea
               replay: .*game-0001\\.jsonl
               also in game 3, turn 3
 
@@ -87,7 +86,8 @@ class SeriesReportTest {
         assertEquals(4, json.get("planned").intValue());
         assertEquals(4, json.get("results").intValue());
         assertEquals("{\"bot\":0,\"games\":2,\"game\":1,\"seed\":\"5\",\"fault\":\"exited with status 4 before "
-            + "answering\",\"turn\":3,\"stderr\":[\"no idea\"],\"hints\":[],\"time\":null,\"replay\":null}",
+            + "answering\",\"turn\":3,\"error\":\"no idea\",\"stderr\":[\"no idea\"],\"hints\":[],\"time\":null,"
+            + "\"replay\":null}",
             json.get("failures").get(0).toString());
         assertEquals("[3,null]", json.get("list").get(0).get("faultTurns").toString());
         assertEquals("[null,null]", json.get("list").get(1).get("faultTurns").toString());

@@ -23,12 +23,18 @@ public final class GameFailures {
 
     private static final int MOST = 10;
 
+    private final Path replays;
     private final Map<List<Object>, Kind> kinds = new LinkedHashMap<>();
 
     private static final class Kind {
         private int games;
-        private long example;
+        private StoredGame example;
         private String reason;
+    }
+
+    /** @param replays the folder of kept replays */
+    public GameFailures(Path replays) {
+        this.replays = replays;
     }
 
     /** Adds a game; the first one of a kind is its example. */
@@ -43,23 +49,33 @@ public final class GameFailures {
                 Kind kind = kinds.computeIfAbsent(List.of(seat.version(), Failure.kind(seat.fault())),
                     key -> new Kind());
                 kind.games++;
-                kind.example = kind.games == 1 ? game.id() : kind.example;
+                kind.example = kind.games == 1 ? game : kind.example;
                 kind.reason = kind.games == 1 ? seat.fault() : kind.reason;
             }
         }
     }
 
-    /** One line for each bot and kind, the most frequent first. */
+    /** One line for each bot and kind, the most frequent first; with what its stderr says, where a replay is kept. */
     public List<String> lines(Map<Integer, String> names) {
         List<String> lines = new ArrayList<>();
         kinds.entrySet().stream().sorted(Comparator.comparingInt((Map.Entry<?, Kind> each) -> -each.getValue().games))
             .limit(MOST).forEach(each -> lines.add(TextFormat.plain(names.get((Integer) each.getKey().get(0))
                 + " failed in " + TextFormat.count(each.getValue().games, "game") + ", such as game "
-                + each.getValue().example + ": " + each.getValue().reason)));
+                + each.getValue().example.id() + ": " + each.getValue().reason + said(each.getValue()))));
         if (kinds.size() > MOST) {
             lines.add("and in " + TextFormat.count(kinds.size() - MOST, "other way"));
         }
         return lines;
+    }
+
+    private String said(Kind kind) {
+        return of(replay(replays, kind.example)).stream().filter(each -> each.reason().equals(kind.reason)).findFirst()
+            .map(FailureText::said).orElse("");
+    }
+
+    /** The file of a game's replay, or {@code null}. */
+    static Path replay(Path replays, StoredGame game) {
+        return game.replay() == null ? null : replays.resolve(game.replay());
     }
 
     /**

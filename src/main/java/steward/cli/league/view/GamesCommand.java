@@ -77,7 +77,7 @@ public final class GamesCommand extends ProgramCommand {
             int opponent = filter.opponent(opened.entries());
             List<StoredGame> found = new ArrayList<>();
             int[] all = {0};
-            GameFailures failures = new GameFailures();
+            GameFailures failures = new GameFailures(opened.folder().replays());
             read(opened, version, game -> {
                 if ((number == null || game.id() == number) && filter.takes(game, version, opponent)) {
                     all[0]++;
@@ -98,7 +98,7 @@ public final class GamesCommand extends ProgramCommand {
                 return ExitStatus.DONE;
             }
             for (StoredGame game : listed) {
-                Path replay = replay(opened.folder(), game);
+                Path replay = GameFailures.replay(opened.folder().replays(), game);
                 streams.out().println(TextFormat.plain(line(game, names) + (replay == null ? "" : ", replay "
                     + replay)));
                 if (filter.failed() || number != null) {
@@ -140,16 +140,11 @@ public final class GamesCommand extends ProgramCommand {
         return line + (game.counts() && game.allFailed() ? ", not rated since all failed in the same turn" : "");
     }
 
-    /** The file of a game's replay, or {@code null}. */
-    private static Path replay(LeagueFolder folder, StoredGame game) {
-        return game.replay() == null ? null : folder.replays().resolve(game.replay());
-    }
-
     private static void json(JsonGenerator out, List<StoredGame> games, int all, LeagueFolder folder,
                              Map<Integer, String> names) {
         out.writeNumberProperty("games", all);
         JsonObject.writeAll(out, "list", games, game -> {
-            Path replay = replay(folder, game);
+            Path replay = GameFailures.replay(folder.replays(), game);
             List<Failure> failures = GameFailures.of(replay);
             out.writeNumberProperty("game", game.id());
             out.writeStringProperty("seed", Long.toString(game.seed()));
