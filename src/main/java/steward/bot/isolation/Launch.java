@@ -67,6 +67,9 @@ public record Launch(List<String> command, Isolation isolation, List<List<String
      */
     public ProcessBuilder builder(ControlGroup controlGroup, Path holdSocket) throws IOException {
         ProcessBuilder builder = new ProcessBuilder(words(isolation, command, others, controlGroup, holdSocket));
+        if (!command.contains(System.getProperty("java.class.path"))) {      // where the bundled bots are found, too
+            ChosenLocale.undo(builder.environment());
+        }
         isolation.environment().apply(builder.environment(), isolation.level());
         return builder;
     }

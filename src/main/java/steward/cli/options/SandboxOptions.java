@@ -15,6 +15,7 @@ import picocli.CommandLine.Option;
 import steward.bot.command.ProgramFinder;
 import steward.bot.hold.HoldPolicy;
 import steward.bot.isolation.BotEnvironment;
+import steward.bot.isolation.ChosenLocale;
 import steward.bot.isolation.Isolation;
 import steward.bot.isolation.ResourceLimits;
 import steward.bot.isolation.SandboxLevel;
@@ -268,7 +269,7 @@ public final class SandboxOptions {
         for (String name : variables) {
             check.that(VARIABLE.matcher(name).matches(),
                 "--env: found '" + name + "', expected the name of a variable");
-            check.that(System.getenv(name) != null, "--env: there is no variable '" + name + "'");
+            check.that(ChosenLocale.variable(name) != null, "--env: there is no variable '" + name + "'");
         }
         return new BotEnvironment(cleanEnvironment, variables);
     }

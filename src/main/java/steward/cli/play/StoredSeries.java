@@ -14,6 +14,7 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.stream.IntStream;
 import steward.bot.command.BotCommand;
+import steward.bot.isolation.ChosenLocale;
 import steward.cli.shared.Games;
 import steward.cli.streams.Streams;
 import steward.contest.Attempts;
@@ -86,7 +87,7 @@ public final class StoredSeries implements AutoCloseable {
                 + System.getProperty("java.version") + ", sandbox "
                 + contest.sandbox());
             Map<String, String> passed = new TreeMap<>();
-            environment.forEach(name -> passed.put(name, String.valueOf(System.getenv(name))));
+            environment.forEach(name -> passed.put(name, String.valueOf(ChosenLocale.variable(name))));
             stored.find(settings, new BotIdentity(passed));
             return stored;
         } catch (InputException problem) {

@@ -13,6 +13,7 @@ import steward.bot.command.BuiltinBots;
 import steward.bot.command.Platform;
 import steward.bot.command.ProgramFinder;
 import steward.bot.command.ProgramTrial;
+import steward.bot.isolation.ChosenLocale;
 import steward.bot.isolation.ControlGroup;
 import steward.bot.isolation.HoldMeans;
 import steward.bot.isolation.Isolation;
@@ -76,6 +77,7 @@ final class Checkup {
         add("java", "archive of classes", archive != null, archive == null
             ? "none: each start loads its classes one by one; the launcher makes one in ~/.cache/steward where it can"
             : archive);
+        items.add(fileNames(System.getProperty("sun.jnu.encoding"), ChosenLocale.name()));
         resident();
         List<String> builtin = BuiltinBots.installed().names();
         add("java", "builtin bots", !builtin.isEmpty(), builtin.isEmpty()
@@ -197,6 +199,19 @@ final class Checkup {
                 script.toFile().deleteOnExit();
             }
         }
+    }
+
+    /**
+     * An item about names of files.
+     *
+     * @param encoding of the JVM
+     * @param chosen   the locale of the launcher's choice, or {@code null}
+     */
+    static Item fileNames(String encoding, String chosen) {
+        boolean all = "UTF-8".equals(encoding);
+        return new Item("java", "names of files", all, !all ? encoding + ": files whose names have other letters "
+            + "cannot be named; set LC_ALL=C.UTF-8" : chosen == null ? encoding
+            : encoding + " by LC_ALL=" + chosen + ", since the locale has none; bots do not get it");
     }
 
     /** An item about the platform of a machine. */

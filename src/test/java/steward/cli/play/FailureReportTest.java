@@ -127,7 +127,8 @@ class FailureReportTest {
         JsonNode players = match("", "echo 'ValueError: a dog' >&2; exit 1", "--no-deadline", "--json", "--sandbox",
             "off").json().get("players");
         assertEquals("{\"turn\":1,\"error\":\"ValueError: a dog\",\"stderr\":[\"ValueError: a dog\"],"
-            + "\"hints\":[\"it was sent JSON; is it a CodinGame bot? then write codingame: before its command\"],\"time\":null}",
+            + "\"hints\":[\"it was sent JSON; is it a CodinGame bot? then write codingame: before its command\"],"
+            + "\"time\":null}",
             players.get(0).get("failure").toString());
         assertTrue(players.get(1).get("failure").isNull());
     }

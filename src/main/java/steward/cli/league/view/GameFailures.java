@@ -30,6 +30,7 @@ public final class GameFailures {
         private int games;
         private StoredGame example;
         private String reason;
+        private int player;
     }
 
     /** @param replays the folder of kept replays */
@@ -44,13 +45,15 @@ public final class GameFailures {
 
     /** Adds the failure of one version in a game, if it failed. */
     public void add(StoredGame game, int version) {
-        for (StoredGame.StoredSeat seat : game.seats()) {
+        for (int player = 0; player < game.seats().size(); player++) {
+            StoredGame.StoredSeat seat = game.seats().get(player);
             if (seat.version() == version && seat.fault() != null) {
                 Kind kind = kinds.computeIfAbsent(List.of(seat.version(), Failure.kind(seat.fault())),
                     key -> new Kind());
                 kind.games++;
                 kind.example = kind.games == 1 ? game : kind.example;
                 kind.reason = kind.games == 1 ? seat.fault() : kind.reason;
+                kind.player = kind.games == 1 ? player : kind.player;
             }
         }
     }
@@ -69,7 +72,7 @@ public final class GameFailures {
     }
 
     private String said(Kind kind) {
-        return of(replay(replays, kind.example)).stream().filter(each -> each.reason().equals(kind.reason)).findFirst()
+        return of(replay(replays, kind.example)).stream().filter(each -> each.player() == kind.player).findFirst()
             .map(FailureText::said).orElse("");
     }
 

@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.TreeMap;
 import java.util.function.Supplier;
 import picocli.CommandLine;
+import steward.bot.isolation.ChosenLocale;
 import steward.bot.isolation.Isolation;
 import steward.cli.options.SandboxOptions;
 import steward.cli.shared.CallException;
@@ -62,7 +63,7 @@ public final class LeagueOpening {
         for (Iterator<String> word = settings.sandbox().iterator(); word.hasNext();) {
             if (word.next().equals("--env") && word.hasNext()) {
                 String name = word.next();
-                passed.put(name, String.valueOf(System.getenv(name)));
+                passed.put(name, String.valueOf(ChosenLocale.variable(name)));
             }
         }
         return passed;

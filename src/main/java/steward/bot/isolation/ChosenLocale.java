@@ -1,0 +1,35 @@
+package steward.bot.isolation;
+
+import java.util.Map;
+
+/**
+ * Locale that the launcher chose for this JVM, since the one that was set has no UTF-8: a JVM without it can only name
+ * files in ASCII. Programs of others are not to notice.
+ */
+public final class ChosenLocale {
+
+    private static final String VARIABLE = "LC_ALL";
+    private static final String BEFORE = "steward.locale.before";
+
+    private ChosenLocale() { }
+
+    /** Returns its name, or {@code null} if none was chosen. */
+    public static String name() {
+        return System.getProperty("steward.locale");
+    }
+
+    /** Returns a variable as it was set for the launcher, or {@code null}. */
+    public static String variable(String name) {
+        return name() != null && name.equals(VARIABLE) ? System.getProperty(BEFORE) : System.getenv(name);
+    }
+
+    /** Puts back what was set for the launcher. */
+    static void undo(Map<String, String> variables) {
+        if (name() != null) {
+            variables.remove(VARIABLE);
+            if (System.getProperty(BEFORE) != null) {
+                variables.put(VARIABLE, System.getProperty(BEFORE));
+            }
+        }
+    }
+}
