@@ -2,6 +2,7 @@ package steward.contest;
 
 import java.util.List;
 import steward.bot.Player;
+import steward.bot.command.Program;
 import steward.bot.isolation.Isolation;
 import steward.contest.Contest.Entrant;
 
@@ -13,5 +14,5 @@ public interface BotStarter {
      *
      * @param others the programs of the other bots, which it must not see
      */
-    Player player(Entrant entrant, Isolation isolation, List<List<String>> others);
+    Player player(Entrant entrant, Isolation isolation, List<Program> others);
 }

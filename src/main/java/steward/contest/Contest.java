@@ -1,8 +1,10 @@
 package steward.contest;
 
 import java.io.OutputStream;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.Collections;
 import java.util.List;
 import java.util.function.Supplier;
 import java.util.regex.Pattern;
@@ -11,6 +13,7 @@ import steward.bot.Player;
 import steward.bot.TimeBasis;
 import steward.bot.UnstartablePlayer;
 import steward.bot.command.BotCommand;
+import steward.bot.command.Program;
 import steward.bot.command.SiteJavaScript;
 import steward.bot.hold.HoldPolicy;
 import steward.bot.isolation.HoldMeans;
@@ -117,31 +120,42 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
      * @param name     unlike the others' names
      * @param bot      as it was named in the call
      * @param protocol the language it speaks
-     * @param words    the program to start and its arguments
+     * @param program  what is started, and where
      * @param problem  why it cannot be started, or {@code null}
      */
-    public record Entrant(String name, String bot, Protocol protocol, List<String> words, String problem) {
+    public record Entrant(String name, String bot, Protocol protocol, @Internal Program program, String problem) {
 
         private static final Pattern BUILTIN =
             Pattern.compile("([^=\\s]*=)?" + BotCommand.Prefix.BUILTIN.written() + ".*");
 
-        /** One that can be started, as far as is known. */
+        /** One that can be started, as far as is known, in the current folder. */
         public Entrant(String name, String bot, Protocol protocol, List<String> words) {
-            this(name, bot, protocol, words, null);
+            this(name, bot, protocol, Program.here(words), null);
+        }
+
+        /** A bot with a folder of its own. */
+        @Internal
+        public Entrant {
+        }
+
+        /** The program to start and its arguments. */
+        public List<String> words() {
+            return program.words();
         }
 
         /** Returns this entrant under another name. */
         public Entrant named(String other) {
-            return new Entrant(other, bot, protocol, words, problem);
+            return new Entrant(other, bot, protocol, program, problem);
         }
 
         /** Builtin bots run in a JVM, which ends at once under a limit of addresses that suits a bot of strangers. */
-        private boolean isBuiltin() {
+        boolean isBuiltin() {
             return BUILTIN.matcher(bot).matches();
         }
 
-        private Player player(Isolation isolation, List<List<String>> others) {
-            List<String> started = protocol == Protocol.CODINGAME ? SiteJavaScript.words(words) : words;
+        private Player player(Isolation isolation, List<Program> others) {
+            Program started = protocol == Protocol.CODINGAME
+                ? program.started(SiteJavaScript.words(program.words())) : program;
             return problem == null
                 ? new BotProcess(name, new Launch(started, isBuiltin() ? isolation.withoutMemoryLimit() : isolation,
                     others), BotProcess.DEFAULT_GRACE_MS)
@@ -157,7 +171,19 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
      *                        have its protocol
      */
     public static Contest of(GameSetup setup, List<String> bots, Protocol usual, double timeFactor) {
-        return withoutProblem(withFailing(setup, bots, usual, timeFactor));
+        return of(setup, bots, here(bots), usual, timeFactor);
+    }
+
+    /** Makes a contest as {@link #of(GameSetup, List, Protocol, double)} does; each bot has a folder of its own. */
+    @Internal
+    public static Contest of(GameSetup setup, List<String> bots, List<Path> folders, Protocol usual,
+                             double timeFactor) {
+        refuseOtherNumber(setup, bots);
+        return withoutProblem(create(setup, bots, folders, usual, timeFactor));
+    }
+
+    private static List<Path> here(List<String> bots) {
+        return Collections.nCopies(bots.size(), Path.of(""));
     }
 
     /**
@@ -165,8 +191,15 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
      * alone.
      */
     public static Contest ofSeries(GameSetup setup, List<String> bots, Protocol usual, double timeFactor) {
-        return setup.scene().players() > 1 || bots.isEmpty() ? of(setup, bots, usual, timeFactor)
-            : withoutProblem(create(setup, bots, usual, timeFactor));
+        return ofSeries(setup, bots, here(bots), usual, timeFactor);
+    }
+
+    /** Makes a contest for a series; each bot has a folder of its own. */
+    @Internal
+    public static Contest ofSeries(GameSetup setup, List<String> bots, List<Path> folders, Protocol usual,
+                                   double timeFactor) {
+        return setup.scene().players() > 1 || bots.isEmpty() ? of(setup, bots, folders, usual, timeFactor)
+            : withoutProblem(create(setup, bots, folders, usual, timeFactor));
     }
 
     private static Contest withoutProblem(Contest contest) {
@@ -183,6 +216,11 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
      * the first time: for tools that let the other bots play on.
      */
     public static Contest withFailing(GameSetup setup, List<String> bots, Protocol usual, double timeFactor) {
+        refuseOtherNumber(setup, bots);
+        return create(setup, bots, here(bots), usual, timeFactor);
+    }
+
+    private static void refuseOtherNumber(GameSetup setup, List<String> bots) {
         int players = setup.scene().players();
         if (bots.size() != players) {
             throw new InputException("found " + TextFormat.count(bots.size(), "bot") + ", expected "
@@ -190,11 +228,11 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
                 + setup.scene().name() + "\"" + (players > 1 || bots.isEmpty() ? ""
                     : "; with --games several bots each play alone on the same maps"));
         }
-        return create(setup, bots, usual, timeFactor);
     }
 
-    private static Contest create(GameSetup setup, List<String> bots, Protocol usual, double timeFactor) {
-        List<Entrant> entrants = entrants(bots, setup.isHosted() ? Protocol.CODINGAME : usual);
+    private static Contest create(GameSetup setup, List<String> bots, List<Path> folders, Protocol usual,
+                                  double timeFactor) {
+        List<Entrant> entrants = entrants(bots, folders, setup.isHosted() ? Protocol.CODINGAME : usual);
         checkPlayable(setup, entrants);
         return new Contest(setup, entrants, timeControl(setup, timeFactor), timeFactor);
     }
@@ -216,13 +254,12 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
         }
     }
 
-    private static List<Entrant> entrants(List<String> bots, Protocol usual) {
-        BotCommand.Prefix prefix = usual == Protocol.JSON ? BotCommand.Prefix.JSON : BotCommand.Prefix.CODINGAME;
+    private static List<Entrant> entrants(List<String> bots, List<Path> folders, Protocol usual) {
         List<Entrant> entrants = new ArrayList<>();
-        for (String bot : bots) {
-            entrants.add(entrant(bot, prefix));
+        for (int k = 0; k < bots.size(); k++) {
+            entrants.add(entrant(bots.get(k), folders.get(k), null, usual));
         }
-        List<String> names = entrants.stream().map(Entrant::name).toList();
+        List<String> names = FolderNames.of(entrants);
         for (int k = 0; k < bots.size(); k++) {
             entrants.set(k, entrants.get(k).named(unlikeOthers(names, k)));
         }
@@ -232,22 +269,32 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
     /** A bot by itself, as it is named in a call; one that cannot be started has the problem. */
     @Internal
     public static Entrant entrant(String bot, Protocol usual) {
-        return entrant(bot, usual == Protocol.JSON ? BotCommand.Prefix.JSON : BotCommand.Prefix.CODINGAME);
+        return entrant(bot, Path.of(""), null, usual);
     }
 
-    private static Entrant entrant(String bot, BotCommand.Prefix usual) {
+    /**
+     * A bot by itself with a folder of its own; one that cannot be started has the problem.
+     *
+     * @param files see {@link Program}
+     */
+    @Internal
+    public static Entrant entrant(String bot, Path folder, List<String> files, Protocol usual) {
         BotCommand command;
         try {
-            command = BotCommand.parse(bot, usual);
+            command = BotCommand.parse(bot, usual == Protocol.JSON ? BotCommand.Prefix.JSON
+                : BotCommand.Prefix.CODINGAME);
         } catch (IllegalArgumentException problem) {
-            Protocol spoken = usual == BotCommand.Prefix.CODINGAME ? Protocol.CODINGAME : Protocol.JSON;
-            return new Entrant(bot.isBlank() ? "nobody" : bot, bot, spoken, List.of(), problem.getMessage());
+            return new Entrant(bot.isBlank() ? "nobody" : bot, bot, usual, Program.here(List.of()),
+                problem.getMessage());
         }
         Protocol spoken = command.prefix() == BotCommand.Prefix.CODINGAME ? Protocol.CODINGAME : Protocol.JSON;
+        String name = command.displayName(folder);
+        boolean bundled = command.prefix() == BotCommand.Prefix.BUILTIN && files == null;
         try {
-            return new Entrant(command.displayName(), command.toString(), spoken, command.resolve());
+            return new Entrant(name, command.toString(), spoken, new Program(command.resolve(folder), folder,
+                bundled ? List.of() : files), null);
         } catch (IllegalArgumentException problem) {
-            return new Entrant(command.displayName(), command.toString(), spoken, List.of(), problem.getMessage());
+            return new Entrant(name, command.toString(), spoken, Program.here(List.of()), problem.getMessage());
         }
     }
 
@@ -334,8 +381,8 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
         List<Seat> seats = new ArrayList<>();
         for (int player = 0; player < players(); player++) {
             Entrant entrant = entrants.get(entrantOf(player, rotation));
-            List<List<String>> others = entrants.stream().filter(each -> each != entrant && each.problem() == null)
-                .map(Entrant::words).toList();
+            List<Program> others = entrants.stream().filter(each -> each != entrant && each.problem() == null)
+                .map(Entrant::program).toList();
             seats.add(new Seat(starter.player(entrant, isolation.get(), others), entrant.protocol()));
         }
         MatchListener listener = recording == null ? follower

@@ -147,7 +147,7 @@ public final class GameLog implements MatchListener {
             turn.fault(player), received, lines, turn.timeSpent(player), sandbox));
         if (answers[player] == 0 && sandbox != null && sandbox.level() == SandboxLevel.STRICT
             && !entrants.isEmpty() && FaultMessages.isExit(turn.fault(player))) {
-            MissingFiles.of(entrants.get(player).words(), lines, sandbox).forEach(path ->
+            MissingFiles.of(entrants.get(player).program(), lines, sandbox).forEach(path ->
                 hints.add(FailureHints.missing(path)));
         }
         Burner burner = turn.burner(player);

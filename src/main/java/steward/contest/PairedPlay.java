@@ -37,6 +37,7 @@ public final class PairedPlay {
     private int begun;
     private boolean over;
     private final FailureCounts failures;
+    private final ProgramWatch watch;
 
     /**
      * A game that is over.
@@ -130,15 +131,17 @@ public final class PairedPlay {
      * @param known  games that need not be played
      * @param keeper is told of every game that is over, by any thread; what it throws ends everything
      * @param failures takes the failures of games, numbered in the order of seeds and rotations
+     * @param watch    over the programs: when one becomes another, no further game is begun
      */
     public PairedPlay(Contest contest, long first, Hiccups hiccups, Known known, Consumer<Series.Played> keeper,
-                      FailureCounts failures, Taker taker) {
+                      FailureCounts failures, ProgramWatch watch, Taker taker) {
         this.contest = contest;
         this.first = first;
         this.hiccups = hiccups;
         this.known = known;
         this.keeper = keeper;
         this.failures = failures;
+        this.watch = watch;
         this.taker = taker;
     }
 
@@ -146,8 +149,11 @@ public final class PairedPlay {
     public void play(int threads) throws InterruptedException {
         try {
             WorkerThreads.run("seeds", threads, thread -> () -> {
-                for (Game game = next(); game != null; game = next()) {
-                    play(game);
+                while (watch.await(this::isOver)) {
+                    Game game = next();
+                    if (game != null) {
+                        play(game);
+                    }
                 }
                 return null;
             });
@@ -159,6 +165,10 @@ public final class PairedPlay {
     /** Ends it: games that are under way do not count. */
     public synchronized void breakOff() {
         over = true;
+    }
+
+    private synchronized boolean isOver() {
+        return over;
     }
 
     private synchronized Game next() {
@@ -195,6 +205,7 @@ public final class PairedPlay {
         Series.Played played = null;
         List<Failure> found = List.of();
         Attempts attempts = new Attempts(contest, hiccups, game.rotation());
+        String mark = watch.mark();
         boolean again = true;
         while (again) {
             GameLog log = new GameLog(contest, game.rotation());
@@ -207,6 +218,10 @@ public final class PairedPlay {
             }
             synchronized (this) {
                 if (over) {
+                    return;
+                }
+                if (!watch.isSince(mark)) {
+                    waiting.addFirst(game);            // a file was touched meanwhile: it does not count
                     return;
                 }
                 found = log.failures();

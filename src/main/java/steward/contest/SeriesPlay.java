@@ -4,7 +4,9 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Deque;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
@@ -31,14 +33,20 @@ public final class SeriesPlay {
             throws InterruptedException;
     }
 
+    /** A game during which a file was touched: it is played anew, or the series is over. */
+    private static final Series.Played DISCARDED = new Series.Played(0, 0, 0, null, null, List.of(), null);
+
     private final Series series;
     private final MatchPlay match;
     private final boolean overwrite;
     private final Standings standings;
+    private final ProgramWatch watch;
 
     /** Guarded by this, as is all below: games that are under way. */
     private final Set<Game> underWay = new LinkedHashSet<>();
     private int begun;
+    /** Numbers of games that were begun and do not count, since a file was touched meanwhile. */
+    private final Deque<Integer> again = new ArrayDeque<>();
     private boolean brokenOff;
     private String stopped;
 
@@ -49,9 +57,20 @@ public final class SeriesPlay {
 
     /** @param match plays its matches */
     public SeriesPlay(Series series, boolean overwrite, MatchPlay match) {
+        this(series, overwrite, match, ProgramWatch.of(series.contest(), waiting -> { }));
+    }
+
+    /**
+     * A series whose programs are watched by the caller's watch.
+     *
+     * @param watch over its programs: when one becomes another, no further game is begun
+     */
+    @Internal
+    public SeriesPlay(Series series, boolean overwrite, MatchPlay match, ProgramWatch watch) {
         this.series = series;
         this.match = match;
         this.overwrite = overwrite;
+        this.watch = watch;
         standings = new Standings(series.contest());
     }
 
@@ -62,9 +81,10 @@ public final class SeriesPlay {
      * @param file    its replay, or {@code null}
      * @param refused why its replay cannot be opened, or {@code null}
      * @param before  the same game as it was played before, which this one is to replace, or {@code null}
+     * @param mark    of the programs when it began
      */
     private record Game(int number, long seed, int rotation, Attempts attempts, GameLog log, ReplayFile file,
-                        String refused, Series.Played before) { }
+                        String refused, Series.Played before, String mark) { }
 
     public Series series() {
         return series;
@@ -90,7 +110,9 @@ public final class SeriesPlay {
         int used = Math.min(threads, series.games());
         WorkerThreads.run("series", used, thread -> () -> {
             for (Series.Played game = playNext(); game != null; game = playNext()) {
-                each.accept(game);
+                if (game != DISCARDED) {
+                    each.accept(game);
+                }
             }
             return null;
         });
@@ -98,7 +120,7 @@ public final class SeriesPlay {
 
     /** Plays a game; {@code null} if there is none any more, or it does not count. */
     private Series.Played playNext() throws InterruptedException {
-        Game game = begin();
+        Game game = awaitPrograms() ? begin() : null;
         while (game != null) {
             MatchResult result = null;
             String problem = game.refused();
@@ -120,6 +142,11 @@ public final class SeriesPlay {
                     return null;
                 }
                 underWay.remove(game);
+                if (!watch.isSince(game.mark())) {
+                    discard(game);
+                    again.add(game.number());
+                    return DISCARDED;
+                }
                 Series.Played played = played(game, result, problem);
                 boolean again = played.result() != null && game.attempts().demandAnother(played.failures());
                 Game another = again && stopped == null ? again(game, played) : null;
@@ -138,13 +165,21 @@ public final class SeriesPlay {
         return null;
     }
 
+    private boolean awaitPrograms() throws InterruptedException {
+        return watch.await(this::isOver);
+    }
+
+    private synchronized boolean isOver() {
+        return brokenOff || stopped != null || begun == series.games() && again.isEmpty();
+    }
+
     /** The next game, its replay open; {@code null} if there is none any more. */
     private synchronized Game begin() {
-        if (brokenOff || stopped != null || begun == series.games()) {
+        if (isOver()) {
             return null;
         }
-        begun++;
-        return begin(begun, new Attempts(series.contest(), series.hiccups(), series.rotation(begun)), null);
+        int number = again.isEmpty() ? ++begun : again.remove();
+        return begin(number, new Attempts(series.contest(), series.hiccups(), series.rotation(number)), null);
     }
 
     private Game begin(int number, Attempts attempts, Series.Played before) {
@@ -157,7 +192,7 @@ public final class SeriesPlay {
         }
         int rotation = series.rotation(number);
         Game game = new Game(number, series.seed(number), rotation, attempts,
-            new GameLog(series.contest(), rotation), file, refused, before);
+            new GameLog(series.contest(), rotation), file, refused, before, watch.mark());
         underWay.add(game);
         return game;
     }
@@ -171,6 +206,18 @@ public final class SeriesPlay {
         } catch (IOException problem) {
             stopped = played.replay() + ": cannot be renamed: " + problem.getMessage();
             return null;
+        }
+    }
+
+    /** Removes what is left of a game that does not count, and of the attempts before it. */
+    private static void discard(Game game) {
+        if (game.file() != null) {
+            game.file().remove();
+        }
+        for (Series.Played each = game.before(); each != null; each = each.starved()) {
+            if (each.replay() != null) {
+                each.replay().toFile().delete();
+            }
         }
     }
 
@@ -232,6 +279,12 @@ public final class SeriesPlay {
     /** True if {@link #breakOff} has been called. */
     public synchronized boolean isBrokenOff() {
         return brokenOff;
+    }
+
+    /** Returns the file that ended the series, since by it a program became another one; or {@code null}. */
+    @Internal
+    public String changed() {
+        return watch.changed();
     }
 
     /** Returns why the series ended before its last game, or {@code null}. */

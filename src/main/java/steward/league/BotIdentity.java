@@ -5,10 +5,7 @@ import java.io.InputStream;
 import java.net.URISyntaxException;
 import java.net.URL;
 import java.nio.file.Files;
-import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
-import java.nio.file.attribute.BasicFileAttributes;
-import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -16,6 +13,7 @@ import java.util.TreeMap;
 import java.util.stream.Stream;
 import steward.bot.command.BotCommand;
 import steward.bot.command.BuiltinBots;
+import steward.bot.command.Program;
 import steward.files.InputException;
 
 /**
@@ -53,8 +51,8 @@ public final class BotIdentity {
             hash.add(LeagueBot.AT + bot.platform());
         }
         environment.forEach((name, value) -> hash.add(name).add(value));
-        for (Path file : files(bot, command)) {
-            hash.add(file.toString()).add(content(bot, file));
+        for (Path file : files(bot)) {
+            hash.add(file.toString()).add(content(bot, bot.program().folder().resolve(file)));
         }
         return hash.hex();
     }
@@ -73,32 +71,13 @@ public final class BotIdentity {
         if (bot.files() == null && command.prefix() == BotCommand.Prefix.BUILTIN) {
             return bot.typed();                        // does not change while the program runs
         }
-        for (Path file : files(bot, command)) {
-            stamps.append('\n').append(stamp(file));
-        }
-        return stamps.toString();
+        return stamps.append('\n').append(bot.program().stamp()).toString();
     }
 
-    /** Its files: as league.json lists them, or every argument that is a file; of a builtin bot the program's own. */
-    public static List<Path> files(LeagueBot bot, BotCommand command) {
-        if (bot.files() != null) {
-            return bot.files().stream().map(Path::of).toList();
-        }
-        if (command.prefix() == BotCommand.Prefix.BUILTIN) {
-            return bundled();
-        }
-        List<Path> files = new ArrayList<>();
-        for (String word : command.words()) {
-            try {
-                Path file = Path.of(word);
-                if (Files.isRegularFile(file)) {
-                    files.add(file);
-                }
-            } catch (InvalidPathException noFile) {
-                continue;
-            }
-        }
-        return files;
+    /** Its files, see {@link Program#files}; of a builtin bot the program's own. */
+    private static List<Path> files(LeagueBot bot) {
+        boolean builtin = bot.files() == null && bot.parsed().prefix() == BotCommand.Prefix.BUILTIN;
+        return builtin ? bundled() : bot.program().files();
     }
 
     /** Returns where the bundled bots are: an archive, or their classes. */
@@ -122,7 +101,7 @@ public final class BotIdentity {
     }
 
     private String content(LeagueBot bot, Path file) {
-        String stamp = stamp(file);
+        String stamp = Program.stamp(file);
         Content content = known.get(file);
         if (content == null || !content.stamp().equals(stamp)) {
             try (InputStream in = Files.newInputStream(file)) {
@@ -134,14 +113,5 @@ public final class BotIdentity {
             known.put(file, content);
         }
         return content.hash();
-    }
-
-    private static String stamp(Path file) {
-        try {
-            BasicFileAttributes found = Files.readAttributes(file, BasicFileAttributes.class);
-            return found.size() + " " + found.lastModifiedTime().toInstant() + " " + found.fileKey();
-        } catch (IOException gone) {
-            return "none";
-        }
     }
 }

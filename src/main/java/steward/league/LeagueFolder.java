@@ -104,7 +104,7 @@ public record LeagueFolder(Path path) {
                     + " bytes, expected at most " + JsonLimits.BYTES);
             }
             return LeagueReader.read(Utf8Text.decode(Files.readAllBytes(file), file.toString(), "a text in UTF-8"),
-                file.toString());
+                file.toString()).located(this::located);
         } catch (NotUtf8Exception problem) {
             throw new InputException(problem.getMessage());
         } catch (AccessDeniedException problem) {
@@ -112,6 +112,21 @@ public record LeagueFolder(Path path) {
         } catch (IOException problem) {
             throw new InputException(file + ": cannot be read: " + OutputFiles.reason(file, problem));
         }
+    }
+
+    /** A bot's folder as the file names it, relative to the league's, made absolute; {@code null} stays. */
+    private String located(String named) {
+        return named == null ? null : path.toAbsolutePath().resolve(named).normalize().toString();
+    }
+
+    /** A bot's folder as it is written: relative if it is within the league's, which then can be moved. */
+    private String stored(String folder) {
+        Path own = path.toAbsolutePath().normalize();
+        if (folder == null || !Path.of(folder).startsWith(own)) {
+            return folder;
+        }
+        String within = own.relativize(Path.of(folder)).toString();
+        return within.isEmpty() ? "." : within;
     }
 
     /** Opens what the settings name; where that is refused, the error says that it is they who name it. */
@@ -132,7 +147,7 @@ public record LeagueFolder(Path path) {
      * @throws InputException if they could not be read again, or not be written
      */
     public void write(LeagueSettings settings) {
-        String text = LeagueText.write(settings);
+        String text = LeagueText.write(settings.located(this::stored));
         try {
             LeagueReader.read(text, settings().toString());
         } catch (SceneException unusable) {

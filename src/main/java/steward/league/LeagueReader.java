@@ -38,6 +38,7 @@ public final class LeagueReader {
     private static final double MOST_FACTOR = 1e6;
     private static final String BOTS = "bots";
     private static final String NAME_FIELD = "name";
+    private static final String FOLDER = "folder";
     private static final String KEEP = "keep";
     private static final String PLATFORMS = "platforms";
     private static final String PLATFORM = "platform";
@@ -196,7 +197,7 @@ public final class LeagueReader {
                 throw block.error(NAME_FIELD, block.shown(NAME_FIELD) + " a second time", "each name once");
             }
             LeagueBot bot = new LeagueBot(name, block.text("command"),
-                block.has("files") ? texts(block, "files") : null, block.flag("random", false),
+                folder(block), block.has("files") ? texts(block, "files") : null, block.flag("random", false),
                 block.flag("retired", false), block.integer("resumed", 0, Integer.MAX_VALUE, 0),
                 block.has(PLATFORMS) ? platforms(block, name) : List.of());
             parse(block, bot);
@@ -210,6 +211,14 @@ public final class LeagueReader {
         int at = name.indexOf(LeagueBot.AT);
         return NAME.matcher(at < 0 ? name : name.substring(0, at)).matches()
             && (at < 0 || Platform.isWritten(name.substring(at + 1)));
+    }
+
+    private static String folder(Block block) {
+        String folder = block.has(FOLDER) ? block.text(FOLDER) : null;
+        if (folder != null && (folder.isBlank() || folder.indexOf('\0') >= 0)) {
+            throw block.error(FOLDER, block.shown(FOLDER), "the path of a folder, which may be relative to the league's");
+        }
+        return folder;
     }
 
     private static void parse(Block block, LeagueBot bot) {
@@ -235,7 +244,7 @@ public final class LeagueReader {
                 throw block.error(PLATFORM, block.shown(PLATFORM) + " a second time", "each platform once");
             }
             LeagueBot.ForPlatform one = new LeagueBot.ForPlatform(platform, block.text("command"),
-                block.has("files") ? texts(block, "files") : null);
+                folder(block), block.has("files") ? texts(block, "files") : null);
             parse(block, new LeagueBot(name, one.command(), one.files(), false, false));
             platforms.add(one);
         }

@@ -3,6 +3,7 @@ package steward.league;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.UnaryOperator;
 import steward.bot.TimeBasis;
 import steward.bot.hold.HoldPolicy;
 import steward.contest.Hiccups;
@@ -63,6 +64,11 @@ public record LeagueSettings(String scene, long seed, String gauntlet, boolean a
     public LeagueSettings withBots(List<LeagueBot> others) {
         return new LeagueSettings(scene, seed, gauntlet, adaptive, lag, factor, basis, hiccups, sandbox, keep,
             keepOf, others);
+    }
+
+    /** Returns these settings with the folders of bots written in another way. */
+    LeagueSettings located(UnaryOperator<String> folders) {
+        return withBots(bots.stream().map(bot -> bot.in(folders)).toList());
     }
 
     /** Returns these settings with one bot more, the last. */

@@ -49,6 +49,7 @@ final class LeagueText {
 
     private static String bot(LeagueBot bot) {
         return "{ " + field("name", text(bot.name())) + ", " + field("command", text(bot.command()))
+            + (bot.folder() == null ? "" : ", " + field("folder", text(bot.folder())))
             + (bot.files() == null ? "" : ", " + field("files", list(bot.files())))
             + (bot.random() ? ", " + field("random", "true") : "")
             + (bot.retired() ? ", " + field("retired", "true") : "")
@@ -59,6 +60,7 @@ final class LeagueText {
 
     private static String forPlatform(LeagueBot.ForPlatform one) {
         return "{ " + field("platform", text(one.platform())) + ", " + field("command", text(one.command()))
+            + (one.folder() == null ? "" : ", " + field("folder", text(one.folder())))
             + (one.files() == null ? "" : ", " + field("files", list(one.files()))) + " }";
     }
 

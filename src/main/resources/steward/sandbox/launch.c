@@ -11,6 +11,7 @@
  *   -u UID -g GID   what the user is in the user namespace (light)
  *   -l              brings up the loopback device (light)
  *   -r FOLDER       a mount point that the bot must not write to; can be repeated (light)
+ *   -b FILE         a file that the bot must not write to; can be repeated (light)
  *   -e FOLDER       a folder that is made if it is not there, and of which the bot has an empty one of its own, for 64 MiB;
  *                   can be repeated (light)
  *   -s SOCKET       a Unix socket on which the referee listens; its folder is hidden from the bot (light, outside)
@@ -63,8 +64,8 @@ static const char *uid = "65534", *gid = "65534", *group;
 static const char *holdSocket;
 static int holding = -1;                            /* the connected socket */
 static int loopback;
-static const char *readOnly[64], *emptied[8];
-static int readOnlyCount, emptiedCount;
+static const char *readOnly[64], *emptied[8], *closedFiles[4096];
+static int readOnlyCount, emptiedCount, closedFileCount;
 static rlim_t limits[4];
 static const int resources[4] = {RLIMIT_AS, RLIMIT_NPROC, RLIMIT_FSIZE, RLIMIT_NOFILE};
 
@@ -262,6 +263,15 @@ static void closeForWriting(const char *point) {
     }
 }
 
+/* Mounted over itself, a file can be neither written to nor replaced. */
+static void closeFile(const char *file) {
+    if (mount(file, file, NULL, MS_BIND, NULL) == 0) {
+        closeForWriting(file);
+    } else if (errno != ENOENT) {
+        fail(file);
+    }
+}
+
 static void light(char **command) {
     unsigned realUser = geteuid(), realGroup = getegid();
     if (unshare(CLONE_NEWUSER | CLONE_NEWPID | CLONE_NEWNS | CLONE_NEWNET | CLONE_NEWIPC | CLONE_NEWUTS) != 0) {
@@ -288,6 +298,9 @@ static void light(char **command) {
     }
     for (int k = 0; k < readOnlyCount; k++) {
         closeForWriting(readOnly[k]);
+    }
+    for (int k = 0; k < closedFileCount; k++) {
+        closeFile(closedFiles[k]);
     }
     for (int k = 0; k < emptiedCount; k++) {
         emptyFolder(emptied[k]);
@@ -388,6 +401,8 @@ int main(int count, char **words) {
             readOnly[readOnlyCount++] = value;
         } else if (letter == 'e' && emptiedCount < (int) (sizeof emptied / sizeof *emptied)) {
             emptied[emptiedCount++] = value;
+        } else if (letter == 'b' && closedFileCount < (int) (sizeof closedFiles / sizeof *closedFiles)) {
+            closedFiles[closedFileCount++] = value;
         } else if ((kind = strchr(kinds, letter)) != NULL) {
             limits[kind - kinds] = strtoull(value, NULL, 10);
         }

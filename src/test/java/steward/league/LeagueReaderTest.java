@@ -24,8 +24,8 @@ class LeagueReaderTest {
           "sandbox": { "level": "strict", "memory": "2G", "processes": 9, "network": true, "environment": ["X", "Y"] },
           "replays": { "keep": "lost", "of": ["a"] },
           "bots": [ { "name": "a", "command": "python3 'b c.py'", "files": ["b c.py"], "random": true },
-                    { "name": "b", "command": "codingame:./b", "retired": true,
-                      "platforms": [ { "platform": "linux-aarch64", "command": "./b-arm", "files": ["b-arm"] } ] },
+                    { "name": "b", "command": "codingame:./b", "folder": "/v1", "retired": true,
+                      "platforms": [{ "platform": "linux-aarch64", "command": "./b-arm", "folder": "arm", "files": ["b-arm"] }]},
                     { "name": "b@linux-arm", "command": "./b-a" } ] }
         """;
 
@@ -45,8 +45,8 @@ class LeagueReaderTest {
                 "Y"),
             KeptReplays.LOST, List.of("a"), List.of(
                 new LeagueBot("a", "python3 'b c.py'", List.of("b c.py"), true, false),
-                new LeagueBot("b", "codingame:./b", null, false, true, 0,
-                    List.of(new LeagueBot.ForPlatform("linux-aarch64", "./b-arm", List.of("b-arm")))),
+                new LeagueBot("b", "codingame:./b", "/v1", null, false, true, 0,
+                    List.of(new LeagueBot.ForPlatform("linux-aarch64", "./b-arm", "arm", List.of("b-arm")))),
                 new LeagueBot("b@linux-arm", "./b-a", null, false, false))), settings);
         assertEquals(settings, read(LeagueText.write(settings)));
         LeagueSettings usual = LeagueSettings.usual("duel", 3);

@@ -1,5 +1,6 @@
 package steward.bot.command;
 
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -42,6 +43,7 @@ public record BotCommand(String name, Prefix prefix, List<String> words) {
 
     private static final Pattern NAMED = Pattern.compile("([\\p{L}\\p{M}\\p{N}._-]+)=(.*)", Pattern.DOTALL);
 
+    private static final Pattern VARIABLE = Pattern.compile("[A-Z_][A-Z0-9_]*");
     private static final Pattern UNKNOWN_PREFIX = Pattern.compile("([A-Za-z]+):.*", Pattern.DOTALL);
 
     /** @throws IllegalArgumentException when there is no word */
@@ -138,20 +140,21 @@ public record BotCommand(String name, Prefix prefix, List<String> words) {
 
     /** The given name; without one, the name of the builtin bot, the script or the program. */
     public String displayName() {
-        if (name != null) {
-            return name;
-        }
-        String program = words.get(0);
-        boolean fromPath = prefix != Prefix.BUILTIN && program.indexOf('/') < 0;
-        for (String word : words.subList(1, words.size())) {
-            // A program from the PATH with a file as argument is usually an interpreter and its script.
-            if (fromPath && ProgramFinder.isFile(word)) {
-                program = word;
-                break;
-            }
-        }
+        return displayName(Path.of(""));
+    }
+
+    /** As {@link #displayName()}, where the words are found in a folder. */
+    public String displayName(Path folder) {
+        String program = nameGiver(folder);
         String last = program.substring(program.lastIndexOf('/') + 1);
-        return last.isEmpty() ? program : last;
+        return name != null ? name : last.isEmpty() ? program : last;
+    }
+
+    /** Returns the word that names the bot: a file after an interpreter, otherwise the program. */
+    public String nameGiver(Path folder) {
+        String program = words.get(0);
+        return prefix == Prefix.BUILTIN || !ProgramFinder.runsOthers(program) ? program : words.stream().skip(1).filter(word -> ProgramFinder.isFile(word, folder))
+            .findFirst().orElse(program);
     }
 
     /**
@@ -160,16 +163,25 @@ public record BotCommand(String name, Prefix prefix, List<String> words) {
      * @throws IllegalArgumentException when it cannot be started; the message says what was found and what was expected
      */
     public List<String> resolve() {
-        return resolve(BuiltinBots.installed());
+        return resolve(Path.of(""));
+    }
+
+    /** As {@link #resolve()}, where the program and its scripts are found in a folder. */
+    public List<String> resolve(Path folder) {
+        return resolve(BuiltinBots.installed(), folder);
     }
 
     /** As {@link #resolve()}, with builtin bots of the caller's choice. */
     List<String> resolve(BuiltinBots builtins) {
+        return resolve(builtins, Path.of(""));
+    }
+
+    private List<String> resolve(BuiltinBots builtins, Path folder) {
         try {
             if (prefix == Prefix.BUILTIN) {
                 return builtins.command(words.get(0), words.subList(1, words.size()));
             }
-            ProgramFinder.check(words.get(0));
+            ProgramFinder.check(words, folder);
             return words;
         } catch (IllegalArgumentException e) {
             String shown = toString();
@@ -194,6 +206,9 @@ public record BotCommand(String name, Prefix prefix, List<String> words) {
     }
 
     private String hint() {
+        if (name != null && VARIABLE.matcher(name).matches() && words.size() > 1) {
+            return "; a variable is set by env: 'env " + name + "=" + CommandLine.quote(words) + "'";
+        }
         boolean odd = prefix != Prefix.BUILTIN && UNKNOWN_PREFIX.matcher(words.get(0)).matches();
         return !odd ? "" : "; the known prefixes are "
             + Arrays.stream(Prefix.values()).map(Prefix::written).collect(Collectors.joining(" "));

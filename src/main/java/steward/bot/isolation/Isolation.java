@@ -3,6 +3,7 @@ package steward.bot.isolation;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import steward.bot.command.Program;
 import steward.bot.hold.HoldPolicy;
 
 /**
@@ -68,9 +69,9 @@ public record Isolation(SandboxLevel level, boolean network, ResourceLimits limi
         return new Isolation(level, network, limits, environment, visible, all, hold);
     }
 
-    /** Returns this isolation with other bots' files hidden: those that their commands name. */
-    public Isolation hidingFilesOf(List<List<String>> commands) {
-        return hiding(commands.stream().flatMap(command -> OwnFiles.brought(command).stream())
+    /** Returns this isolation with other bots' files hidden: those that make them what they are. */
+    public Isolation hidingFilesOf(List<Program> bots) {
+        return hiding(bots.stream().flatMap(bot -> OwnFiles.brought(bot).stream())
             .filter(path -> !SystemFiles.isCommon(path)).toList());
     }
 

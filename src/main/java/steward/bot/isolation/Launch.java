@@ -5,21 +5,26 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Stream;
+import steward.bot.command.Program;
 import steward.bot.command.ProgramFinder;
 
 /**
  * A program that is to be started as a bot.
  *
- * @param command   the program and its arguments
+ * @param program   what is started, and where
  * @param isolation how it is kept apart
- * @param others    the commands of the bots it plays against, whose files it is not to see
+ * @param others    the bots it plays against, whose files it is not to see
  */
-public record Launch(List<String> command, Isolation isolation, List<List<String>> others) {
+public record Launch(Program program, Isolation isolation, List<Program> others) {
 
     /** Shared memory, and files in memory that any user may leave there for another. */
     static final Path SHARED = Path.of("/dev/shm");
     /** Bytes that a bot may keep there. */
     static final long SHARED_BYTES = 64L << 20;
+
+    /** As many as the launcher keeps. */
+    private static final int MOST_CLOSED = 4096;
 
     private static final String END = "--";
 
@@ -30,8 +35,12 @@ public record Launch(List<String> command, Isolation isolation, List<List<String
     private static final String JVM_FILES = "/tmp/hsperfdata_";
 
     public Launch {
-        command = List.copyOf(command);
         others = List.copyOf(others);
+    }
+
+    /** A program that is started in the current folder. */
+    public Launch(List<String> command, Isolation isolation, List<Program> others) {
+        this(Program.here(command), isolation, others);
     }
 
     /** Without a sandbox. */
@@ -66,15 +75,16 @@ public record Launch(List<String> command, Isolation isolation, List<List<String
      * @throws IOException if a file of the bot cannot be looked at
      */
     public ProcessBuilder builder(ControlGroup controlGroup, Path holdSocket) throws IOException {
-        ProcessBuilder builder = new ProcessBuilder(words(isolation, command, others, controlGroup, holdSocket));
-        if (!command.contains(System.getProperty("java.class.path"))) {      // where the bundled bots are found, too
+        ProcessBuilder builder = new ProcessBuilder(words(isolation, program, others, controlGroup, holdSocket));
+        builder.directory(program.folder().toFile());
+        if (!program.words().contains(System.getProperty("java.class.path"))) {  // where bundled bots are found, too
             ChosenLocale.undo(builder.environment());
         }
         isolation.environment().apply(builder.environment(), isolation.level());
         return builder;
     }
 
-    static List<String> words(Isolation isolation, List<String> command, List<List<String>> others,
+    static List<String> words(Isolation isolation, Program bot, List<Program> others,
                               ControlGroup controlGroup, Path holdSocket) {
         Path join = controlGroup == null ? null : controlGroup.joinFile();
         Path program = NativeLauncher.program();
@@ -83,7 +93,7 @@ public record Launch(List<String> command, Isolation isolation, List<List<String
             case OFF -> words.addAll(ShellLauncher.off(join));
             case LIGHT -> {
                 if (program == null) {
-                    words.addAll(ShellLauncher.light(isolation, join, emptied(command)));
+                    words.addAll(ShellLauncher.light(isolation, join, emptied(bot), closed(bot, others)));
                     break;
                 }
                 words.addAll(List.of(program.toString(), "light", "-u", "" + UserNumbers.userInside(), "-g",
@@ -91,9 +101,10 @@ public record Launch(List<String> command, Isolation isolation, List<List<String
                 if (isolation.network()) {
                     words.add("-l");
                 }
-                if (emptied(command)) {
+                if (emptied(bot)) {
                     words.addAll(List.of("-e", SHARED.toString()));
                 }
+                closed(bot, others).forEach(file -> words.addAll(List.of("-b", file)));
                 ControlGroup.mountPoints().forEach(point -> words.addAll(List.of("-r", point)));
                 words.addAll(List.of("-e", JVM_FILES + UserNumbers.nameInside()));
                 words.addAll(socket(holdSocket));
@@ -111,7 +122,7 @@ public record Launch(List<String> command, Isolation isolation, List<List<String
                     words.addAll(NativeLauncher.options(ResourceLimits.NONE, join));
                     words.add(END);
                 }
-                words.addAll(StrictSandbox.words(isolation, command, others, program,
+                words.addAll(StrictSandbox.words(isolation, bot, others, program,
                     controlGroup != null && controlGroup.limits() ? join.getParent() : null));
                 if (program == null) {
                     words.addAll(ShellLauncher.inside(limits));
@@ -125,16 +136,22 @@ public record Launch(List<String> command, Isolation isolation, List<List<String
                 }
             }
         }
-        words.addAll(command);
+        words.addAll(bot.words());
         return words;
     }
 
     /** True if the bot gets a folder of shared memory of its own; not where its program or the referee is in that. */
-    private static boolean emptied(List<String> command) {
-        Path program = ProgramFinder.find(command.get(0));
-        return Files.isDirectory(SHARED) && !Path.of("").toAbsolutePath().startsWith(SHARED)
+    private static boolean emptied(Program bot) {
+        Path program = ProgramFinder.find(bot.words().get(0), bot.folder());
+        return Files.isDirectory(SHARED) && !bot.folder().startsWith(SHARED)
             && (program == null || !program.startsWith(SHARED))
-            && command.stream().noneMatch(word -> word.startsWith(SHARED + "/"));
+            && bot.words().stream().noneMatch(word -> word.startsWith(SHARED + "/"));
+    }
+
+    /** Files that make bots what they are: none of them is to change itself, or another. */
+    private static List<String> closed(Program bot, List<Program> others) {
+        return Stream.concat(Stream.of(bot), others.stream()).flatMap(each -> each.paths().stream())
+            .filter(Files::isRegularFile).map(Path::toString).distinct().limit(MOST_CLOSED).toList();
     }
 
     private static List<String> socket(Path path) {

@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import steward.bot.command.Program;
 import steward.bot.command.ProgramFinder;
 
 /**
@@ -26,12 +27,12 @@ public final class MissingFiles {
     private static final Pattern MODULE = Pattern.compile(
         "(?:No module named|Cannot find (?:module|package)) '([\\w-]+|@[\\w-]+/[\\w-]+)");
 
-    private final List<String> command;
+    private final Program bot;
     private final StrictView view;
     private final Set<Path> found = new LinkedHashSet<>();
 
-    private MissingFiles(List<String> command, StrictView view) {
-        this.command = command;
+    private MissingFiles(Program bot, StrictView view) {
+        this.bot = bot;
         this.view = view;
     }
 
@@ -41,9 +42,9 @@ public final class MissingFiles {
      * @param stderr the last lines that it wrote there
      * @return at most {@value #MOST} paths, absolute
      */
-    public static List<Path> of(List<String> command, List<String> stderr, Isolation isolation) {
-        MissingFiles missing = new MissingFiles(command, StrictView.of(command, List.of(), isolation));
-        missing.add(OwnFiles.named(command.subList(1, command.size())));
+    public static List<Path> of(Program bot, List<String> stderr, Isolation isolation) {
+        MissingFiles missing = new MissingFiles(bot, StrictView.of(bot, List.of(), isolation));
+        missing.add(OwnFiles.named(bot.words().subList(1, bot.words().size()), bot.folder()));
         for (String line : stderr) {
             missing.look(line);
         }
@@ -53,16 +54,20 @@ public final class MissingFiles {
     private void look(String line) {
         for (Matcher path = PATH.matcher(line); path.find();) {
             boolean program = ProgramFinder.find(path.group()) != null;
-            add(program ? OwnFiles.of(List.of(path.group())) : OwnFiles.named(List.of(path.group())));
+            add(program ? own(path.group()) : OwnFiles.named(List.of(path.group()), bot.folder()));
         }
         for (Matcher program = PROGRAM.matcher(line); program.find();) {
             if (ProgramFinder.find(program.group(1)) != null) {
-                add(OwnFiles.of(List.of(program.group(1))));
+                add(own(program.group(1)));
             }
         }
         for (Matcher module = MODULE.matcher(line); module.find();) {
             modules(module.group(1));
         }
+    }
+
+    private Set<Path> own(String program) {
+        return OwnFiles.of(new Program(List.of(program), bot.folder(), null));
     }
 
     private void modules(String name) {
@@ -77,7 +82,7 @@ public final class MissingFiles {
         } catch (IOException none) {
             // Nobody has installed modules for this user alone.
         }
-        for (Path file : new ArrayList<>(OwnFiles.named(command))) {
+        for (Path file : new ArrayList<>(OwnFiles.named(bot.words(), bot.folder()))) {
             for (Path folder = file.getParent(); folder != null; folder = folder.getParent()) {
                 Path modules = folder.resolve("node_modules");
                 if (Files.exists(modules.resolve(name))) {

@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import steward.bot.command.Program;
 import steward.bot.command.ProgramFinder;
 
 /**
@@ -43,10 +44,12 @@ final class OwnFiles {
     private OwnFiles() { }
 
     /** Files and folders, absolute; also such as need not be hidden anywhere. */
-    static Set<Path> of(List<String> command) {
+    static Set<Path> of(Program bot) {
         OwnFiles own = new OwnFiles();
-        own.program(ProgramFinder.find(command.get(0)), true);
-        for (Path file : named(command.subList(1, command.size()))) {
+        own.program(ProgramFinder.find(bot.words().get(0), bot.folder()), true);
+        Set<Path> files = named(bot.words().subList(1, bot.words().size()), bot.folder());
+        bot.paths().stream().map(Path::normalize).filter(Files::exists).forEach(files::add);
+        for (Path file : files) {
             if (Files.isDirectory(file)) {
                 own.folder(file);
             } else {
@@ -60,20 +63,23 @@ final class OwnFiles {
      * Files and folders that somebody brought: of arguments, and of the program unless it is in a folder of programs,
      * as an interpreter is.
      */
-    static Set<Path> brought(List<String> command) {
-        Path program = ProgramFinder.find(command.get(0));
+    static Set<Path> brought(Program bot) {
+        Path program = ProgramFinder.find(bot.words().get(0), bot.folder());
         boolean installed = program == null || program.getParent() == null || program.getParent().getFileName() == null
             || PROGRAM_FOLDERS.contains(program.getParent().getFileName().toString());
-        return named(installed ? command.subList(1, command.size()) : command);
+        Set<Path> files = named(installed ? bot.words().subList(1, bot.words().size()) : bot.words(), bot.folder());
+        bot.paths().stream().map(Path::normalize).filter(Files::exists)
+            .filter(file -> !installed || !file.equals(program)).forEach(files::add);
+        return files;
     }
 
     /** The files and folders that words name, also several in one word with colons between. */
-    static Set<Path> named(List<String> words) {
+    static Set<Path> named(List<String> words, Path folder) {
         Set<Path> files = new LinkedHashSet<>();
         for (String word : words) {
             for (String piece : word.split("[:=]")) {
                 try {
-                    Path file = Path.of(piece).toAbsolutePath().normalize();
+                    Path file = folder.resolve(piece).normalize();
                     if (!piece.isBlank() && Files.exists(file)) {
                         files.add(file);
                     }

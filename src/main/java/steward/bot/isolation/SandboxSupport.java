@@ -1,6 +1,7 @@
 package steward.bot.isolation;
 
 import java.util.List;
+import steward.bot.command.Program;
 import steward.bot.command.ProgramFinder;
 import steward.bot.command.ProgramTrial;
 import steward.text.TextFormat;
@@ -75,7 +76,7 @@ public final class SandboxSupport {
         List<String> bot = List.of(ProgramFinder.find("sh").toString(), "-c",
             "[ $$ -lt 10 ] && [ -d /proc/$$ ] && exit " + INSIDE);
         try {
-            ProgramTrial tried = ProgramTrial.of(Launch.words(Isolation.at(level), bot, List.of(), null, null),
+            ProgramTrial tried = ProgramTrial.of(Launch.words(Isolation.at(level), Program.here(bot), List.of(), null, null),
                 PATIENCE_MS);
             return tried.status() == INSIDE ? null
                 : FailedTrial.here().reason(TextFormat.shorten(TextFormat.plain(tried.line()), SHOWN),

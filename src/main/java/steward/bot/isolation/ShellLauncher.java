@@ -3,6 +3,7 @@ package steward.bot.isolation;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import steward.bot.command.CommandLine;
 import steward.bot.command.ProgramFinder;
 
 /**
@@ -47,14 +48,20 @@ final class ShellLauncher {
         return words;
     }
 
-    static List<String> light(Isolation isolation, Path controlGroup, boolean emptied) {
+    static List<String> light(Isolation isolation, Path controlGroup, boolean emptied, List<String> closed) {
         List<String> words = new ArrayList<>(List.of(program("setsid"), program("unshare"), "--user",
             "--map-user=" + UserNumbers.userInside(), "--map-group=" + UserNumbers.groupInside(), "--keep-caps",
             "--pid", "--net", "--ipc", "--uts"));
-        String shared = emptied ? program("sh") + " -c '" + program("mount")
-            + " -t tmpfs -o nosuid,nodev,mode=1777,size=" + Launch.SHARED_BYTES + " tmpfs " + Launch.SHARED
-            + " && exec \"$@\"' sh " : "";
-        String last = program("unshare") + " --mount --mount-proc " + shared + program("setpriv")
+        String mount = program("mount");
+        List<String> mounts = new ArrayList<>(closed.stream().map(file -> CommandLine.quote(List.of(file))).map(file ->
+            mount + " --bind " + file + " " + file + " && " + mount + " -o remount,bind,ro " + file).toList());
+        if (emptied) {
+            mounts.add(mount + " -t tmpfs -o nosuid,nodev,mode=1777,size=" + Launch.SHARED_BYTES + " tmpfs "
+                + Launch.SHARED);
+        }
+        String made = mounts.isEmpty() ? "" : CommandLine.quote(List.of(program("sh"), "-c",
+            String.join(" && ", mounts) + " && exec \"$@\"", "sh")) + " ";
+        String last = program("unshare") + " --mount --mount-proc " + made + program("setpriv")
             + " --no-new-privs --ambient-caps=-all --inh-caps=-all --bounding-set=-all "
             + program("env") + " --default-signal=INT,QUIT --block-signal=QUIT";
         String loopback = isolation.network() ? program("ip") + " link set lo up\n" : "";

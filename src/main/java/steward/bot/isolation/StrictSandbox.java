@@ -3,6 +3,7 @@ package steward.bot.isolation;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import steward.bot.command.Program;
 import steward.bot.command.ProgramFinder;
 import steward.bot.command.ProgramTrial;
 
@@ -42,8 +43,7 @@ final class StrictSandbox {
      *                 attach to bwrap and so outlive a referee that is killed, while it cannot attach to the launcher
      * @param group    the control group that limits the bot, shown so that a JVM knows its memory; or {@code null}
      */
-    static List<String> words(Isolation isolation, List<String> command, List<List<String>> others, Path launcher,
-                              Path group) {
+    static List<String> words(Isolation isolation, Program bot, List<Program> others, Path launcher, Path group) {
         Path bwrap = ProgramFinder.find("bwrap");
         List<String> words = new ArrayList<>(List.of(bwrap == null ? "bwrap" : bwrap.toString(),
             "--unshare-user", "--uid", "" + UserNumbers.userInside(), "--gid", "" + UserNumbers.groupInside(),
@@ -59,7 +59,7 @@ final class StrictSandbox {
             words.add("--disable-userns");
         }
         List<String> hidden = new ArrayList<>();
-        StrictView.of(command, others, isolation).entries().forEach((file, entry) -> {
+        StrictView.of(bot, others, isolation).entries().forEach((file, entry) -> {
             String path = file.toString();
             words.addAll(switch (entry.treatment()) {
                 case SHOW -> List.of("--ro-bind", path, path);
@@ -79,7 +79,7 @@ final class StrictSandbox {
             words.addAll(List.of("--unshare-cgroup-try", "--ro-bind", group.toString(), "/sys/fs/cgroup"));
         }
         words.addAll(hidden);
-        words.addAll(List.of("--remount-ro", "/", "--chdir", Path.of("").toAbsolutePath().toString(), "--"));
+        words.addAll(List.of("--remount-ro", "/", "--chdir", bot.folder().toString(), "--"));
         return words;
     }
 }

@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import steward.bot.command.Program;
 
 /**
  * The file system that a bot sees at {@link SandboxLevel#STRICT}: an empty one, in which are shown the programs and
@@ -79,22 +80,22 @@ record StrictView(Map<Path, Entry> entries) {
     /**
      * The view of a bot.
      *
-     * @param others the commands of bots whose files it is not to see
+     * @param others the bots whose files it is not to see
      */
-    static StrictView of(List<String> command, List<List<String>> others, Isolation isolation) {
+    static StrictView of(Program bot, List<Program> others, Isolation isolation) {
         Resolver resolver = new Resolver();
         Set<Path> shown = new TreeSet<>(ORDER);
-        Set<Path> own = new LinkedHashSet<>(OwnFiles.of(command));
+        Set<Path> own = new LinkedHashSet<>(OwnFiles.of(bot));
         own.addAll(isolation.visible());
         Set<Path> mine = new TreeSet<>(ORDER);
         own.forEach(path -> add(new Resolver().resolve(path), mine));
-        OwnFiles.named(command).forEach(path -> add(new Resolver().resolve(path), mine));
+        OwnFiles.named(bot.words(), bot.folder()).forEach(path -> add(new Resolver().resolve(path), mine));
         SystemFiles.shown().forEach(path -> add(resolver.resolve(path), shown));
         own.stream().filter(path -> !path.startsWith("/dev") && !path.startsWith("/proc"))
             .forEach(path -> add(resolver.resolve(path), shown));
         Map<Path, Path> links = new TreeMap<>(resolver.links);
         Set<Path> folders = new TreeSet<>(ORDER);
-        for (Path folder : List.of(OwnFiles.home(), Path.of("").toAbsolutePath())) {
+        for (Path folder : List.of(OwnFiles.home(), bot.folder())) {
             Path real = resolver.resolve(folder);
             folders.add(real == null ? folder : real);
         }
@@ -116,9 +117,9 @@ record StrictView(Map<Path, Entry> entries) {
     }
 
     /** Paths that are hidden also in folders that are shown. */
-    private static Set<Path> hidden(List<List<String>> others, Isolation isolation) {
+    private static Set<Path> hidden(List<Program> others, Isolation isolation) {
         Set<Path> hidden = new LinkedHashSet<>(isolation.hidden());
-        for (List<String> other : others) {
+        for (Program other : others) {
             OwnFiles.of(other).stream().filter(path -> !SystemFiles.holds(path)).forEach(hidden::add);
             OwnFiles.brought(other).stream().filter(path -> !SystemFiles.isCommon(path)).forEach(hidden::add);
         }

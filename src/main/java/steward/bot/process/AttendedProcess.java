@@ -9,6 +9,7 @@ import steward.bot.Answer;
 import steward.bot.AnswerReader;
 import steward.bot.FaultMessages;
 import steward.bot.Player;
+import steward.bot.command.Program;
 
 /**
  * A bot program that a person attends to, perhaps with a debugger: no deadline, no watchdog, no session of its own. Its
@@ -36,12 +37,11 @@ public final class AttendedProcess implements Player {
      * Starts a program.
      *
      * @param name    its name in messages
-     * @param command the program and its arguments
      * @throws IOException when it could not be started
      */
-    public static AttendedProcess start(String name, List<String> command) throws IOException {
-        return new AttendedProcess(name,
-            new ProcessBuilder(command).redirectError(ProcessBuilder.Redirect.INHERIT).start());
+    public static AttendedProcess start(String name, Program program) throws IOException {
+        return new AttendedProcess(name, new ProcessBuilder(program.words()).directory(program.folder().toFile())
+            .redirectError(ProcessBuilder.Redirect.INHERIT).start());
     }
 
     /** The number of the process, to attach a debugger to it. */

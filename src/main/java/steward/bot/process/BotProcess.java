@@ -135,7 +135,7 @@ public final class BotProcess implements Player {
      * @throws IllegalArgumentException when there is no command, or the time is negative
      */
     public BotProcess(String name, Launch launch, long graceMs) {
-        if (launch.command().isEmpty()) {
+        if (launch.program().words().isEmpty()) {
             throw new IllegalArgumentException("player " + name + " has an empty command");
         }
         if (!(graceMs >= 0)) {
@@ -277,7 +277,7 @@ public final class BotProcess implements Player {
             throw new UncheckedIOException(name + " could not be started: " + message, problem);
         }
         Matcher system = SYSTEM_ERROR.matcher(message);
-        answer.setStderr("failed to execute " + launch.command().get(0)
+        answer.setStderr("failed to execute " + launch.program().words().get(0)
             + (system.find() ? ": " + system.group(2) : ""));
         return FaultMessages.exited(status);
     }

@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import steward.bot.FaultMessages;
+import steward.bot.command.Program;
 import steward.contest.Contest;
 import steward.contest.Failure;
 
@@ -27,8 +28,8 @@ public final class Advice {
 
     /** Explanation of a failure and of what to do, in a few sentences. */
     static String of(Failure failure, Contest contest) {
-        List<String> words = contest.entrants().get(0).words();
-        return failure.reason() + ". " + uncompiled(words).or(() -> windowsScript(words))
+        Program bot = contest.entrants().get(0).program();
+        return failure.reason() + ". " + uncompiled(bot.words()).or(() -> windowsScript(bot))
             .orElseGet(() -> about(failure));
     }
 
@@ -80,11 +81,11 @@ public final class Advice {
     }
 
     /** Advice about a program that is not there, where its source is; empty for anything else. */
-    public static Optional<String> missing(List<String> words) {
+    public static Optional<String> missing(List<String> words, Path folder) {
         for (String word : words) {
             for (Map.Entry<String, String> each : COMPILE.entrySet()) {
-                Path source = path(word + each.getKey());
-                if (source != null && Files.isRegularFile(source) && !Files.exists(path(word))) {
+                Path source = path(word + each.getKey(), folder);
+                if (source != null && Files.isRegularFile(source) && !Files.exists(path(word, folder))) {
                     return Optional.of("There is " + source + ": compile it first (" + each.getValue() + " " + source
                         + ")");
                 }
@@ -93,17 +94,17 @@ public final class Advice {
         return uncompiled(words);
     }
 
-    private static Path path(String word) {
+    private static Path path(String word, Path folder) {
         try {
-            return Path.of(word);
+            return folder.resolve(word);
         } catch (InvalidPathException none) {
             return null;
         }
     }
 
-    private static Optional<String> windowsScript(List<String> words) {
-        for (String word : words) {
-            Path file = path(word);
+    private static Optional<String> windowsScript(Program bot) {
+        for (String word : bot.words()) {
+            Path file = path(word, bot.folder());
             if (file != null && Files.isRegularFile(file)) {
                 try (InputStream in = Files.newInputStream(file)) {
                     String head = new String(in.readNBytes(200), StandardCharsets.ISO_8859_1);

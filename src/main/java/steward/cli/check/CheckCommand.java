@@ -1,12 +1,14 @@
 package steward.cli.check;
 
 import java.io.PrintStream;
+import java.nio.file.Path;
 import java.util.List;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import steward.bot.command.BotCommand;
+import steward.cli.options.BotFolders;
 import steward.cli.options.BuiltinBotWords;
 import steward.cli.options.ProgramCommand;
 import steward.cli.options.ProtocolWord;
@@ -47,6 +49,9 @@ public final class CheckCommand extends ProgramCommand {
     private String bot;
 
     @Mixin
+    private final BotFolders folders = new BotFolders();
+
+    @Mixin
     private final SceneOptions scene = new SceneOptions();
 
     @Option(names = "--protocol", paramLabel = "P", defaultValue = "json",
@@ -69,7 +74,8 @@ public final class CheckCommand extends ProgramCommand {
         GameSetup setup = Games.warn(scene.open(streams), streams);
         Contest empty = Contest.withoutBots(setup, factor).limitedBy(pace.basis())
             .isolatedBy(sandbox.isolation(streams));
-        return run(streams, empty, Contest.entrant(bot, ProtocolWord.parse(protocol)), json);
+        return run(streams, empty, Contest.entrant(bot, folders.folder(), null, ProtocolWord.parse(protocol)),
+            folders.folder(), json);
     }
 
     /**
@@ -79,13 +85,13 @@ public final class CheckCommand extends ProgramCommand {
      * @throws InputException if it cannot be started, or the scene does not have its protocol
      */
     public static int run(Streams streams, Contest empty, Contest.Entrant entrant) throws InterruptedException {
-        return run(streams, empty, entrant, false);
+        return run(streams, empty, entrant, Path.of(""), false);
     }
 
-    private static int run(Streams streams, Contest empty, Contest.Entrant entrant, boolean json)
+    private static int run(Streams streams, Contest empty, Contest.Entrant entrant, Path folder, boolean json)
             throws InterruptedException {
         if (entrant.problem() != null) {
-            throw new InputException(entrant.problem() + Advice.missing(BotCommand.parse(entrant.bot()).words())
+            throw new InputException(entrant.problem() + Advice.missing(BotCommand.parse(entrant.bot()).words(), folder)
                 .map(advice -> ". " + advice).orElse(""));
         }
         Contest.checkPlayable(empty.setup(), List.of(entrant));

@@ -1,5 +1,6 @@
 package steward.cli.league;
 
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import picocli.CommandLine.Command;
@@ -11,6 +12,7 @@ import steward.bot.command.Platform;
 import steward.cli.check.CheckCommand;
 import steward.cli.league.view.LeagueArgument;
 import steward.cli.league.view.LeagueOpening;
+import steward.cli.options.BotFolders;
 import steward.cli.options.BuiltinBotWords;
 import steward.cli.options.ProgramCommand;
 import steward.cli.shared.ExitStatus;
@@ -21,18 +23,22 @@ import steward.league.LeagueBot;
 import steward.league.LeagueFolder;
 import steward.league.LeagueReader;
 import steward.league.LeagueSettings;
-import steward.match.Protocol;
 
 /** {@code steward league add}: one bot more. */
 @Command(name = "add", description = "Adds a bot to a league, also while it is played.",
     footer = {"",
         "A bot is written [NAME=][builtin:|json:|codingame:]COMMAND, as in 'steward",
-        "match'. Paths in it are those of the folder from which 'league run' is called.",
+        "match'. Its folder, --in or the one from which it is added, is stored with it:",
+        "its words are found there, and it is started there. It is another version when",
+        "one of the files changes that make it this bot; they are printed.",
         "", "Examples:",
         "  steward league add night 'mine=python3 bot.py' builtin:racer builtin:veteran",
         "  steward league add night 'net=python3 net.py' --file net.py --file model.bin",
         "  steward league add night mine=./mine-arm --platform linux-aarch64 --same"})
 final class AddCommand extends ProgramCommand {
+
+    /** Files that are named at most. */
+    private static final int SHOWN = 8;
 
     @Mixin
     private final LeagueArgument league = new LeagueArgument();
@@ -40,6 +46,9 @@ final class AddCommand extends ProgramCommand {
     @Parameters(index = "1..*", arity = "1..*", paramLabel = "BOT", completionCandidates = BuiltinBotWords.class,
         description = "A bot; see below.")
     private List<String> bots;
+
+    @Mixin
+    private final BotFolders folders = new BotFolders();
 
     @Option(names = "--file", paramLabel = "FILE", description = "A file that makes it this bot: when it changes, the "
         + "bot is a new version; can be repeated (default: every word of the command that is a file).")
@@ -90,7 +99,7 @@ final class AddCommand extends ProgramCommand {
                 + (settings.bot(added.name()).get().retired() ? "; 'steward league retire --back' lets it play again"
                 : ""));
         }
-        Contest.Entrant entrant = Contest.entrant(added.typed(), Protocol.JSON);
+        Contest.Entrant entrant = added.entrant();
         boolean programElsewhere = platform != null && !platform.equals(Platform.here())
             && added.parsed().prefix() != BotCommand.Prefix.BUILTIN;
         if (entrant.problem() != null && !programElsewhere) {
@@ -108,10 +117,26 @@ final class AddCommand extends ProgramCommand {
             return status;
         }
         folder.write(other == null ? settings.with(added) : settings.replaced(other.name(),
-            other.with(new LeagueBot.ForPlatform(platform, added.command(), added.files()))));
+            other.with(new LeagueBot.ForPlatform(platform, added.command(), added.folder(), added.files()))));
         streams.out().println(added.name() + " plays " + (same ? "on " + platform + " " : "") + "from now on: "
             + added.command());
+        if (added.folder() != null) {
+            tellFiles(added);
+        }
         return ExitStatus.DONE;
+    }
+
+    /** Says which files make it this bot. */
+    private void tellFiles(LeagueBot added) {
+        List<Path> watched = added.program().files();
+        if (watched.isEmpty()) {
+            streams.warn("no file of " + added.name() + " is watched, so that it stays the same version whatever "
+                + "changes: add it with --file for each file that makes it this bot");
+            return;
+        }
+        streams.out().println("Another version when one of these changes in " + added.folder() + ": "
+            + String.join(", ", watched.stream().limit(SHOWN).map(Path::toString).toList())
+            + (watched.size() > SHOWN ? " and " + (watched.size() - SHOWN) + " more" : ""));
     }
 
     /** The bot to which a command for one platform more is added. */
@@ -131,13 +156,15 @@ final class AddCommand extends ProgramCommand {
         } catch (IllegalArgumentException problem) {
             throw new InputException(problem.getMessage());
         }
-        String name = command.displayName();
+        String name = command.displayName(folders.folder());
         if (!LeagueReader.NAME.matcher(name).matches()) {
             throw new InputException("bot '" + bot + "': found the name '" + name + "', expected "
                 + LeagueReader.NAME_FORM + "; write NAME=" + bot);
         }
-        return new LeagueBot(platform == null || same ? name : name + LeagueBot.AT + platform,
+        LeagueBot added = new LeagueBot(platform == null || same ? name : name + LeagueBot.AT + platform,
             new BotCommand(null, command.prefix(), command.words()).toString(), files, random, false);
+        return command.prefix() == BotCommand.Prefix.BUILTIN ? added
+            : added.in(none -> folders.folder().toAbsolutePath().toString());
     }
 
     private static void refuseTwins(LeagueSettings settings, LeagueBot added) {

@@ -13,10 +13,13 @@ import steward.cli.league.view.LeagueArgument;
 import steward.cli.league.view.LeagueOpening;
 import steward.cli.options.ProgramCommand;
 import steward.cli.options.ThreadsOption;
+import steward.cli.play.StoredSeries;
 import steward.cli.shared.ExitStatus;
 import steward.cli.streams.Interruption;
 import steward.contest.Contest;
+import steward.contest.ProgramWatch;
 import steward.files.OutputFiles;
+import steward.league.LeagueBot;
 import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
 import steward.league.Season;
@@ -86,18 +89,20 @@ final class ShardCommand extends ProgramCommand {
         try (PartStore store = PartStore.write(file, new PartStore.Head(number, of, games, settings.seed(),
                 settings.pairing()), season)) {
             PartPlay.prepare(folder, store);
+            ProgramWatch watch = StoredSeries.watch(contest.between(settings.active().stream().map(LeagueBot::entrant)
+                .toList()), streams);
             RosterReader reader = new RosterReader(store.games(), contest, LeagueOpening.environment(settings), false,
                 what -> streams.err().println("steward: " + TextFormat.plain(what)), System::currentTimeMillis);
             Roster roster = folder.named(() -> reader.read(settings));
-            return play(folder, store, file, roster, reader, contest, nanos);
+            return play(folder, store, file, roster, watch, contest, nanos);
         }
     }
 
     @SuppressWarnings("try")                           // only closed, never used
-    private int play(LeagueFolder folder, PartStore store, Path file, Roster roster, RosterReader reader,
+    private int play(LeagueFolder folder, PartStore store, Path file, Roster roster, ProgramWatch watch,
                      Contest contest, long nanos) throws InterruptedException {
         AtomicLong played = new AtomicLong();
-        PartPlay run = new PartPlay(folder, store, roster, reader, contest, RunCommand.machine(contest), nanos,
+        PartPlay run = new PartPlay(folder, store, roster, watch, contest, RunCommand.machine(contest), nanos,
             game -> played.addAndGet(game.counts() ? 1 : 0));
         AtomicBoolean told = new AtomicBoolean();
         try (Interruption interruption = new Interruption(streams, () -> told.getAndSet(true) ? null

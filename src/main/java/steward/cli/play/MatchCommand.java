@@ -3,10 +3,12 @@ package steward.cli.play;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicBoolean;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import steward.bot.TimeBasis;
+import steward.cli.options.BotFolders;
 import steward.cli.options.BuiltinBotWords;
 import steward.cli.options.ProgramCommand;
 import steward.cli.options.ProtocolWord;
@@ -57,6 +59,9 @@ public final class MatchCommand extends ProgramCommand {
     @Option(names = "--bot", paramLabel = "BOT", completionCandidates = BuiltinBotWords.class,
         description = "A bot; see below.")
     private List<String> bots = new ArrayList<>();
+
+    @Mixin
+    private final BotFolders folders = new BotFolders();
 
     @Option(names = "--protocol", paramLabel = "P", defaultValue = "json",
         completionCandidates = ProtocolWord.Candidates.class,
@@ -124,8 +129,9 @@ public final class MatchCommand extends ProgramCommand {
         boolean alone = setup.scene().players() == 1;
         String problem = alone ? many.problemAlone() : null;
         check.that(problem == null, problem);
-        Contest contest = many.isAny() ? Contest.ofSeries(setup, bots, ProtocolWord.parse(protocol), factor)
-            : Contest.of(setup, bots, ProtocolWord.parse(protocol), factor);
+        List<Path> own = folders.of("--bot");
+        Contest contest = many.isAny() ? Contest.ofSeries(setup, bots, own, ProtocolWord.parse(protocol), factor)
+            : Contest.of(setup, bots, own, ProtocolWord.parse(protocol), factor);
         contest = contest.limitedBy(basis);
         contest = sign == null ? contest : contest.signedWith(SigningKey.read(OutputFiles.path(sign)));
         contest = contest.isolatedBy(sandbox.isolation(streams));
@@ -138,10 +144,10 @@ public final class MatchCommand extends ProgramCommand {
             if (many.into() == null) {
                 return run.play(many.threads(streams), overwrite);
             }
-            try (StoredSeries league = StoredSeries.open(OutputFiles.path(many.into()), contest, factor,
-                    sandbox.variables(), streams)) {
-                return run.play(many.threads(streams), overwrite, league::add);
-            }
+            int threads = many.threads(streams);
+            AtomicBoolean anew = new AtomicBoolean(overwrite);
+            return StoredSeries.play(OutputFiles.path(many.into()), contest, factor, sandbox.variables(), streams,
+                (league, watch) -> run.play(threads, anew.getAndSet(true), league::add, watch));
         }
         SingleMatch game = new SingleMatch(streams, contest, report, strict, piped);
         return show.isAny() ? game.play(first, path, overwrite, show) : game.play(first, path, overwrite);

@@ -9,6 +9,8 @@ import steward.cli.shared.Verbosity;
 import steward.cli.streams.Interruption;
 import steward.cli.streams.ProgressLine;
 import steward.cli.streams.Streams;
+import steward.contest.Contest;
+import steward.contest.ProgramWatch;
 import steward.contest.Series;
 import steward.contest.SeriesPlay;
 import steward.contest.Standings;
@@ -29,14 +31,20 @@ record SeriesRun(Streams streams, Series series, Verbosity report, boolean stric
 
     /** @return the exit status: not 0 if a game has no result */
     int play(int threads, boolean overwrite) throws InterruptedException {
-        return play(threads, overwrite, game -> { });
+        return play(threads, overwrite, game -> { }, StoredSeries.watch(series.contest(), streams));
     }
 
-    /** @param keeper is told of every game that is over, by any thread; what it throws ends the series */
+    /**
+     * Plays.
+     *
+     * @param keeper is told of every game that is over, by any thread; what it throws ends the series
+     * @param watch  over the programs: when one becomes another, the series ends
+     */
     @SuppressWarnings("try")                           // only closed, never used
-    int play(int threads, boolean overwrite, Consumer<Series.Played> keeper) throws InterruptedException {
+    int play(int threads, boolean overwrite, Consumer<Series.Played> keeper, ProgramWatch watch)
+            throws InterruptedException {
         series.prepare(overwrite);
-        SeriesPlay play = new SeriesPlay(series, overwrite);
+        SeriesPlay play = new SeriesPlay(series, overwrite, Contest::play, watch);
         AtomicBoolean told = new AtomicBoolean();
         if (report == Verbosity.FULL && series.games() != series.seeds()) {
             streams.err().println(TextFormat.count(series.seeds(), "seed") + ", "
@@ -107,6 +115,11 @@ record SeriesRun(Streams streams, Series series, Verbosity report, boolean stric
         }
         if (problems > PROBLEMS_SHOWN) {
             streams.err().println("steward: and " + TextFormat.count(problems - PROBLEMS_SHOWN, "game") + " more");
+        }
+        if (play.changed() != null) {
+            streams.err().println("steward: the series ends after " + play.standings().games().size() + " of "
+                + TextFormat.count(series.games(), "game") + ": " + TextFormat.plain(play.changed())
+                + " has changed, and one table is of one version of each bot; those that were over count");
         }
         if (play.stopped() != null) {
             streams.err().println("steward: the series ends after " + play.standings().games().size() + " of "

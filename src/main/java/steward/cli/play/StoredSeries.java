@@ -20,6 +20,7 @@ import steward.cli.streams.Streams;
 import steward.contest.Attempts;
 import steward.contest.Contest;
 import steward.contest.PairedPlay;
+import steward.contest.ProgramWatch;
 import steward.contest.Series;
 import steward.files.InputException;
 import steward.league.BotIdentity;
@@ -36,6 +37,7 @@ import steward.league.store.GameStore;
 import steward.league.store.GameStore.Version;
 import steward.league.store.SeasonOpening;
 import steward.match.MatchResult;
+import steward.text.TextFormat;
 
 /** Stores games between the bots of a contest in a league ({@code --into}), each when it is over, and finds them. */
 public final class StoredSeries implements AutoCloseable {
@@ -54,6 +56,39 @@ public final class StoredSeries implements AutoCloseable {
         this.contest = contest;
         this.machine = machine;
         this.number = number;
+    }
+
+    /** Play of games that are stored. */
+    public interface Play {
+
+        /** Plays until it is over, or {@code watch} has found another program; returns the exit status. */
+        int play(StoredSeries store, ProgramWatch watch) throws InterruptedException;
+    }
+
+    /** A watch over the programs of a contest that says what is waited for. */
+    public static ProgramWatch watch(Contest contest, Streams streams) {
+        return ProgramWatch.of(contest, what -> streams.err().println("steward: " + TextFormat.plain(what)));
+    }
+
+    /**
+     * Plays in a league. When a program becomes another one, a new version begins, and the play anew.
+     *
+     * @param path of the league
+     * @see #open
+     */
+    public static int play(Path path, Contest contest, double factor, List<String> environment, Streams streams,
+                           Play play) throws InterruptedException {
+        for (;;) {
+            ProgramWatch watch = watch(contest, streams);
+            int status;
+            try (StoredSeries stored = open(path, contest, factor, environment, streams)) {
+                status = play.play(stored, watch);
+            }
+            if (watch.changed() == null) {
+                return status;
+            }
+            streams.err().println("steward: it begins anew, with a new version");
+        }
     }
 
     /**
@@ -103,9 +138,10 @@ public final class StoredSeries implements AutoCloseable {
                 : entrant.bot().substring(entrant.bot().indexOf('=') + 1);
             random |= settings.bot(entrant.name()).filter(LeagueBot::random).isPresent();
             List<String> files = settings.bot(entrant.name()).filter(bot -> bot.command().equals(command))
-                .map(LeagueBot::files).orElse(null);
+                .map(LeagueBot::files).orElse(entrant.program().named());
             String name = LeagueReader.NAME.matcher(entrant.name()).matches() ? entrant.name() : "bot-" + (k + 1);
-            LeagueBot bot = new LeagueBot(name, command, files, false, false);
+            LeagueBot bot = new LeagueBot(name, command, files, false, false)
+                .in(none -> entrant.program().folder().toString());
             String hash = identity.of(bot);
             versions.put(k, store.version(hash).orElseGet(() ->
                 store.add(name, command, false, hash, System.currentTimeMillis())));

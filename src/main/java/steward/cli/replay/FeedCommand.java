@@ -9,7 +9,9 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import steward.bot.command.BotCommand;
+import steward.bot.command.Program;
 import steward.bot.process.Debugger;
+import steward.cli.options.BotFolders;
 import steward.cli.options.BuiltinBotWords;
 import steward.cli.options.ProgramCommand;
 import steward.cli.options.ProtocolWord;
@@ -69,6 +71,9 @@ public final class FeedCommand extends ProgramCommand {
     @Parameters(index = "1..*", arity = "0..*", paramLabel = "COMMAND", completionCandidates = BuiltinBotWords.class,
         description = "The bot and its arguments, after --.")
     private List<String> command = new ArrayList<>();
+
+    @Mixin
+    private final BotFolders folders = new BotFolders();
 
     @Option(names = "--player", paramLabel = "P", required = true,
         description = "Which player: its number, counted from 0, or its name.")
@@ -135,7 +140,7 @@ public final class FeedCommand extends ProgramCommand {
             throw new InputException("--protocol: found codingame, expected json: the scene has no other");
         }
         FeedSession feeding = new FeedSession(streams, referee.types(), match, player, bot, spoken,
-            words(bot, again), pause, quiet, json, StandardFiles.is(out));
+            program(bot, again), pause, quiet, json, StandardFiles.is(out));
         return replace ? feeding.replace(from, out, overwrite)
             : feeding.compare(until == null ? Integer.MAX_VALUE : until);
     }
@@ -169,7 +174,8 @@ public final class FeedCommand extends ProgramCommand {
         Protocol usual = protocol == null ? recorded : ProtocolWord.parse(protocol);
         BotCommand.Prefix prefix = usual == Protocol.CODINGAME ? BotCommand.Prefix.CODINGAME : BotCommand.Prefix.JSON;
         try {
-            boolean isFile = !command.get(0).isEmpty() && Files.exists(OutputFiles.path(command.get(0)));
+            boolean isFile = !command.get(0).isEmpty()
+                && Files.exists(folders.folder().resolve(OutputFiles.path(command.get(0))));
             return command.size() > 1 || isFile
                 ? BotCommand.of(command, prefix) : BotCommand.parse(command.get(0), prefix);
         } catch (IllegalArgumentException problem) {
@@ -186,11 +192,11 @@ public final class FeedCommand extends ProgramCommand {
         return spoken;
     }
 
-    private static List<String> words(BotCommand bot, Resimulation match) {
+    private Program program(BotCommand bot, Resimulation match) {
         try {
-            List<String> words = bot.resolve();
+            Program program = new Program(bot.resolve(folders.folder()), folders.folder(), null);
             bot.checkPlays(match.setup().scene().gameId());
-            return words;
+            return program;
         } catch (IllegalArgumentException problem) {
             throw new InputException(problem.getMessage());
         }

@@ -4,10 +4,10 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.io.PrintStream;
 import java.io.UncheckedIOException;
-import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import steward.bot.command.BotCommand;
 import steward.bot.command.CommandLine;
+import steward.bot.command.Program;
 import steward.bot.process.AttendedProcess;
 import steward.bot.process.Debugger;
 import steward.cli.shared.FailedException;
@@ -28,14 +28,14 @@ import steward.text.TextFormat;
  * A recorded match, a player of it, and a bot that is started to be sent what that player was sent.
  *
  * @param bot      as it was called
- * @param words    the program and its arguments
+ * @param program  what is started, and where
  * @param pause    the turn before which the session waits for Enter, or {@code null}
  * @param quiet    whether turns that are the same are passed over
  * @param json     whether nothing but one JSON object is printed to the standard output
  * @param piped    whether the standard output is the new replay
  */
 record FeedSession(Streams streams, GameTypes types, RecordedMatch match, int player, BotCommand bot, Protocol protocol,
-                   List<String> words, Integer pause, boolean quiet, boolean json, boolean piped) {
+                   Program program, Integer pause, boolean quiet, boolean json, boolean piped) {
 
     /** How long a bot may take to end by itself, without a debugger or a pause, in milliseconds. */
     private static final long GRACE_MS = 1000;
@@ -57,7 +57,7 @@ record FeedSession(Streams streams, GameTypes types, RecordedMatch match, int pl
 
     /** As it was called, since a bundled bot's words are a long line of a JVM. */
     private String called() {
-        return bot.prefix() == BotCommand.Prefix.BUILTIN ? bot.toString() : CommandLine.quote(words);
+        return bot.prefix() == BotCommand.Prefix.BUILTIN ? bot.toString() : CommandLine.quote(program.words());
     }
 
     /** Sends the turns to the last or the given one, and compares. */
@@ -101,10 +101,11 @@ record FeedSession(Streams streams, GameTypes types, RecordedMatch match, int pl
     }
 
     private int start(Work work) throws InterruptedException {
-        boolean debugger = Debugger.is(words);
+        boolean debugger = Debugger.is(program.words());
         AttendedProcess process;
         try {
-            process = AttendedProcess.start(bot.displayName(), debugger ? Debugger.onTerminal(words) : words);
+            process = AttendedProcess.start(bot.displayName(program.folder()), debugger
+                ? program.started(Debugger.onTerminal(program.words())) : program);
         } catch (IOException problem) {
             throw new InputException("the bot could not be started: " + problem.getMessage());
         }
@@ -152,7 +153,7 @@ record FeedSession(Streams streams, GameTypes types, RecordedMatch match, int pl
     }
 
     private void hold(int until, AttendedProcess process) {
-        boolean debugger = Debugger.is(words);
+        boolean debugger = Debugger.is(program.words());
         text().println("stopped after turn " + until + "; process " + process.pid() + " waits for more until "
             + (debugger ? "the debugger ends" : "it ends or you press Enter"));
         text().flush();

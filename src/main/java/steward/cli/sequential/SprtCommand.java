@@ -1,11 +1,13 @@
 package steward.cli.sequential;
 
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
+import steward.cli.options.BotFolders;
 import steward.cli.options.BuiltinBotWords;
 import steward.cli.options.ProgramCommand;
 import steward.cli.options.ProtocolWord;
@@ -43,6 +45,9 @@ public final class SprtCommand extends ProgramCommand {
     @Option(names = "--bot", paramLabel = "BOT", completionCandidates = BuiltinBotWords.class,
         description = "A bot: first the new one, then the old one.")
     private List<String> bots = new ArrayList<>();
+
+    @Mixin
+    private final BotFolders folders = new BotFolders();
 
     @Option(names = "--fill", paramLabel = "BOT", completionCandidates = BuiltinBotWords.class,
         description = "In a scene for three and more players: the bot that takes the other seats.")
@@ -88,19 +93,21 @@ public final class SprtCommand extends ProgramCommand {
         check.that(bots.size() == 2, "--bot: found " + bots.size() + ", expected two: the new bot and the old one");
         GameSetup setup = Games.warn(scene.open(streams), streams);
         List<String> all = withFill(setup.scene().players());
-        Contest contest = Contest.ofSeries(setup, all, ProtocolWord.parse(protocol), factor)
+        List<Path> own = new ArrayList<>(folders.of("--bot"));
+        folders.of("--fill").forEach(folder -> own.addAll(Collections.nCopies(all.size() - bots.size(), folder)));
+        Contest contest = Contest.ofSeries(setup, all, own, ProtocolWord.parse(protocol), factor)
             .limitedBy(pace.basis()).isolatedBy(sandbox.isolation(streams));
         Verbosity report = json ? Verbosity.JSON : quiet ? Verbosity.LINE : Verbosity.FULL;
         if (into == null) {
             return new SprtRun(streams, contest, test, options.ending(), null, report)
-                .play(seed.orDrawn(), threads.count(streams));
+                .play(seed.orDrawn(), threads.count(streams), StoredSeries.watch(contest, streams));
         }
-        try (StoredSeries store = StoredSeries.open(OutputFiles.path(into), contest, factor, sandbox.variables(),
-                streams)) {
-            store.refuseTwins();
-            return new SprtRun(streams, contest, test, options.ending(), store, report)
-                .play(seed.or(store.ownSeed()), threads.count(streams));
-        }
+        return StoredSeries.play(OutputFiles.path(into), contest, factor, sandbox.variables(), streams,
+            (store, watch) -> {
+                store.refuseTwins();
+                return new SprtRun(streams, contest, test, options.ending(), store, report)
+                    .play(seed.or(store.ownSeed()), threads.count(streams), watch);
+            });
     }
 
     private List<String> withFill(int players) {

@@ -18,9 +18,11 @@ import steward.contest.FailureCounts;
 import steward.contest.FailureStreaks;
 import steward.contest.Hiccups;
 import steward.contest.PairedPlay;
+import steward.contest.ProgramWatch;
 import steward.contest.Repeats;
 import steward.league.sequential.Gsprt;
 import steward.league.sequential.ScoreCounts;
+import steward.text.TextFormat;
 
 /** A sequential test while it is played. The first bot of the contest is tested against the second. */
 public final class SprtRun {
@@ -83,19 +85,20 @@ public final class SprtRun {
      * Plays.
      *
      * @param first the first seed of the test's own
+     * @param watch over the programs: when one becomes another, the test ends
      * @return the exit status
      */
     @SuppressWarnings("try")                           // only closed, never used
-    public int play(long first, int threads) throws InterruptedException {
+    public int play(long first, int threads, ProgramWatch watch) throws InterruptedException {
         if (report == Verbosity.FULL) {
             streams.err().println(text.heading());
         }
         AtomicBoolean over = new AtomicBoolean();
         PairedPlay play = new PairedPlay(contest, first, Hiccups.REPLAY,
             store == null ? (seed, rotation) -> null : store::outcome, store == null ? game -> { } : store::add,
-            failures, this::take);
+            failures, watch, this::take);
         if (!takeStored(first)) {
-            return end();
+            return end(null);
         }
         try (Interruption interruption = new Interruption(streams, () -> over.getAndSet(true) ? null
                 : interrupted(play))) {
@@ -104,7 +107,7 @@ public final class SprtRun {
                 return ExitStatus.FAILED;              // the process is about to end, with the status of its signal
             }
         }
-        return end();
+        return end(watch.changed());
     }
 
     /** Takes what the league has besides the test's own seeds; returns whether more is wanted. */
@@ -153,7 +156,8 @@ public final class SprtRun {
             && (scores.observations() + without + allFailed + repeats + 1) * scores.games() <= ending.budget();
     }
 
-    private synchronized int end() {
+    /** @param changed the file that made a program another one before the test was over, or {@code null} */
+    private synchronized int end(String changed) {
         if (withoutInARow >= MOST_WITHOUT) {
             tell();
             streams.err().println("steward: the test ends: " + MOST_WITHOUT + " seeds in a row tell nothing: their "
@@ -161,6 +165,13 @@ public final class SprtRun {
             return ExitStatus.FAILED;
         }
         tell();
+        if (changed != null && test.state(scores) == Gsprt.State.OPEN) {
+            streams.err().println("steward: the test ends undecided after "
+                + TextFormat.count(scores.observations() * scores.games(), "game") + ": " + TextFormat.plain(changed)
+                + " has changed, and a verdict is of one version of each bot"
+                + (store == null ? "; with --into the games are kept, and the test begins anew with the new one" : ""));
+            return ExitStatus.FAILED;
+        }
         if (repeatsInARow >= Repeats.ENOUGH) {
             streams.err().println("steward: the test ends undecided: the last " + Repeats.ENOUGH + " seeds repeat "
                 + "games that were played before. These bots play alike whatever the seed is, so that more games tell "

@@ -3,6 +3,7 @@ package steward.cli.sequential;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -14,6 +15,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import steward.bot.command.BotCommand;
+import steward.cli.options.BotFolders;
 import steward.cli.options.BuiltinBotWords;
 import steward.cli.options.CallCheck;
 import steward.cli.options.OptionSection;
@@ -37,6 +39,7 @@ import steward.contest.FailureCounts;
 import steward.contest.FailureStreaks;
 import steward.contest.Hiccups;
 import steward.contest.PairedPlay;
+import steward.contest.ProgramWatch;
 import steward.contest.Repeats;
 import steward.files.InputException;
 import steward.files.OutputFiles;
@@ -86,6 +89,9 @@ public final class TuneCommand extends ProgramCommand {
     @Option(names = "--against", paramLabel = "BOT", required = true, completionCandidates = BuiltinBotWords.class,
         description = "A bot that it plays; can be repeated.")
     private List<String> against = new ArrayList<>();
+
+    @Mixin
+    private final BotFolders folders = new BotFolders();
 
     @OptionSection("The search")
     @Option(names = "--games", paramLabel = "N", defaultValue = "2000",
@@ -148,6 +154,7 @@ public final class TuneCommand extends ProgramCommand {
     private GameSetup setup;
     private TunedCommand command;
     private double factor;
+    private ProgramWatch watch;
     private final Map<List<String>, Repeats> seen = new HashMap<>();
     /** True if a game of the step was not played before. */
     private boolean fresh;
@@ -186,6 +193,34 @@ public final class TuneCommand extends ProgramCommand {
             + TextFormat.count(against.size(), "bot") + " against them, from all seats");
         checkBots();
         long first = seed.or(into == null ? SeedOption.draw() : 1);
+        for (;;) {
+            watch = StoredSeries.watch(everyone(), streams);
+            int status = search(first, ofStep);
+            if (watch.changed() == null) {
+                return status;
+            }
+            if (into == null) {
+                throw new FailedException(watch.changed() + " has changed: values are compared by games of one "
+                    + "version of each bot; with --into the search begins anew with the new one");
+            }
+            streams.err().println("steward: " + TextFormat.plain(watch.changed())
+                + " has changed: the search begins anew, with a new version");
+            failures.clear();
+            seen.clear();
+        }
+    }
+
+    /** All bots that play, to be watched. */
+    private Contest everyone() {
+        List<Contest.Entrant> all = new ArrayList<>();
+        for (int k = 0; k < against.size(); k++) {
+            all.addAll(contest(command.start(), k).entrants());
+        }
+        return Contest.withoutBots(setup, factor).between(all);
+    }
+
+    /** Searches and tests, until it is over or a program has become another one; returns the exit status. */
+    private int search(long first, int ofStep) throws InterruptedException {
         Spsa search = new Spsa(command, games / ofStep, first);
         streams.err().println("Tuning " + TextFormat.count(command.parameters().size(), "parameter") + " in "
             + TextFormat.count(games / ofStep, "step") + " of " + TextFormat.count(ofStep, "game") + ", from "
@@ -197,7 +232,7 @@ public final class TuneCommand extends ProgramCommand {
             search(search, first);
             interruption.over();
         }
-        return result(search, ofStep, first);
+        return watch.changed() != null ? ExitStatus.FAILED : result(search, ofStep, first);
     }
 
     private int result(Spsa search, int ofStep, long first) throws InterruptedException {
@@ -233,8 +268,14 @@ public final class TuneCommand extends ProgramCommand {
             fresh = false;
             long at = first + (long) search.step() * seeds;
             double plus = score(search.trial(1), at);
+            if (watch.changed() != null) {
+                return;
+            }
             double minus = command.with(search.trial(1)).equals(command.with(search.trial(-1))) ? plus
                 : score(search.trial(-1), at);
+            if (watch.changed() != null) {
+                return;
+            }
             search.go(plus, minus);
             stale = fresh ? 0 : stale + 1;
             if (System.nanoTime() - told > TELL_NANOS) {
@@ -246,18 +287,24 @@ public final class TuneCommand extends ProgramCommand {
 
     private String named(String text) {
         BotCommand parsed = BotCommand.parse(text);
-        return PREFIX + parsed.displayName() + "=" + new BotCommand(null, parsed.prefix(), parsed.words());
+        return PREFIX + parsed.displayName(folders.of("--bot").get(0)) + "=" + new BotCommand(null, parsed.prefix(), parsed.words());
     }
 
-    private Contest contest(List<String> bots) {
-        return Contest.ofSeries(setup, bots, ProtocolWord.parse(protocol), factor).limitedBy(pace.basis())
+    private Contest contest(List<String> bots, List<Path> own) {
+        return Contest.ofSeries(setup, bots, own, ProtocolWord.parse(protocol), factor).limitedBy(pace.basis())
             .isolatedBy(sandbox.isolation(streams));
+    }
+
+    /** The bot with these values, and one of those that it plays. */
+    private Contest contest(double[] places, int other) {
+        return contest(List.of(named(command.with(places)), against.get(other)),
+            List.of(folders.of("--bot").get(0), folders.of("--against").get(other)));
     }
 
     /** Refuses bots that cannot be started, and a league of other games, before anything is played. */
     private void checkBots() {
-        for (String other : against) {
-            Contest contest = contest(List.of(named(command.with(command.start())), other));
+        for (int k = 0; k < against.size(); k++) {
+            Contest contest = contest(command.start(), k);
             if (into != null) {
                 StoredSeries.open(OutputFiles.path(into), contest, factor, sandbox.variables(), streams).close();
             }
@@ -273,8 +320,9 @@ public final class TuneCommand extends ProgramCommand {
     private double score(double[] places, long firstSeed) throws InterruptedException {
         double[] sum = new double[1];
         int[] count = new int[1];
-        for (String other : against) {
-            Contest contest = contest(List.of(named(command.with(places)), other));
+        for (int k = 0; k < against.size(); k++) {
+            String other = against.get(k);
+            Contest contest = contest(places, k);
             try (StoredSeries store = into == null ? null
                     : StoredSeries.open(OutputFiles.path(into), contest, factor, sandbox.variables(), streams)) {
                 int[] over = new int[1];
@@ -282,7 +330,7 @@ public final class TuneCommand extends ProgramCommand {
                     store == null ? (number, rotation) -> null : store::outcome,
                     store == null ? game -> { } : store::add,
                     failures.computeIfAbsent(other, bot -> new Failures(contest, new FailureCounts(contest))).counts(),
-                    result -> {
+                    watch, result -> {
                         if (result.isWhole()) {
                             fresh |= random || store != null && store.isRandom()
                                 || !result.isRepeat(seen.computeIfAbsent(players(contest), key -> new Repeats()));
@@ -299,7 +347,7 @@ public final class TuneCommand extends ProgramCommand {
             streams.out().flush();
             throw new FailedException(streaks.ending("the search"));
         }
-        if (count[0] == 0) {
+        if (count[0] == 0 && watch.changed() == null) {
             printFailures();
             throw new FailedException("no game of " + command.text(places) + " has a result");
         }
@@ -357,7 +405,8 @@ public final class TuneCommand extends ProgramCommand {
             }
             return ExitStatus.DONE;
         }
-        Contest contest = contest(List.of("tune.result=" + bare(result), "tune.start=" + bare(start)));
+        Contest contest = contest(List.of("tune.result=" + bare(result), "tune.start=" + bare(start)),
+            Collections.nCopies(2, folders.of("--bot").get(0)));
         Gsprt test = new Gsprt(0, GAIN, ALPHA, ALPHA, Gsprt.Model.NORMALIZED);
         SprtRun.Ending ending = new SprtRun.Ending(testGames, keepGoing, random);
         Verbosity report = json ? Verbosity.JSON : Verbosity.FULL;
@@ -366,12 +415,12 @@ public final class TuneCommand extends ProgramCommand {
         }
         if (into == null) {
             return new SprtRun(streams, contest, test, ending, null, report)
-                .play(first + games, threads.count(streams));
+                .play(first + games, threads.count(streams), watch);
         }
         try (StoredSeries store = StoredSeries.open(OutputFiles.path(into), contest, factor, sandbox.variables(),
                 streams)) {
             return new SprtRun(streams, contest, test, ending, store, report)
-                .play(store.ownSeed(), threads.count(streams));
+                .play(store.ownSeed(), threads.count(streams), watch);
         }
     }
 

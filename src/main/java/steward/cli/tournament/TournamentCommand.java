@@ -289,7 +289,7 @@ public final class TournamentCommand extends ProgramCommand {
         for (Programs.Program program : programs.programs()) {
             Workshop.Ready ready = workshop.make(program);
             Entry entry = new Entry(ready, ready.problem() != null ? null : BotCheck.of(empty,
-                Contest.entrant(bot(ready, spoken).typed(), spoken)));
+                bot(ready, spoken).entrant()));
             entries.add(entry);
             AuthorPage.before(entry).write(page(into, entry));
             streams.err().println(TextFormat.plain(entry.name() + ": " + entry.standing()));
@@ -318,7 +318,7 @@ public final class TournamentCommand extends ProgramCommand {
     private static LeagueBot bot(Workshop.Ready ready, Protocol spoken) {
         String prefix = spoken == Protocol.CODINGAME ? "codingame:" : "json:";
         return new LeagueBot(ready.program().name(), prefix + steward.bot.command.CommandLine.quote(ready.command()),
-            ready.files().stream().map(Path::toString).toList(), false, false);
+            ready.files().stream().map(Path::toString).toList(), false, false).in(none -> ready.folder().toString());
     }
 
     /** The table, the pages of authors with their games, and the page of the league, all from the same games. */

@@ -72,12 +72,18 @@ record Workshop(Path folder, Isolation isolation, long limitMs, HandIn.Bounds bo
     /**
      * A program that was made ready.
      *
+     * @param folder  in which it is started
      * @param command its words, or {@code null} if it cannot run
-     * @param files   that it consists of
+     * @param files   that it consists of, relative to the folder
      * @param problem why it cannot run, what the compiler said; or {@code null}
      * @param source  what was handed in, as it was copied; or {@code null}
      */
-    record Ready(Program program, List<String> command, List<Path> files, String problem, HandIn source) {
+    record Ready(Program program, Path folder, List<String> command, List<Path> files, String problem, HandIn source) {
+
+        private static Ready of(Program program, Path folder, List<String> command, Path file) {
+            return new Ready(program, folder, command, List.of(folder.relativize(file)), null, null);
+        }
+
 
         /** True if the source is another one now. */
         boolean isChanged(HandIn.Bounds bounds) {
@@ -96,10 +102,11 @@ record Workshop(Path folder, Isolation isolation, long limitMs, HandIn.Bounds bo
             Path content = Files.writeString(own.resolve(CONTENT), program.name() + "\n" + digest + "\n");
             Files.writeString(own.resolve(Programs.HANDED_IN_AS), program.source().getFileName().toString());
             Ready ready = make(program, own, copy, source);
-            return ready.problem() != null ? ready : new Ready(program, ready.command(),
-                Stream.concat(Stream.of(content), ready.files().stream().limit(WATCHED)).toList(), null, source);
+            return ready.problem() != null ? ready : new Ready(program, ready.folder(), ready.command(), Stream.concat(
+                Stream.of(ready.folder().relativize(content)), ready.files().stream().limit(WATCHED)).toList(), null,
+                source);
         } catch (InputException problem) {
-            return new Ready(program, null, List.of(), problem.getMessage(), source);
+            return new Ready(program, null, null, List.of(), problem.getMessage(), source);
         } catch (IOException problem) {
             return failed(program, "cannot be copied: " + OutputFiles.reason(program.source(), problem));
         } catch (InvalidPathException problem) {
@@ -119,13 +126,13 @@ record Workshop(Path folder, Isolation isolation, long limitMs, HandIn.Bounds bo
     }
 
     private static Ready failed(Program program, String problem) {
-        return new Ready(program, null, List.of(), problem, null);
+        return new Ready(program, null, null, List.of(), problem, null);
     }
 
     private static Ready script(Program program, Path copy, String interpreter) {
         return ProgramFinder.find(interpreter) == null
             ? failed(program, "there is no program '" + interpreter + "' on the PATH of this machine")
-            : new Ready(program, List.of(interpreter, copy.toString()), List.of(copy), null, null);
+            : Ready.of(program, copy.getParent(), List.of(interpreter, copy.getFileName().toString()), copy);
     }
 
     private Ready cpp(Program program, Path own, Path source) throws IOException, InterruptedException {
@@ -137,7 +144,7 @@ record Workshop(Path folder, Isolation isolation, long limitMs, HandIn.Bounds bo
         if (problem != null) {
             return failed(program, problem);
         }
-        return made.toFile().setExecutable(true) ? new Ready(program, List.of(made.toString()), List.of(made), null, null)
+        return made.toFile().setExecutable(true) ? Ready.of(program, own, List.of("./" + made.getFileName()), made)
             : failed(program, made + " cannot be made executable");
     }
 
@@ -160,12 +167,19 @@ record Workshop(Path folder, Isolation isolation, long limitMs, HandIn.Bounds bo
         }
         String main = main(made);
         return main == null ? failed(program, "found no class with a method 'public static void main(String[] args)'")
-            : new Ready(program, List.of(tool("java").toString(), "-cp", made.toString(), main), List.of(made), null, null);
+            : Ready.of(program, own, List.of(java(), "-cp", made.getFileName().toString(), main), made);
     }
 
     private static Path tool(String name) {
         Path own = Path.of(System.getProperty("java.home"), "bin", name);
         return Files.isExecutable(own) ? own : ProgramFinder.find(name);
+    }
+
+    /** By its name where that means the same, so that a tournament can be moved to another machine. */
+    private static String java() throws IOException {
+        Path java = tool("java");
+        Path usual = ProgramFinder.find("java");
+        return usual != null && Files.isSameFile(java, usual) ? "java" : java.toString();
     }
 
     /** The first class in which both the name and the type of a main method stand. */
@@ -190,8 +204,8 @@ record Workshop(Path folder, Isolation isolation, long limitMs, HandIn.Bounds bo
         if (!source.files().containsKey("run")) {
             return failed(program, "run: found no regular file, expected one with a command such as 'python3 main.py'");
         }
-        List<Path> files = source.files().keySet().stream().map(copy::resolve).toList();
-        List<String> words = new ArrayList<>(List.of("sh", "-c", "cd \"$0\" && exec \"$@\"", copy.toString()));
+        List<Path> files = source.files().keySet().stream().map(Path::of).toList();
+        List<String> words = new ArrayList<>();
         try {
             String run = Utf8Text.decode(Files.readAllBytes(copy.resolve("run")), "run", "a command in UTF-8")
                 .replaceFirst("^\uFEFF", "");
@@ -211,9 +225,9 @@ record Workshop(Path folder, Isolation isolation, long limitMs, HandIn.Bounds bo
             return failed(program, "run: found a command that is " + length + " characters long as it is called, "
                 + "expected at most " + MOST_COMMAND + "; a script beside it can have a longer one");
         }
-        return words.size() == 4
+        return words.isEmpty()
             ? failed(program, "run: found an empty file, expected a command such as 'python3 main.py'")
-            : new Ready(program, words, files, null, null);
+            : new Ready(program, copy, words, files, null, null);
     }
 
     /** Compiles, unless it was compiled from the same source; returns what the compiler said if that failed. */

@@ -98,8 +98,8 @@ public record GamePlay(Season season, Contest contest, Recordings recordings, St
         if (isolation.level() != SandboxLevel.STRICT) {
             return isolation;
         }
-        return isolation.hidingFilesOf(settings.active().stream().map(LeagueBot::parsed)
-            .filter(bot -> bot.prefix() != BotCommand.Prefix.BUILTIN).map(BotCommand::words).toList());
+        return isolation.hidingFilesOf(settings.active().stream()
+            .filter(bot -> bot.parsed().prefix() != BotCommand.Prefix.BUILTIN).map(LeagueBot::program).toList());
     }
 
     private StoredGame stored(Schedule.Task task, LeagueSettings settings, List<Member> members, int attempt,

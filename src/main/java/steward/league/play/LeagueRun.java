@@ -113,7 +113,7 @@ public final class LeagueRun {
         if (roster.settings().adaptive() && key.players() > 1) {
             learn();
         }
-        watch = new RosterWatch(folder, reader, teller);
+        watch = new RosterWatch(folder, reader, roster.settings(), teller);
         pauses = new Pauses(0, roster.settings().lag(), settled, folder, queries, teller);
         use(roster);
         end = limits.nanos() == Long.MAX_VALUE ? Long.MAX_VALUE : System.nanoTime() + limits.nanos();

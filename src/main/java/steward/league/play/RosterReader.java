@@ -7,16 +7,17 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
+import steward.bot.command.BotCommand;
 import steward.bot.command.Platform;
 import steward.contest.Contest;
 import steward.contest.Contest.Entrant;
+import steward.contest.ProgramWatch;
 import steward.files.InputException;
 import steward.league.BotIdentity;
 import steward.league.LeagueBot;
 import steward.league.LeagueSettings;
 import steward.league.store.GameStore;
 import steward.league.store.GameStore.Version;
-import steward.match.Protocol;
 import steward.text.TextFormat;
 
 /** Finds out which program each bot is, and gives a bot whose program has changed a new version. Not thread-safe. */
@@ -54,10 +55,12 @@ public final class RosterReader {
      */
     public Roster read(LeagueSettings settings) {
         List<LeagueBot> active = settings.active();
+        // Before the files are read: what is written meanwhile is seen as a change.
+        List<String> stamps = active.stream().map(identity::stamp).toList();
         Map<LeagueBot, String> identities = identities(active);
         List<Entrant> entrants = new ArrayList<>();
         for (LeagueBot bot : active) {
-            Entrant entrant = Contest.entrant(bot.on(HERE).typed(), Protocol.JSON);
+            Entrant entrant = bot.on(HERE).entrant();
             if (entrant.problem() != null && bot.playsOn(HERE)) {
                 throw new InputException(entrant.problem());
             }
@@ -69,7 +72,7 @@ public final class RosterReader {
             LeagueBot bot = active.get(k);
             Version version = version(settings, bot, identities.get(bot));
             members.add(new Roster.Member(bot, version, entrants.get(k).named(version.display()),
-                identity.stamp(bot)));
+                stamps.get(k)));
         }
         return new Roster(settings, members);
     }
@@ -77,6 +80,20 @@ public final class RosterReader {
     /** Returns a stamp of the bot's program, which changes when the program may be another; no file is read. */
     public String stamp(LeagueBot bot) {
         return identity.stamp(bot);
+    }
+
+    /** The programs of bots, those for other platforms too, to be watched. */
+    static ProgramWatch watch(LeagueSettings settings, Consumer<String> teller) {
+        List<ProgramWatch.Watched> programs = new ArrayList<>();
+        for (LeagueBot bot : settings.active()) {
+            if (bot.parsed().prefix() != BotCommand.Prefix.BUILTIN) {
+                programs.add(new ProgramWatch.Watched(bot.name(), bot.program(),
+                    () -> bot.playsOn(HERE) ? bot.on(HERE).entrant().problem() : null));
+            }
+            bot.platforms().forEach(each -> programs.add(new ProgramWatch.Watched(bot.name(),
+                bot.on(each.platform()).program(), () -> null)));
+        }
+        return new ProgramWatch(programs, teller);
     }
 
     private Map<LeagueBot, String> identities(List<LeagueBot> active) {

@@ -7,6 +7,7 @@ import java.nio.file.attribute.BasicFileAttributes;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
+import steward.contest.ProgramWatch;
 import steward.files.InputException;
 import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
@@ -28,16 +29,17 @@ final class RosterWatch {
     private final Consumer<String> teller;
     private String seen;
     private long looked = System.nanoTime();
+    private ProgramWatch programs;
     private boolean paused;
-    private String unstable = "";
     private String told = "";
 
     /** @param teller is told what has been read anew, and what cannot be used */
-    RosterWatch(LeagueFolder folder, RosterReader reader, Consumer<String> teller) {
+    RosterWatch(LeagueFolder folder, RosterReader reader, LeagueSettings settings, Consumer<String> teller) {
         this.folder = folder;
         this.reader = reader;
         this.teller = teller;
         seen = stamp();
+        programs = RosterReader.watch(settings, this::tell);
     }
 
     private String stamp() {
@@ -77,15 +79,16 @@ final class RosterWatch {
             return;
         }
         looked = System.nanoTime();
-        boolean changed = isChanged(roster.members());
+        ProgramWatch.State state = programs.look();
+        boolean changed = state != ProgramWatch.State.SAME || isChanged(roster.members());
         String now = stamp();
         boolean edited = !now.equals(seen);
         if (!edited && !changed) {
             paused = false;
             return;
         }
-        if (changed && isUnstable(roster)) {
-            paused = true;                             // perhaps it is just being written
+        if (state == ProgramWatch.State.WAITING && (!edited || programs.waitsFor() == null)) {
+            paused = true;
             return;
         }
         try {
@@ -95,8 +98,15 @@ final class RosterWatch {
                 throw new InputException(folder.settings() + ": " + fixed
                     + " has changed, which is read when a run begins");
             }
+            if (state == ProgramWatch.State.WAITING && read.active().stream().anyMatch(bot ->
+                    bot.name().equals(programs.waitsFor()))) {
+                paused = true;
+                return;
+            }
+            ProgramWatch anew = RosterReader.watch(read, this::tell);
             Roster next = folder.named(() -> reader.read(read));
             user.accept(next);
+            programs = anew;
             paused = false;
             tell(edited ? "read " + folder.settings() + " anew: " + TextFormat.count(next.members().size(), "bot")
                 : "");
@@ -106,14 +116,6 @@ final class RosterWatch {
                 : "; the league goes on as before"));
         }
         seen = now;
-    }
-
-    /** True if the files of the bots have changed since they were last looked at. */
-    private boolean isUnstable(Roster roster) {
-        String now = String.join("\n", roster.members().stream().map(member -> reader.stamp(member.bot())).toList());
-        boolean same = now.equals(unstable);
-        unstable = now;
-        return !same;
     }
 
     /** Says something, once. */

@@ -8,9 +8,11 @@ import java.nio.file.FileVisitOption;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.LinkedHashSet;
+import java.util.Collection;
+import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Set;
+import java.util.Map;
+import java.util.Objects;
 import java.util.stream.Stream;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
@@ -18,7 +20,6 @@ import steward.bot.command.BotCommand;
 import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.files.Sha256;
-import steward.league.BotIdentity;
 import steward.league.LeagueBot;
 import steward.machines.wire.HeaderText;
 import steward.match.HostedSetup;
@@ -40,6 +41,17 @@ public record Bundle(String hash, byte[] bytes) {
     /** Where files are in it that are in the folder of the call; and all others. */
     static final String HERE = "here/";
     private static final String ELSEWHERE = "elsewhere/";
+    /** Where files of a platform are whose command has a folder of its own; the platform follows. */
+    private static final String ON = "on/";
+
+    /**
+     * A file of a bundle.
+     *
+     * @param place    in it
+     * @param typed    as a word of the command
+     * @param platform whose command alone has it, or {@code null}
+     */
+    private record Packed(String place, Path typed, Path file, String platform) { }
 
     /**
      * Packs a bot.
@@ -52,8 +64,11 @@ public record Bundle(String hash, byte[] bytes) {
     }
 
     private static Bundle of(LeagueBot bot, String who, String ifMany, String ifLarge) {
-        Set<Path> files = new LinkedHashSet<>(files(bot));
-        bot.platforms().forEach(each -> files.addAll(files(bot.on(each.platform()))));
+        Map<String, Packed> packed = new LinkedHashMap<>();
+        add(bot, HERE, null, packed);
+        bot.platforms().forEach(each -> add(bot.on(each.platform()), folder(bot, each), isApart(bot, each)
+            ? each.platform() : null, packed));
+        Collection<Packed> files = packed.values();
         if (files.size() > MOST_FILES) {
             throw new InputException(who + ": found " + files.size() + " files, expected at most " + MOST_FILES
                 + " for workers; " + ifMany);
@@ -64,24 +79,28 @@ public record Bundle(String hash, byte[] bytes) {
         }
         if (!bot.platforms().isEmpty()) {
             list.put("platforms", bot.platforms().stream().map(each -> new HeaderText().put("platform", each.platform())
-                .putTexts("command", written(bot.on(each.platform())))).toList());
+                .putTexts("command", written(bot.on(each.platform()))).put("folder", folder(bot, each))).toList());
         }
-        list.put("files", files.stream().map(file -> new HeaderText().put("typed", file.toString())
-            .put("place", place(file)).put("executable", Files.isExecutable(file))).toList());
+        list.put("files", files.stream().map(each -> {
+            HeaderText text = new HeaderText().put("typed", each.typed().toString()).put("place", each.place())
+                .put("executable", Files.isExecutable(each.file()));
+            return each.platform() == null ? text : text.put("platform", each.platform());
+        }).toList());
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         try (ZipOutputStream zip = new ZipOutputStream(bytes)) {
             entry(zip, LIST, list.text().getBytes(StandardCharsets.UTF_8));
-            for (Path file : files.stream().filter(file -> !Files.isDirectory(file)).toList()) {
+            for (Packed each : files.stream().filter(each -> !Files.isDirectory(each.file())).toList()) {
+                Path file = each.file();
                 if (Files.size(file) + bytes.size() > LARGEST) {
                     throw new InputException(who + ": found " + (Files.size(file) + bytes.size()) + " bytes of files "
                         + "up to " + file + ", expected at most " + LARGEST + " (" + (LARGEST >> 20)
                         + " MiB) for workers; " + ifLarge);
                 }
-                entry(zip, place(file), Files.readAllBytes(file));
+                entry(zip, each.place(), Files.readAllBytes(file));
             }
         } catch (IOException problem) {
             throw new InputException(who + ": its files cannot be packed for workers: "
-                + OutputFiles.reason(files.iterator().next(), problem));
+                + OutputFiles.reason(files.iterator().next().file(), problem));
         }
         return new Bundle(Sha256.hex(bytes.toByteArray()), bytes.toByteArray());
     }
@@ -103,10 +122,26 @@ public record Bundle(String hash, byte[] bytes) {
             "pack its classes into a jar", "take what only people see from its class path");
     }
 
+    private static boolean isApart(LeagueBot bot, LeagueBot.ForPlatform each) {
+        return !Objects.equals(bot.folder(), each.folder());
+    }
+
+    private static String folder(LeagueBot bot, LeagueBot.ForPlatform each) {
+        return isApart(bot, each) ? ON + each.platform() + "/" : HERE;
+    }
+
+    private static void add(LeagueBot bot, String here, String platform, Map<String, Packed> packed) {
+        for (Path typed : files(bot)) {
+            Path file = bot.program().folder().resolve(typed);
+            String place = place(typed, file, here);
+            packed.putIfAbsent(place, new Packed(place, typed, file, platform));
+        }
+    }
+
     private static List<Path> files(LeagueBot bot) {
         BotCommand command = bot.parsed();
         boolean builtin = bot.files() == null && command.prefix() == BotCommand.Prefix.BUILTIN;
-        return builtin ? List.of() : BotIdentity.files(bot, command);
+        return builtin ? List.of() : bot.program().files();
     }
 
     /** The command word by word, since a class path is longer than a text may be; the prefix is part of the first. */
@@ -126,11 +161,11 @@ public record Bundle(String hash, byte[] bytes) {
     }
 
     /** Returns where a file is in the bundle. */
-    private static String place(Path file) {
-        Path plain = file.normalize();
+    private static String place(Path typed, Path file, String folder) {
+        Path plain = typed.normalize();
         boolean here = !plain.isAbsolute() && !plain.startsWith("..") && !plain.toString().isEmpty();
-        StringBuilder place = new StringBuilder(here ? HERE : ELSEWHERE);
-        for (Path part : here ? plain : file.toAbsolutePath().normalize()) {
+        StringBuilder place = new StringBuilder(here ? folder : ELSEWHERE);
+        for (Path part : here ? plain : file.normalize()) {
             place.append(place.charAt(place.length() - 1) == '/' ? "" : "/").append(part);
         }
         return place.toString();

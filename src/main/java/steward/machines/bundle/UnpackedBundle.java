@@ -9,15 +9,15 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
-import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipInputStream;
 import steward.bot.command.BotCommand;
-import steward.bot.command.ProgramTrial;
+import steward.bot.command.Program;
 import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.files.Sha256;
@@ -29,28 +29,15 @@ import steward.scene.json.SceneException;
  * A bundle's files on this machine, in a folder that is called like its hash, and the command with the words that name
  * them there.
  *
- * @param folder  of the files
+ * @param root    that holds all of it
+ * @param folder  in which the bot is started
  * @param command as it is to be started here
+ * @param files   that make it this bot
  */
-public record UnpackedBundle(Path folder, BotCommand command) {
+public record UnpackedBundle(Path root, Path folder, BotCommand command, List<String> files) {
 
     /** Bytes that a bundle may have at most when it is unpacked. */
     static final long LARGEST_UNPACKED = 1L << 30;
-    private static final long TRIAL_MS = 10_000;
-
-    /** Test for programs that can be started in a folder of their own by {@code env -C}. */
-    private static final class Change {
-        static final boolean POSSIBLE = find();
-
-        private static boolean find() {
-            try {
-                return ProgramTrial.of(List.of("env", "-C", "/", "true"), TRIAL_MS).works();
-            } catch (InterruptedException interrupted) {
-                Thread.currentThread().interrupt();
-                return false;
-            }
-        }
-    }
 
     /**
      * Unpacks a bundle, unless it is there. It appears as a whole or not at all. Nothing is written outside its folder.
@@ -67,7 +54,7 @@ public record UnpackedBundle(Path folder, BotCommand command) {
         try {
             Map<String, byte[]> files = files(hash, bytes);
             Block list = list(hash, files.remove(Bundle.LIST));
-            List<String> command = command(list, here);
+            Started started = started(list, here);
             if (!Files.isDirectory(folder, LinkOption.NOFOLLOW_LINKS)) {
                 Files.createDirectories(parent);
                 Path part = Files.createTempDirectory(parent, "unpacking");
@@ -78,7 +65,7 @@ public record UnpackedBundle(Path folder, BotCommand command) {
                     remove(part);
                 }
             }
-            return of(folder, list, command);
+            return of(folder, list, started, here);
         } catch (IOException problem) {
             throw new InputException(folder + ": the bundle cannot be unpacked: "
                 + OutputFiles.reason(folder, problem));
@@ -128,17 +115,20 @@ public record UnpackedBundle(Path folder, BotCommand command) {
         return new Block(source, "", JsonTree.read(new String(list, StandardCharsets.UTF_8), source, "a bundle"));
     }
 
+    /** Words of a command, and where in the bundle its folder is. */
+    private record Started(List<String> command, String folder) { }
+
     /** The command for a platform: its own, or that for all others. */
-    private static List<String> command(Block list, String here) {
+    private static Started started(Block list, String here) {
         if (list.has("platform") && !list.text("platform").equals(here)) {
             throw new InputException("found a bot for " + list.text("platform") + ", and this machine is " + here);
         }
-        List<String> command = list.texts("command");
+        Started started = new Started(list.texts("command"), Bundle.HERE);
         for (Block each : list.has("platforms") ? list.blocks("platforms") : List.<Block>of()) {
-            List<String> other = each.texts("command");
-            command = each.text("platform").equals(here) ? other : command;
+            Started other = new Started(each.texts("command"), each.text("folder"));
+            started = each.text("platform").equals(here) ? other : started;
         }
-        return command;
+        return started;
     }
 
     private static void write(Path folder, Map<String, byte[]> files, Block list) throws IOException {
@@ -169,42 +159,38 @@ public record UnpackedBundle(Path folder, BotCommand command) {
         throw new IOException("'" + name + "' is not within the bundle");
     }
 
-    private static UnpackedBundle of(Path folder, Block list, List<String> command) throws IOException {
-        Map<String, String> places = new HashMap<>();
+    private static UnpackedBundle of(Path folder, Block list, Started started, String here) throws IOException {
+        Map<String, String> places = new LinkedHashMap<>();
         for (Block file : list.blocks("files")) {
-            places.put(file.text("typed"), inside(folder, file.text("place")).toAbsolutePath().toString());
+            if (!file.has("platform") || file.text("platform").equals(here)) {
+                places.put(file.text("typed"), inside(folder, file.text("place")).toAbsolutePath().toString());
+            }
             file.flag("executable", false);
         }
         BotCommand typed;
         try {
-            typed = BotCommand.of(command, BotCommand.Prefix.JSON);
+            typed = BotCommand.of(started.command(), BotCommand.Prefix.JSON);
         } catch (IllegalArgumentException problem) {
             throw list.error("command", problem.getMessage(), "a program and its arguments");
         }
         list.done();
-        return new UnpackedBundle(folder, new BotCommand(typed.name(), typed.prefix(),
-            typed.words().stream().map(word -> places.getOrDefault(word, word)).toList()));
+        Path own = Files.createDirectories(inside(folder, started.folder().replaceFirst("/$", "")));
+        return new UnpackedBundle(folder, own, new BotCommand(typed.name(), typed.prefix(),
+            typed.words().stream().map(word -> places.getOrDefault(word, word)).toList()),
+            List.copyOf(places.values()));
     }
 
     /**
-     * Returns the program and its arguments.
+     * Returns the program.
      *
      * @throws InputException if it cannot be started here
      */
-    public List<String> words() {
-        List<String> resolved;
+    public Program program() {
         try {
-            resolved = command.resolve();
+            return new Program(command.resolve(folder), folder, files);
         } catch (IllegalArgumentException problem) {
             throw new InputException(problem.getMessage());
         }
-        if (command.prefix() == BotCommand.Prefix.BUILTIN || !Change.POSSIBLE) {
-            return resolved;
-        }
-        List<String> inFolder = new ArrayList<>(List.of("env", "-C",
-            folder.resolve(Bundle.HERE).toAbsolutePath().toString()));
-        inFolder.addAll(resolved);
-        return inFolder;
     }
 
     private static void remove(Path folder) {

@@ -9,6 +9,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Consumer;
 import steward.bot.command.Platform;
 import steward.contest.Contest;
+import steward.contest.ProgramWatch;
 import steward.contest.WorkerThreads;
 import steward.files.InputException;
 import steward.league.EarlierGames;
@@ -21,7 +22,6 @@ import steward.league.StoredGame;
 import steward.league.play.GamePlay;
 import steward.league.play.Roster;
 import steward.league.play.Roster.Member;
-import steward.league.play.RosterReader;
 import steward.league.store.GameQueries;
 import steward.league.store.GameStore;
 import steward.league.store.PartStore;
@@ -39,7 +39,7 @@ public final class PartPlay {
 
     private final PartStore part;
     private final Roster roster;
-    private final RosterReader reader;
+    private final ProgramWatch watch;
     private final Map<Integer, Member> members;
     private final GamePlay play;
     private final Schedule schedule;
@@ -67,16 +67,17 @@ public final class PartPlay {
      * A part that is to be played.
      *
      * @param part     with the versions of its bots, see {@link #prepare}
-     * @param roster   the bots, read by {@code reader}
+     * @param roster   the bots
+     * @param watch    over their programs
      * @param machine  what is noted with each game
      * @param nanos    after which no game is begun; {@code Long.MAX_VALUE} for no end
      * @param listener is told of each attempt that is stored, by any thread
      */
-    public PartPlay(LeagueFolder folder, PartStore part, Roster roster, RosterReader reader, Contest contest,
+    public PartPlay(LeagueFolder folder, PartStore part, Roster roster, ProgramWatch watch, Contest contest,
                     String machine, long nanos, Consumer<StoredGame> listener) {
         this.part = part;
         this.roster = roster;
-        this.reader = reader;
+        this.watch = watch;
         this.listener = listener;
         members = roster.byVersion();
         play = new GamePlay(part.season(), contest, new Transcripts(), machine, System::currentTimeMillis);
@@ -147,11 +148,27 @@ public final class PartPlay {
     /** Plays until the part or the time is over. Call once. */
     public void play(int threads) throws InterruptedException {
         WorkerThreads.run("part", threads, thread -> () -> {
-            for (Schedule.Task task = next(); task != null; task = next()) {
-                play(task);
+            while (watch.await(this::isOver)) {
+                String mark = watch.mark();
+                Schedule.Task task = next();
+                if (task == null) {
+                    return null;
+                }
+                play(task, mark);
             }
+            stop(watch.changed() == null ? null : watch.changed() + " has changed while the part was played; a part "
+                + "has one program for each bot");
             return null;
         });
+    }
+
+    private synchronized boolean isOver() {
+        return brokenOff || stopped != null;
+    }
+
+    private synchronized void stop(String why) {
+        stopped = stopped == null ? why : stopped;
+        notifyAll();
     }
 
     private synchronized Schedule.Task next() throws InterruptedException {
@@ -178,33 +195,29 @@ public final class PartPlay {
         return Arrays.stream(task.lineup()).mapToObj(members::get).toList();
     }
 
-    private void play(Schedule.Task task) throws InterruptedException {
+    /** @param mark of the programs, from before the game */
+    private void play(Schedule.Task task, String mark) throws InterruptedException {
         try {
             List<StoredGame> attempts = play.play(task, roster.settings(), seats(task));
-            if (isStored(task, attempts)) {
+            if (isStored(task, attempts, mark)) {
                 attempts.forEach(listener);
             }
         } catch (InputException problem) {
-            synchronized (this) {
-                stopped = stopped == null ? problem.getMessage() : stopped;
-                notifyAll();
-            }
+            stop(problem.getMessage());
         }
     }
 
-    private boolean isStored(Schedule.Task task, List<StoredGame> attempts) {
+    private boolean isStored(Schedule.Task task, List<StoredGame> attempts, String mark) {
         List<byte[]> kept = attempts.stream().map(game -> transcripts.remove(HexFormat.of().formatHex(game.name())))
             .toList();
         synchronized (this) {
             underWay--;
-            schedule.over(task);
             notifyAll();
-            Optional<Member> changed = seats(task).stream().filter(member ->
-                !reader.stamp(member.bot()).equals(member.stamp())).findFirst();
-            if (changed.isPresent() && stopped == null) {
-                stopped = changed.get().bot().name() + " has changed while the part was played; a part has one program "
-                    + "for each bot";
+            if (!watch.isSince(mark)) {
+                schedule.dropped(task);
+                return false;
             }
+            schedule.over(task);
             if (brokenOff || stopped != null) {
                 return false;
             }

@@ -10,6 +10,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
 import steward.bot.command.BotCommand;
+import steward.bot.command.Program;
 import steward.bot.isolation.Isolation;
 import steward.contest.Attempts;
 import steward.contest.BotStarter;
@@ -186,16 +187,16 @@ final class JobPlay {
             return known;
         }
         UnpackedBundle unpacked;
-        List<String> words;
+        Program program;
         try {
             unpacked = UnpackedBundle.of(folder, seat.bundle(), fetcher.fetch(seat.bundle(), seat.size()), platform);
-            words = unpacked.words();
+            program = unpacked.program();
         } catch (InputException problem) {
             throw new UnfitException(seat.bundle(), seat.name() + ": " + problem.getMessage());
         }
         Protocol protocol = unpacked.command().prefix() == BotCommand.Prefix.CODINGAME ? Protocol.CODINGAME
             : Protocol.JSON;
-        Entrant entrant = new Entrant(seat.name(), unpacked.command().toString(), protocol, words);
+        Entrant entrant = new Entrant(seat.name(), unpacked.command().toString(), protocol, program, null);
         String problem = BotTrial.problem(contest, entrant);
         if (problem != null) {
             throw new UnfitException(seat.bundle(), seat.name() + " does not run here: " + problem);

@@ -221,7 +221,7 @@ public final class Worker {
                 options.platform());
         HostedSetup setup = (HostedSetup) types.open(scene);
         if (files == null || setup.isOnClassPath() && !files.command().words().stream()
-                .allMatch(entry -> Path.of(entry).startsWith(files.folder().toAbsolutePath()))) {
+                .allMatch(entry -> Path.of(entry).startsWith(files.root().toAbsolutePath()))) {
             throw new RefusedException("the league's scene has a referee of its own, expected --guests here, and its "
                 + "files from the league");
         }

@@ -13,6 +13,7 @@ import java.util.Map;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import steward.bot.command.Program;
 import steward.bot.hold.HoldPolicy;
 
 /** Files that belong to a bot, and the files that it sees of others. */
@@ -32,7 +33,7 @@ class StrictViewTest {
     @Test
     void aProgramHasItsFolder() throws IOException {
         Path bot = program("mine/bot", "");
-        assertEquals(Set.of(folder.resolve("mine")), OwnFiles.of(List.of(bot.toString())));
+        assertEquals(Set.of(folder.resolve("mine")), OwnFiles.of(Program.here(List.of(bot.toString()))));
     }
 
     @Test
@@ -40,7 +41,7 @@ class StrictViewTest {
         Path python = program("pyenv/shims/python", "");
         Path script = program("mine/bot.py", "");
         assertEquals(Set.of(folder.resolve("pyenv"), folder.resolve("mine")),
-            OwnFiles.of(List.of(python.toString(), "-u", script.toString())));
+            OwnFiles.of(Program.here(List.of(python.toString(), "-u", script.toString()))));
     }
 
     @Test
@@ -50,14 +51,14 @@ class StrictViewTest {
         Files.createDirectories(link.getParent());
         Files.createSymbolicLink(link, real);
         assertEquals(Set.of(folder.resolve("venv"), folder.resolve("versions/3")),
-            OwnFiles.of(List.of(link.toString())));
+            OwnFiles.of(Program.here(List.of(link.toString()))));
     }
 
     @Test
     void theInterpreterInTheFirstLineIsLetIn() throws IOException {
         Path ruby = program("ruby/bin/ruby", "");
         Path bot = program("mine/bot", "#!" + ruby + " -w\nputs 1\n");
-        assertEquals(Set.of(folder.resolve("mine"), folder.resolve("ruby")), OwnFiles.of(List.of(bot.toString())));
+        assertEquals(Set.of(folder.resolve("mine"), folder.resolve("ruby")), OwnFiles.of(Program.here(List.of(bot.toString()))));
     }
 
     @Test
@@ -66,19 +67,19 @@ class StrictViewTest {
         Path jar = program("libs/a.jar", "");
         Path classes = Files.createDirectories(folder.resolve("classes"));
         assertEquals(Set.of(folder.resolve("jdk"), folder.resolve("libs"), classes),
-            OwnFiles.of(List.of(java.toString(), "-cp", jar + ":" + classes, "Bot")));
+            OwnFiles.of(Program.here(List.of(java.toString(), "-cp", jar + ":" + classes, "Bot"))));
     }
 
     @Test
     void aFolderThatHoldsHomesIsNeverABotsOwn() {
         Path home = OwnFiles.home();
-        Set<Path> own = OwnFiles.of(List.of("/bin/sh", home.toString(), "/"));
+        Set<Path> own = OwnFiles.of(Program.here(List.of("/bin/sh", home.toString(), "/")));
         assertFalse(own.contains(home) || own.contains(Path.of("/")) || own.contains(home.getParent()), own.toString());
     }
 
     private static StrictView view(Path mine, Path other, Path... visible) {
         Isolation usual = Isolation.at(SandboxLevel.STRICT);
-        return StrictView.of(List.of(mine.toString()), List.of(List.of(other.toString())),
+        return StrictView.of(Program.here(List.of(mine.toString())), List.of(Program.here(List.of(other.toString()))),
             new Isolation(SandboxLevel.STRICT, false, usual.limits(), usual.environment(), List.of(visible), List.of(),
                 HoldPolicy.NEVER));
     }
@@ -105,8 +106,8 @@ class StrictViewTest {
     /** A bot is started in the present folder, which has to be there, also where that is another bot's own. */
     @Test
     void thePresentFolderIsEmptyWhereItIsAnothersOwn() {
-        assertEquals(StrictView.Treatment.EMPTY_FOLDER, StrictView.of(List.of("/usr/bin/env"),
-            List.of(List.of("sh", "build.gradle")), Isolation.at(SandboxLevel.STRICT)).entries()
+        assertEquals(StrictView.Treatment.EMPTY_FOLDER, StrictView.of(Program.here(List.of("/usr/bin/env")),
+            List.of(Program.here(List.of("sh", "build.gradle"))), Isolation.at(SandboxLevel.STRICT)).entries()
             .get(Path.of("").toAbsolutePath()).treatment());
     }
 
@@ -143,7 +144,7 @@ class StrictViewTest {
         Path other = program("night/other", "");
         Files.writeString(folder.resolve("night/league.json"), "{}");
         assertEquals(Map.of(mine, StrictView.Treatment.SHOW), made(view(mine, other)));
-        assertEquals(Set.of(), OwnFiles.of(List.of(folder.resolve("night").toString())));
+        assertEquals(Set.of(), OwnFiles.of(Program.here(List.of(folder.resolve("night").toString()))));
     }
 
     /** The folder of the bot holds that of the league, in which is another bot of it. */
@@ -152,7 +153,7 @@ class StrictViewTest {
         Path mine = program("bots/bot", "");
         Path league = program("bots/night/other", "").getParent();
         Path third = program("bots/third", "");
-        StrictView view = StrictView.of(List.of(mine.toString()), List.of(),
+        StrictView view = StrictView.of(Program.here(List.of(mine.toString())), List.of(),
             Isolation.at(SandboxLevel.STRICT).hiding(List.of(league, third, mine)));
         assertEquals(Map.of(mine.getParent(), StrictView.Treatment.SHOW, league, StrictView.Treatment.HIDE_FOLDER,
             third, StrictView.Treatment.HIDE_FILE), made(view));
@@ -175,13 +176,13 @@ class StrictViewTest {
         Path base = program("python/bin/python3", "");
         Path copy = program("venv/bin/python3", "");
         Files.writeString(folder.resolve("venv/pyvenv.cfg"), "home = " + base.getParent() + "\nversion = 3.11\n");
-        assertEquals(Set.of(folder.resolve("venv"), folder.resolve("python")), OwnFiles.of(List.of(copy.toString())));
+        assertEquals(Set.of(folder.resolve("venv"), folder.resolve("python")), OwnFiles.of(Program.here(List.of(copy.toString()))));
     }
 
     @Test
     void whatBelongsToTheMachineIsNeverHidden() throws IOException {
         Path mine = program("mine/bot", "");
-        StrictView view = StrictView.of(List.of(mine.toString()), List.of(List.of("/bin/sh", "/etc/passwd")),
+        StrictView view = StrictView.of(Program.here(List.of(mine.toString())), List.of(Program.here(List.of("/bin/sh", "/etc/passwd"))),
             Isolation.at(SandboxLevel.STRICT));
         assertTrue(view.entries().values().stream().noneMatch(entry -> entry.treatment()
             == StrictView.Treatment.HIDE_FILE || entry.treatment() == StrictView.Treatment.HIDE_FOLDER));

@@ -18,6 +18,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import steward.bot.command.Program;
 import steward.bot.command.ProgramFinder;
 import steward.bot.command.ProgramTrial;
 import steward.bot.isolation.Isolation;
@@ -41,7 +42,7 @@ class StrictFilesTest {
         ScriptedBots.assumeWorks(SandboxLevel.STRICT);
     }
 
-    private static String said(List<String> command, List<List<String>> others, Isolation isolation) {
+    private static String said(List<String> command, List<Program> others, Isolation isolation) {
         try (BotProcess bot = new BotProcess("bot", new Launch(command, isolation, others), 0)) {
             return ScriptedBots.reply(bot, "go\n");
         }
@@ -88,8 +89,8 @@ class StrictFilesTest {
                     league.resolve("bot.sh"))) {
                 List<String> command = new ArrayList<>(List.of("sh", write(script, SPY).toString()));
                 Isolation isolation = Isolation.at(SandboxLevel.STRICT).hiding(List.of(league))
-                    .hidingFilesOf(List.of(List.of("sh", league.resolve("bots/third.sh").toString())));
-                List<List<String>> others = List.of(List.of("sh", league.resolve("bots/other/bot.sh").toString()));
+                    .hidingFilesOf(List.of(Program.here(List.of("sh", league.resolve("bots/third.sh").toString()))));
+                List<Program> others = List.of(Program.here(List.of("sh", league.resolve("bots/other/bot.sh").toString())));
                 command.add("/" + files.stream().map(Path::toString).reduce((a, b) -> a + " /" + b).orElseThrow());
                 // In one word, so that no path of it belongs to the bot by being named.
                 Files.writeString(script, "set -f; set -- $1; " + SPY);
@@ -180,15 +181,15 @@ class StrictFilesTest {
         String bot = write(folder.resolve("project/dist/bot.js"), "").toString();
         Isolation strict = Isolation.at(SandboxLevel.STRICT);
         List<String> command = List.of("/bin/sh", bot);
-        assertEquals(List.of(data), MissingFiles.of(command, List.of("cannot open '" + data + "': No such file"),
+        assertEquals(List.of(data), MissingFiles.of(Program.here(command), List.of("cannot open '" + data + "': No such file"),
             strict));
-        assertEquals(List.of(folder.resolve("jdk")), MissingFiles.of(command, List.of("sh: 1: exec: " + program
+        assertEquals(List.of(folder.resolve("jdk")), MissingFiles.of(Program.here(command), List.of("sh: 1: exec: " + program
             + ": not found"), strict));
-        assertEquals(List.of(module.getParent().getParent()), MissingFiles.of(command,
+        assertEquals(List.of(module.getParent().getParent()), MissingFiles.of(Program.here(command),
             List.of("Error: Cannot find module 'left-pad'"), strict));
-        assertEquals(List.of(), MissingFiles.of(command, List.of("/usr: /tmp /bin/sh " + bot + " /no/such/file"),
+        assertEquals(List.of(), MissingFiles.of(Program.here(command), List.of("/usr: /tmp /bin/sh " + bot + " /no/such/file"),
             strict));
-        assertEquals(List.of(data.getParent()), MissingFiles.of(command, List.of("no luck in " + data.getParent()),
+        assertEquals(List.of(data.getParent()), MissingFiles.of(Program.here(command), List.of("no luck in " + data.getParent()),
             strict));
     }
 }

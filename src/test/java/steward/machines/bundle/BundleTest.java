@@ -51,7 +51,7 @@ class BundleTest {
 
         UnpackedBundle unpacked = UnpackedBundle.of(folder.resolve("there"), bundle.hash(), bundle.bytes(),
             Platform.here());
-        Path there = Path.of(unpacked.words().get(unpacked.words().size() - 1));
+        Path there = Path.of(unpacked.program().words().get(1));
         assertTrue(there.startsWith(folder.resolve("there").toAbsolutePath()), there.toString());
         assertEquals(Files.readString(program), Files.readString(there));
         assertTrue(Files.isExecutable(there));

@@ -18,7 +18,6 @@ import steward.files.InputException;
 import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
 import steward.league.sequential.Gsprt;
-import steward.match.Protocol;
 
 /** {@code steward league sprt}: a sequential test between two bots of a league. */
 @Command(name = "sprt", description = "Tests whether one bot of a league is better than another, with the games that "
@@ -68,17 +67,17 @@ public final class LeagueSprtCommand extends ProgramCommand {
             Stream.generate(() -> fill).limit(Math.max(0, players - 2))).map(name -> entrant(settings, name)).toList();
         Contest.checkPlayable(empty.setup(), entrants);
         Contest contest = empty.between(entrants);
-        try (StoredSeries store = StoredSeries.open(folder.path(), contest, settings.factor(),
-                List.copyOf(LeagueOpening.environment(settings).keySet()), streams)) {
-            store.refuseTwins();
-            return new SprtRun(streams, contest, test, options.ending(), store,
-                json ? Verbosity.JSON : Verbosity.FULL)
-                .play(store.ownSeed(), threads.count(streams));
-        }
+        return StoredSeries.play(folder.path(), contest, settings.factor(),
+            List.copyOf(LeagueOpening.environment(settings).keySet()), streams, (store, watch) -> {
+                store.refuseTwins();
+                return new SprtRun(streams, contest, test, options.ending(), store,
+                    json ? Verbosity.JSON : Verbosity.FULL)
+                    .play(store.ownSeed(), threads.count(streams), watch);
+            });
     }
 
     private static Contest.Entrant entrant(LeagueSettings settings, String name) {
-        Contest.Entrant entrant = Contest.entrant(LeagueOpening.bot(settings, name).typed(), Protocol.JSON);
+        Contest.Entrant entrant = LeagueOpening.bot(settings, name).entrant();
         if (entrant.problem() != null) {
             throw new InputException(entrant.problem());
         }

@@ -1,0 +1,71 @@
+package steward.cli.options;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+import steward.files.OutputFiles;
+
+/**
+ * The option that gives a bot a folder: it stands after the option that names the bot, and is for that one. In commands
+ * whose bots are no options it is for all of them.
+ */
+public final class BotFolders {
+
+    private static final String IN = "--in";
+    private static final List<String> NAMING = List.of("--bot", "--against", "--fill");
+
+    private final CallCheck check = CallCheck.withHelp();
+
+    @Spec(Spec.Target.MIXEE)
+    private CommandSpec command;
+
+    @Option(names = IN, paramLabel = "DIR", description = "The folder of the bot before it: the words of its command "
+        + "are found there, and it is started there (default: the current folder).")
+    private List<String> folders = new ArrayList<>();
+
+    /** The folder where bots are no options; the current one if none is named. */
+    public Path folder() {
+        check.that(folders.size() <= 1, IN + ": found " + folders.size() + " folders, expected one");
+        return folders.isEmpty() ? Path.of("") : folder(folders.get(0));
+    }
+
+    /** The folders of the bots that an option names, in their order. */
+    public List<Path> of(String option) {
+        List<Path> found = new ArrayList<>();
+        String bot = null;
+        boolean taken = false;
+        int next = 0;
+        // The parser keeps the values of each option by itself; which stood after which, only the words of the call say.
+        List<String> words = command.commandLine().getParseResult().originalArgs();
+        for (String word : words.stream().takeWhile(each -> !each.equals("--")).toList()) {
+            String name = word.startsWith("--") ? word.split("=", 2)[0] : "";
+            if (NAMING.contains(name)) {
+                bot = name;
+                taken = false;
+                if (name.equals(option)) {
+                    found.add(Path.of(""));
+                }
+            } else if (name.equals(IN)) {
+                String typed = folders.get(next++);
+                check.that(bot != null, IN + ": found '" + typed + "' before any bot, expected it after the " + option
+                    + " that it is for");
+                check.that(!taken, IN + ": found '" + typed + "' for a bot that has one already, expected one folder");
+                taken = true;
+                if (bot.equals(option)) {
+                    found.set(found.size() - 1, folder(typed));
+                }
+            }
+        }
+        return found;
+    }
+
+    private Path folder(String typed) {
+        Path folder = OutputFiles.path(typed);
+        check.that(Files.isDirectory(folder), IN + ": found '" + typed + "', expected a folder that is there");
+        return folder.toAbsolutePath().normalize();
+    }
+}
