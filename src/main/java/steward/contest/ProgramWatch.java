@@ -194,7 +194,7 @@ public final class ProgramWatch {
         Map<Path, String> read = new LinkedHashMap<>();
         for (Watched each : programs) {
             for (Path file : each.program().paths()) {
-                read.put(file.normalize(), digest(file));
+                read.put(file, digest(file));
             }
         }
         return read;

@@ -60,13 +60,13 @@ public final class SeriesPlay {
         this(series, overwrite, match, ProgramWatch.of(series.contest(), waiting -> { }));
     }
 
-    /**
-     * A series whose programs are watched by the caller's watch.
-     *
-     * @param watch over its programs: when one becomes another, no further game is begun
-     */
+    /** @param watch over its programs: when one becomes another, no further game is begun */
     @Internal
-    public SeriesPlay(Series series, boolean overwrite, MatchPlay match, ProgramWatch watch) {
+    public SeriesPlay(Series series, boolean overwrite, ProgramWatch watch) {
+        this(series, overwrite, Contest::play, watch);
+    }
+
+    private SeriesPlay(Series series, boolean overwrite, MatchPlay match, ProgramWatch watch) {
         this.series = series;
         this.match = match;
         this.overwrite = overwrite;

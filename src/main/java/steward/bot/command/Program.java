@@ -75,9 +75,9 @@ public record Program(List<String> words, Path folder, List<String> named) {
         return List.copyOf(files);
     }
 
-    /** Its {@link #files()} as the system finds them, absolute. */
+    /** Its {@link #files()}, absolute. */
     public List<Path> paths() {
-        return files().stream().map(folder::resolve).toList();
+        return files().stream().map(file -> folder.resolve(file).normalize()).toList();
     }
 
     /** Returns what changes when one of its files has been touched, or is missing. No file is read. */

@@ -48,7 +48,7 @@ final class OwnFiles {
         OwnFiles own = new OwnFiles();
         own.program(ProgramFinder.find(bot.words().get(0), bot.folder()), true);
         Set<Path> files = named(bot.words().subList(1, bot.words().size()), bot.folder());
-        bot.paths().stream().map(Path::normalize).filter(Files::exists).forEach(files::add);
+        bot.paths().stream().filter(Files::exists).forEach(files::add);
         for (Path file : files) {
             if (Files.isDirectory(file)) {
                 own.folder(file);
@@ -68,7 +68,7 @@ final class OwnFiles {
         boolean installed = program == null || program.getParent() == null || program.getParent().getFileName() == null
             || PROGRAM_FOLDERS.contains(program.getParent().getFileName().toString());
         Set<Path> files = named(installed ? bot.words().subList(1, bot.words().size()) : bot.words(), bot.folder());
-        bot.paths().stream().map(Path::normalize).filter(Files::exists)
+        bot.paths().stream().filter(Files::exists)
             .filter(file -> !installed || !file.equals(program)).forEach(files::add);
         return files;
     }

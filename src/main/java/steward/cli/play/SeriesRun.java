@@ -9,7 +9,6 @@ import steward.cli.shared.Verbosity;
 import steward.cli.streams.Interruption;
 import steward.cli.streams.ProgressLine;
 import steward.cli.streams.Streams;
-import steward.contest.Contest;
 import steward.contest.ProgramWatch;
 import steward.contest.Series;
 import steward.contest.SeriesPlay;
@@ -44,7 +43,7 @@ record SeriesRun(Streams streams, Series series, Verbosity report, boolean stric
     int play(int threads, boolean overwrite, Consumer<Series.Played> keeper, ProgramWatch watch)
             throws InterruptedException {
         series.prepare(overwrite);
-        SeriesPlay play = new SeriesPlay(series, overwrite, Contest::play, watch);
+        SeriesPlay play = new SeriesPlay(series, overwrite, watch);
         AtomicBoolean told = new AtomicBoolean();
         if (report == Verbosity.FULL && series.games() != series.seeds()) {
             streams.err().println(TextFormat.count(series.seeds(), "seed") + ", "

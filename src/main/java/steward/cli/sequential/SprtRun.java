@@ -164,8 +164,11 @@ public final class SprtRun {
                 + "games have no result, or all bots failed at once");
             return ExitStatus.FAILED;
         }
-        tell();
-        if (changed != null && test.state(scores) == Gsprt.State.OPEN) {
+        boolean ended = changed != null && test.state(scores) == Gsprt.State.OPEN;
+        if (!ended || store == null) {
+            tell();
+        }
+        if (ended) {
             streams.err().println("steward: the test ends undecided after "
                 + TextFormat.count(scores.observations() * scores.games(), "game") + ": " + TextFormat.plain(changed)
                 + " has changed, and a verdict is of one version of each bot"

@@ -57,15 +57,17 @@ public final class RosterReader {
         List<LeagueBot> active = settings.active();
         // Before the files are read: what is written meanwhile is seen as a change.
         List<String> stamps = active.stream().map(identity::stamp).toList();
-        Map<LeagueBot, String> identities = identities(active);
         List<Entrant> entrants = new ArrayList<>();
         for (LeagueBot bot : active) {
             Entrant entrant = bot.on(HERE).entrant();
             if (entrant.problem() != null && bot.playsOn(HERE)) {
-                throw new InputException(entrant.problem());
+                throw new InputException(entrant.problem() + (bot.folder() != null
+                    || !entrant.problem().contains("there is no file") ? ""
+                        : "; run the league from the folder in which it was added, or add it anew"));
             }
             entrants.add(entrant);
         }
+        Map<LeagueBot, String> identities = identities(active);
         Contest.checkPlayable(contest.setup(), entrants);
         List<Roster.Member> members = new ArrayList<>();
         for (int k = 0; k < active.size(); k++) {

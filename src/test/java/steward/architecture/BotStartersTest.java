@@ -1,0 +1,104 @@
+package steward.architecture;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import com.tngtech.archunit.core.domain.JavaAccess;
+import com.tngtech.archunit.core.domain.JavaClass;
+import java.io.OutputStream;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
+import org.junit.jupiter.api.Test;
+import picocli.CommandLine;
+import steward.cli.Main;
+import steward.cli.streams.Streams;
+import steward.contest.Contest;
+import steward.contest.ProgramWatch;
+
+/** Everything that starts bots is known, and what plays more than one game watches their programs. */
+class BotStartersTest {
+
+    /** Number of games that a caller of {@link Contest#play} plays. */
+    private enum Games {
+        /** One, or attempts at one. */
+        ONE,
+        /** Many, watched by a {@link ProgramWatch}. */
+        WATCHED,
+        /** Many; whoever calls it watches. */
+        BY_ITS_CALLERS,
+        /** Of programs that nobody changes: unpacked from a bundle, or the workshop's own. */
+        OWN
+    }
+
+    private static final Map<String, Games> PLAYERS = new TreeMap<>(Map.ofEntries(
+        Map.entry("steward.cli.check.BotCheck", Games.ONE),
+        Map.entry("steward.cli.play.RunCommand", Games.ONE),
+        Map.entry("steward.cli.play.SingleMatch", Games.ONE),
+        Map.entry("steward.contest.CountedGame", Games.ONE),
+        Map.entry("steward.contest.PairedPlay", Games.WATCHED),
+        Map.entry("steward.contest.SeriesPlay", Games.WATCHED),
+        Map.entry("steward.league.play.KeptGames", Games.BY_ITS_CALLERS),
+        Map.entry("steward.machines.part.PartPlay", Games.WATCHED),
+        Map.entry("steward.machines.worker.BotTrial", Games.OWN),
+        Map.entry("steward.machines.worker.JobPlay", Games.OWN)));
+
+    /** Commands that other tools call with programs of theirs, and those whose words are names of a league's bots. */
+    private static final Set<String> WITHOUT_FOLDER = new TreeSet<>(Set.of("games", "help", "play", "prune"));
+
+    private static Set<String> callersOf(Class<?> type, String method) {
+        return HouseClasses.all().stream().filter(each -> !each.getPackageName().startsWith("steward.lab"))
+            .filter(each -> each.getAccessesFromSelf().stream().anyMatch(access -> isOf(access, type, method))
+                || each.getMethodReferencesFromSelf().stream().anyMatch(access -> isOf(access, type, method)))
+            .map(each -> outermost(each).getName()).collect(Collectors.toCollection(TreeSet::new));
+    }
+
+    private static boolean isOf(JavaAccess<?> access, Class<?> type, String method) {
+        return access.getTargetOwner().isEquivalentTo(type) && access.getName().equals(method);
+    }
+
+    private static JavaClass outermost(JavaClass type) {
+        return type.getEnclosingClass().map(BotStartersTest::outermost).orElse(type);
+    }
+
+    private static boolean watches(String name) {
+        return HouseClasses.all().get(name).getDirectDependenciesFromSelf().stream().anyMatch(each ->
+            each.getTargetClass().isEquivalentTo(ProgramWatch.class)
+                || each.getTargetClass().getName().equals("steward.league.play.RosterWatch"));
+    }
+
+    @Test
+    void everythingThatPlaysIsKnown() {
+        assertEquals(PLAYERS.keySet(), callersOf(Contest.class, "play"));
+    }
+
+    @Test
+    void whatPlaysManyGamesWatchesThePrograms() {
+        PLAYERS.forEach((player, games) -> assertEquals(games == Games.WATCHED, watches(player), player));
+        Set<String> leagues = callersOf(HouseClasses.all().get("steward.league.play.GamePlay").reflect(), "play");
+        assertEquals(Set.of("steward.league.play.LeagueRun", "steward.machines.part.PartPlay"), leagues);
+        leagues.forEach(each -> assertTrue(watches(each), each));
+    }
+
+    private static void addWithBots(CommandLine command, Set<String> with, Set<String> without) {
+        boolean bots = command.getCommandSpec().options().stream().anyMatch(option -> option.longestName()
+            .equals("--bot")) || command.getCommandSpec().positionalParameters().stream().anyMatch(parameter ->
+                parameter.paramLabel().equals("BOT") || parameter.paramLabel().equals("COMMAND"));
+        if (bots) {
+            (command.getCommandSpec().findOption("--in") == null ? without : with).add(command.getCommandName());
+        }
+        command.getSubcommands().values().forEach(each -> addWithBots(each, with, without));
+    }
+
+    @Test
+    void everyCommandThatTakesABotTakesItsFolder() {
+        Set<String> with = new TreeSet<>();
+        Set<String> without = new TreeSet<>();
+        addWithBots(Main.program(new Streams(OutputStream.nullOutputStream(), OutputStream.nullOutputStream(), false,
+            false), null), with, without);
+        assertEquals(new TreeSet<>(Set.of("add", "check", "feed", "match", "sprt", "tune")), with);
+        assertEquals(WITHOUT_FOLDER, without);
+    }
+}
