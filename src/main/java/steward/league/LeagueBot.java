@@ -80,7 +80,8 @@ public record LeagueBot(String name, String command, String folder, List<String>
     /** Returns this bot with the command and the files of a platform, if there are any for it. */
     public LeagueBot on(String here) {
         return platforms.stream().filter(each -> each.platform().equals(here)).findFirst().map(each ->
-            new LeagueBot(name, each.command(), each.folder(), each.files(), random, retired, resumed, List.of())).orElse(this);
+            new LeagueBot(name, each.command(), each.folder(), each.files(), random, retired, resumed, List.of()))
+            .orElse(this);
     }
 
     public LeagueBot with(ForPlatform more) {

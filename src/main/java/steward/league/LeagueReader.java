@@ -216,7 +216,7 @@ public final class LeagueReader {
     private static String folder(Block block) {
         String folder = block.has(FOLDER) ? block.text(FOLDER) : null;
         if (folder != null && (folder.isBlank() || folder.indexOf('\0') >= 0)) {
-            throw block.error(FOLDER, block.shown(FOLDER), "the path of a folder, which may be relative to the league's");
+            throw block.error(FOLDER, block.shown(FOLDER), "the path of a folder");
         }
         return folder;
     }

@@ -153,8 +153,8 @@ public record BotCommand(String name, Prefix prefix, List<String> words) {
     /** Returns the word that names the bot: a file after an interpreter, otherwise the program. */
     public String nameGiver(Path folder) {
         String program = words.get(0);
-        return prefix == Prefix.BUILTIN || !ProgramFinder.runsOthers(program) ? program : words.stream().skip(1).filter(word -> ProgramFinder.isFile(word, folder))
-            .findFirst().orElse(program);
+        return prefix == Prefix.BUILTIN || !ProgramFinder.runsOthers(program) ? program
+            : words.stream().skip(1).filter(word -> ProgramFinder.isFile(word, folder)).findFirst().orElse(program);
     }
 
     /**

@@ -76,8 +76,8 @@ public final class SandboxSupport {
         List<String> bot = List.of(ProgramFinder.find("sh").toString(), "-c",
             "[ $$ -lt 10 ] && [ -d /proc/$$ ] && exit " + INSIDE);
         try {
-            ProgramTrial tried = ProgramTrial.of(Launch.words(Isolation.at(level), Program.here(bot), List.of(), null, null),
-                PATIENCE_MS);
+            ProgramTrial tried = ProgramTrial.of(Launch.words(Isolation.at(level), Program.here(bot), List.of(), null,
+                null), PATIENCE_MS);
             return tried.status() == INSIDE ? null
                 : FailedTrial.here().reason(TextFormat.shorten(TextFormat.plain(tried.line()), SHOWN),
                 tried.status());

@@ -39,7 +39,7 @@ public final class BotFolders {
         String bot = null;
         boolean taken = false;
         int next = 0;
-        // The parser keeps the values of each option by itself; which stood after which, only the words of the call say.
+        // The parser keeps the values of each option; which stood after which, only the words of the call say.
         List<String> words = command.commandLine().getParseResult().originalArgs();
         for (String word : words.stream().takeWhile(each -> !each.equals("--")).toList()) {
             String name = word.startsWith("--") ? word.split("=", 2)[0] : "";

@@ -13,6 +13,7 @@ import steward.bot.command.Program;
 import steward.bot.process.Debugger;
 import steward.cli.options.BotFolders;
 import steward.cli.options.BuiltinBotWords;
+import steward.cli.options.OptionSection;
 import steward.cli.options.ProgramCommand;
 import steward.cli.options.ProtocolWord;
 import steward.cli.options.RefereeOption;
@@ -94,17 +95,21 @@ public final class FeedCommand extends ProgramCommand {
         description = "Waits for Enter before turn N is sent (default: before everything).")
     private Integer pause;
 
+    @OptionSection("Playing on")
     @Option(names = "--from-turn", paramLabel = "N", description = "With --replace: the first turn that the bot plays.")
     private Integer from;
 
+    @OptionSection("Playing on")
     @Option(names = "--replace",
         description = "Lets the bot play on in place of the player; with --from-turn and --out.")
     private boolean replace;
 
+    @OptionSection("Playing on")
     @Option(names = "--out", paramLabel = "NEW",
         description = "With --replace: where the new replay goes; - is the standard output.")
     private String out;
 
+    @OptionSection("Playing on")
     @Option(names = "--overwrite", description = "Replaces a replay that exists.")
     private boolean overwrite;
 

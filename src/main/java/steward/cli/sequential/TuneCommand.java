@@ -287,7 +287,8 @@ public final class TuneCommand extends ProgramCommand {
 
     private String named(String text) {
         BotCommand parsed = BotCommand.parse(text);
-        return PREFIX + parsed.displayName(folders.of("--bot").get(0)) + "=" + new BotCommand(null, parsed.prefix(), parsed.words());
+        return PREFIX + parsed.displayName(folders.of("--bot").get(0)) + "="
+            + new BotCommand(null, parsed.prefix(), parsed.words());
     }
 
     private Contest contest(List<String> bots, List<Path> own) {
