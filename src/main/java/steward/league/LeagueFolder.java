@@ -149,15 +149,11 @@ public record LeagueFolder(Path path) {
     public void write(LeagueSettings settings) {
         String text = LeagueText.write(settings.located(this::stored));
         try {
-<<<<<<< HEAD
             LeagueReader.read(text, settings().toString());
         } catch (SceneException unusable) {
             throw new InputException(unusable.getMessage() + "; nothing was written");
         }
         try {
-=======
-            String text = LeagueText.write(settings.located(this::stored));
->>>>>>> 4649e35b (Folders and files of bots in the manual; lines of 120)
             OutputFiles.replace(settings(), text.getBytes(StandardCharsets.UTF_8));
         } catch (IOException problem) {
             throw new InputException(settings() + ": cannot be written: " + OutputFiles.reason(settings(), problem));
