@@ -52,7 +52,7 @@ export function drawGames() {
     const last = make(row, 'td');
     if (game.replay === 'live') {
       const link = make(last, 'a', 'Watch', 'link');
-      link.href = `replay/${game.id}`;
+      link.href = `replay/${game.id}${faultOf(game)}`;
       link.target = '_blank';
       link.rel = 'noopener';
     } else if (game.replay === 'page') {
@@ -65,12 +65,21 @@ export function drawGames() {
   find('more').hidden = found.length <= state.shown;
 }
 
-/** Opens a replay that is in this page: the page of a match, put together here. */
+/** The link to the moment at which a bot failed, the one that is looked at if it did; empty if none did. */
+function faultOf(game) {
+  const failed = game.seats.flatMap((seat, player) => (seat.fault ? [player] : []));
+  const player = failed.find(each => game.seats[each].version === state.bot) ?? failed[0];
+  return player === undefined ? '' : `#fault=${player}`;
+}
+
+/** Opens a replay that is in this page: the page of a match, put together here; where a bot failed, at that moment. */
 function watch(game, names) {
   const escape = text => text.replaceAll('&', '&amp;').replaceAll('<', '&lt;').replaceAll('>', '&gt;').replaceAll('"', '&quot;');
   const title = game.seats.map(seat => names.get(seat.version)?.name ?? '?').join(' against ');
-  const page = state.league.shell.before.replaceAll('{{title}}', escape(title)) + state.league.replays[game.id] + state.league.shell.after;
+  const { before, after } = state.league.shell;
+  const [replay, details] = state.league.replays[game.id];
+  const page = before.replaceAll('{{title}}', escape(title)) + replay + after.replace('{{details}}', details);
   const address = URL.createObjectURL(new Blob([page], { type: 'text/html' }));
   window.steward.opened = address;
-  window.open(address, '_blank');
+  window.open(address + faultOf(game), '_blank');
 }

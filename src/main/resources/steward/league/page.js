@@ -1,6 +1,7 @@
 // The page of a league: everything is drawn from one object, which comes with the page or by server-sent events.
 
 import { Theme } from '../view/theme.js';
+import { loadLibrary } from '../view/unpack.js';
 import { drawBot } from './bot.js';
 import { connectMatrix, drawCross } from './cross.js';
 import { drawGames, options } from './games.js';
@@ -23,7 +24,7 @@ function drawAll() {
   const { league } = state;
   const left = [[league.repeats, 'only repeat earlier ones'], [league.again, 'were played again'], [league.without, 'have no result']]
     .filter(([count]) => count).map(([count, words]) => `${thousands(count)} ${words}`);
-  const all = league.games + league.repeats + league.again + league.without;
+  const all = league.games + (league.repeats ?? 0) + league.again + league.without;
   find('scene').textContent = `${thousands(all)} games of ${league.scene}`
     + (left.length ? `: ${[`${thousands(league.games)} count`, ...left].join(', ')}` : '')
     + (league.rate ? `, ${fixed(league.rate, league.rate < 10 ? 2 : 0)} a second` : '');
@@ -102,9 +103,11 @@ addEventListener('resize', () => {
   });
 });
 
-const data = find('data').textContent;
-if (data.trim()) {
-  state.league = JSON.parse(data);
-  drawAll();
-}
-if (document.body.dataset.feed) follow(document.body.dataset.feed);
+loadLibrary().then(() => {
+  const data = find('data').textContent;
+  if (data.trim()) {
+    state.league = JSON.parse(data);
+    drawAll();
+  }
+  if (document.body.dataset.feed) follow(document.body.dataset.feed);
+});

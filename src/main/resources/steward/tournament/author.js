@@ -8,8 +8,9 @@
     const link = event.target.closest('[data-game]');
     if (!link) return;
     event.preventDefault();
-    const page = data.shell.before.replaceAll('{{title}}', escape(link.dataset.title))
-      + data.replays[link.dataset.game] + data.shell.after;
+    const [replay, details] = data.replays[link.dataset.game];
+    const page = data.shell.before.replaceAll('{{title}}', escape(link.dataset.title)) + replay
+      + data.shell.after.replace('{{details}}', details);
     const address = URL.createObjectURL(new Blob([page], { type: 'text/html' })) + link.hash;
     window.steward.opened = address;
     window.open(address, '_blank');

@@ -15,8 +15,11 @@ function actionsOf(page) {
     ArrowRight: () => playback.stepTurn(1),
     ArrowUp: () => playback.changeSpeed(1),
     ArrowDown: () => playback.changeSpeed(-1),
-    '[': () => playback.stepImpact(-1),
-    ']': () => playback.stepImpact(1),
+    '[': () => page.step('impact', -1),
+    ']': () => page.step('impact', 1),
+    i: isBack => page.step('impact', isBack ? -1 : 1),
+    e: isBack => page.step('event', isBack ? -1 : 1),
+    x: isBack => page.step('fault', isBack ? -1 : 1),
     Home: () => playback.seek(0),
     End: () => playback.toEnd(),
     l: () => playback.live && playback.followLive(),
@@ -29,6 +32,8 @@ function actionsOf(page) {
     '-': () => zoomMiddle(page, ZOOM_STEP),
     0: () => page.pointer.follow('field'),
     Escape: () => page.pointer.select(null),
+    d: () => page.side.fold(),
+    '/': () => control('search').focus(),
     '?': () => control('help').showModal(),
   };
 }
@@ -48,7 +53,7 @@ function zoomMiddle(page, pixels) {
 export function connectControls(page) {
   const actions = actionsOf(page);
   document.querySelectorAll('[data-key]').forEach(button => {
-    button.addEventListener('click', () => page.stage && actions[button.dataset.key]());
+    button.addEventListener('click', () => page.stage && actions[button.dataset.key](button.hasAttribute('data-back')));
   });
   document.addEventListener('keydown', event => onKey(event, actions, page));
   control('speed').append(...SPEEDS.map(speed => new Option(`${speed}×`, String(speed))));
@@ -69,7 +74,7 @@ export function connectControls(page) {
 }
 
 function onKey(event, actions, page) {
-  if (control('help').open || !page.stage) return;
+  if (document.querySelector('dialog[open]') || !page.stage) return;
   const { target, key } = event;
   const menu = target.closest?.('details[open]');
   if (key === 'Escape' && menu) {
@@ -83,7 +88,7 @@ function onKey(event, actions, page) {
     || /^Arrow(Up|Down)$/.test(key) && target.closest?.('[tabindex="0"]');
   if (event.ctrlKey || event.altKey || event.metaKey || isElsewhere || !actions[name]) return;
   event.preventDefault();
-  actions[name]();
+  actions[name](event.shiftKey);
 }
 
 /** Menus close by Escape and by a click outside of them. */

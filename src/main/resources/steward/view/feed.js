@@ -1,12 +1,12 @@
 // Where turns come from: the replay that is embedded in the page, or a live match.
 
+import { unpacked } from './unpack.js';
+
 const LOST_MS = 20_000;         // without a connection for so long, a live match is given up
 
-/** The lines of text that is embedded in the page, gzip in base64. */
+/** The lines of text that is embedded in the page. */
 export async function embeddedLines(source) {
-  const bytes = Uint8Array.from(atob(source.textContent.trim()), letter => letter.charCodeAt(0));
-  const plain = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'));
-  return (await new Response(plain).text()).split('\n').filter(line => line);
+  return (await unpacked(source)).split('\n').filter(line => line);
 }
 
 /** Whoever serves the match goes when it is over: what Save gives is fetched before, and kept by the page. */

@@ -27,14 +27,19 @@ export class Happened {
   }
   #key = '';
 
+  /** Events that the game tells of, of one player or, if null, of all. */
+  eventsOf(player) {
+    const told = this.match.events.filter(({ event }) => event.text);
+    return player === null ? told : told.filter(({ event, turn }) => this.timeline.ownerOf(event, turn) === player);
+  }
+
   /** All of it in the order of time; made anew when the match has grown. */
   #all() {
     const { impacts, events, faults } = this.match;
     const size = impacts.length + events.length + faults.length;
     if (this.#size !== size) {
       this.#size = size;
-      const told = events.filter(({ event }) => event.text);
-      this.#list = [...impacts, ...told, ...faults].sort((one, other) => one.time - other.time);
+      this.#list = [...impacts, ...this.eventsOf(null), ...faults].sort((one, other) => one.time - other.time);
     }
     return this.#list;
   }

@@ -1,5 +1,6 @@
 // For tests and for the curious, in the console: where the page stands, and where it draws what.
 
+import { impactsCsv, statesCsv } from './csv.js';
 import { contactOf, flashRadius } from './effects.js';
 import { pairOf } from './timeline.js';
 
@@ -30,6 +31,7 @@ export function hookOf(page) {
       const [from, to] = [toWindow(left, top), toWindow(right, bottom)];
       return { left: from.x, top: from.y, right: to.x, bottom: to.y };
     },
+    csv: id => (id === undefined ? { states: statesCsv(page.match), impacts: impactsCsv(page.match) } : { states: statesCsv(page.match, id) }),
     playing: () => page.playback.playing,
     follows: () => page.playback.follows,
     speed: () => page.playback.speed,

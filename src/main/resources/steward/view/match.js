@@ -18,6 +18,7 @@ export class Match {
   start = null;
   descriptions = new Map();
   sent = null;                    // lines that each player was sent, by turn; null where they are not known
+  errors = new Map();             // which line of a bot's stderr says why it failed, by turn and player
   isSparse = false;               // whether the states of some turns were left out: bodies fly straight between them
 
   get lastTurn() {
@@ -101,7 +102,7 @@ export class Match {
       this.impacts.push({ time: turn.number - 1 + impact.time, turn: turn.number, impact });
       this.largestImpulse = Math.max(this.largestImpulse, Math.abs(impact.impulse ?? 0));
     }
-    for (const event of turn.events) {
+    for (const event of [...turn.events].sort((one, other) => one.time - other.time)) {
       this.events.push({ time: turn.number - 1 + event.time, turn: turn.number, event });
     }
     turn.faults.forEach((fault, player) => {
@@ -136,6 +137,12 @@ export class Match {
   /** What is known of a body in a turn: from its end, or from its start for a body that ceased to be in it. */
   describeIn(id, number) {
     return this.describe(id, this.turn(number)?.bodies.get(id) ?? this.turn(number - 1)?.bodies.get(id));
+  }
+
+  /** The line of a player's stderr in a turn that says why it failed; empty where there is none, or where none is known. */
+  errorLine(number, player) {
+    const line = this.errors.get(`${number} ${player}`);
+    return line === undefined ? '' : this.turn(number).stderr[player].split(/\r\n|\r|\n/)[line] ?? '';
   }
 
   /** Name of a wall by its place: a side of the field, or its kind with its number where several have the name. */

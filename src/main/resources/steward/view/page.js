@@ -1,20 +1,27 @@
 // Puts the page together: reads the embedded replay or follows a live match, and connects clock, drawing and controls.
 
+import { Cards } from './cards.js';
 import { Charts } from './charts.js';
 import { connectControls } from './controls.js';
+import { impactsCsv, statesCsv } from './csv.js';
 import { embeddedLines, followFeed } from './feed.js';
 import { Happened } from './happened.js';
 import { lookOf } from './looks.js';
 import { Match } from './match.js';
-import { BodyList, Cards, StateTable } from './panels.js';
+import { BodyList, StateTable } from './panels.js';
 import { Playback } from './playback.js';
 import { Pointer } from './pointer.js';
 import { Ending, Scores } from './scores.js';
+import { Search } from './search.js';
 import { Series } from './series.js';
 import { Share } from './share.js';
+import { Sheet } from './sheet.js';
+import { Side } from './side.js';
 import { Stage } from './stage.js';
 import { Theme } from './theme.js';
+import { nameOf } from './text.js';
 import { Timeline } from './timeline.js';
+import { loadLibrary } from './unpack.js';
 import './podrace.js';
 import './searchrace.js';
 import './meanmax.js';
@@ -36,6 +43,8 @@ export class Page {
   theme = new Theme(() => this.redrawAll());
   playback = new Playback(this.match, () => this.changed());
   share = new Share(this);
+  sheet = new Sheet(find('sheet'), this.share);
+  side = new Side(find('grip'), find('fold'));
   pointer = new Pointer(this);
   #lastFrame = 0;
   #lastPanels = 0;
@@ -67,15 +76,54 @@ export class Page {
     this.timeline.connect(this.playback);
     this.charts = new Charts(find('charts'), match, theme, this.series, look, seek);
     this.scores = new Scores(find('scores'), match, look, this.series);
-    this.cards = new Cards(find('cards'), match, look);
+    this.cards = new Cards(find('cards'), match, look, this.sheet, player => {
+      this.#chosen = player === this.mine ? null : player;
+      this.refresh();
+    });
+    this.search = new Search({ input: /** @type {HTMLInputElement} */ (find('search')), list: find('found'), count: find('found-count') }, match, look, sought => {
+      this.cards.sought = sought;
+      this.refresh();
+    }, place => this.#goTo(place));
+    this.search.time = () => this.playback.time;
+    this.#connectExports();
     this.bodies = new BodyList(find('bodies'), match, look, id => this.pointer.choose(id));
     this.happened = new Happened(find('happened'), match, this.timeline, seek);
     this.table = new StateTable(find('state'), find('state-when'), match, look);
-    this.ending = new Ending(find('ending'), match);
+    this.ending = new Ending(find('ending'), match, this.series, seek);
     find('scene').textContent = `${match.header.scene?.name ?? match.header.game} · seed ${match.header.seed}`;
     document.body.classList.toggle('drawingless', look.isUndrawn);
     new ResizeObserver(() => this.redrawAll()).observe(find('field'));
     this.redrawAll();
+  }
+
+  #connectExports() {
+    const { match, share } = this;
+    const actions = { states: () => share.csv('states', statesCsv(match)), impacts: () => share.csv('impacts', impactsCsv(match)),
+      body: () => share.csv(`body-${this.stage.selected}`, statesCsv(match, this.stage.selected)), whole: () => this.table.openWhole(this.sheet) };
+    document.querySelectorAll('[data-export]').forEach(button =>
+      button.addEventListener('click', () => actions[button.dataset.export]()));
+  }
+
+  /** The player whose events count: the one whose name was pressed, or the owner of the selected body; null for all. */
+  get mine() {
+    const owner = this.stage.selected === null ? null : this.match.describeIn(this.stage.selected, this.playback.moment.turn).owner;
+    return this.#chosen ?? owner;
+  }
+  #chosen = null;
+
+  /** To the next or last impact, event of the player that counts, or fault. */
+  step(kind, direction) {
+    const { match, playback, happened } = this;
+    const list = kind === 'impact' ? match.impacts : kind === 'fault' ? match.faults : happened.eventsOf(this.mine);
+    if (!playback.stepTo(list, direction)) this.tell(`There is no ${direction > 0 ? 'later' : 'earlier'} ${kind}`);
+  }
+
+  /** To a place that was found. */
+  #goTo(place) {
+    this.playback.seek(place.time);
+    this.refresh();
+    this.draw();
+    if (place.player !== null) this.cards.reveal(place);
   }
 
   /** After a change of size or colours. */
@@ -157,13 +205,25 @@ export class Page {
       this.#shownState = key;
       this.table.update(moment);
     }
-    if (moment.turn === this.#shownTurn) return;            // what is being selected or scrolled there stays
-    this.#shownTurn = moment.turn;
+    this.#showSteps();
+    const shown = `${moment.turn} ${this.mine} ${this.cards.sought}`;
+    if (shown === this.#shownTurn) return;                  // what is being selected or scrolled there stays
+    this.#shownTurn = shown;
     find('turn-shown').textContent = moment.turn === 0 ? 'Start' : `Turn ${moment.turn}`;
-    this.cards.update(moment.turn);
+    this.cards.update(moment.turn, this.mine);
+  }
+
+  /** What there is to go to, and whose events. */
+  #showSteps() {
+    const { match, mine, stage } = this;
+    const has = { impact: match.impacts.length > 0, event: match.events.some(({ event }) => event.text), fault: match.faults.length > 0 };
+    for (const [kind, isThere] of Object.entries(has)) find(`step-${kind}`).hidden = !isThere;
+    find('event-of').textContent = mine === null ? 'Event' : `Event of ${nameOf(match, mine)}`;
+    find('export-body').disabled = stage.selected === null;
+    find('export-body').textContent = stage.selected === null ? 'Selected body' : `Body ${stage.selected}`;
   }
   #shownState = NaN;
-  #shownTurn = NaN;
+  #shownTurn = '';
 
   #updateLink(now) {
     const link = `#t=${this.playback.time.toFixed(2)}`;
@@ -176,8 +236,14 @@ export class Page {
     }
   }
 
-  /** Goes to the moment that a link names, #t=28.66 or #turn=57; returns whether it names one. */
+  /** Goes to the moment that a link names, #t=28.66, #turn=57, #fault or #fault=1 of a player; returns whether it names one. */
   followLink(link = location.hash) {
+    const failed = /^#fault(?:=(\d+))?$/.exec(link);
+    if (failed) {
+      const fault = this.match.faults.find(each => failed[1] === undefined || each.player === Number(failed[1]));
+      if (fault) this.playback.seek(fault.time);
+      return Boolean(fault);
+    }
     const named = /^#(?:t|turn)=(\d+(?:\.\d+)?)$/.exec(link);
     if (named && Math.abs(Number(named[1]) - this.playback.time) > 0.005) this.playback.seek(Number(named[1]));
     return Boolean(named);
@@ -208,9 +274,10 @@ export class Page {
 
 async function showEmbedded(page, source) {
   const lines = await embeddedLines(source);
-  const sent = find('sent')?.textContent.trim() ? await embeddedLines(find('sent')) : null;
+  const [errors, ...sent] = find('details').textContent.trim() ? await embeddedLines(find('details')) : ['[]'];
   page.isLinkKept = true;
-  page.match.sent = sent?.map(line => JSON.parse(line)) ?? null;
+  page.match.sent = sent.length ? sent.map(line => JSON.parse(line)) : null;
+  JSON.parse(errors).forEach(([turn, player, line]) => page.match.errors.set(`${turn} ${player}`, line));
   lines.forEach(line => page.addLine(line));
   page.isLinkKept = false;
   page.say(source.dataset.warning ?? '');
@@ -223,6 +290,7 @@ async function start() {
   connectControls(page);
   const source = find('replay');
   try {
+    await loadLibrary();
     if (source.dataset.feed) followFeed(page, source.dataset.feed);
     else await showEmbedded(page, source);
     page.redrawAll();

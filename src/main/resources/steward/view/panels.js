@@ -1,82 +1,14 @@
-// Beside the field: what each player was sent, said and did in the turn shown, the bodies, and the state drawn.
+// Beside the field: the bodies with their speeds, and the state drawn.
 
-import { readNotes } from './notes.js';
-import { answerMs, limitMs } from './series.js';
-import { element, grouped, nameOf, plainNumber, show, shorten } from './text.js';
+import { broken } from './json.js';
+import { element, grouped, nameOf, shorten } from './text.js';
 import { inTeamColour } from './theme.js';
 
-const MOST_COMMAND = 600;
-const MOST_MESSAGE = 280;
-const MOST_STDERR = 6000;
-const MOST_SENT = 8000;
 const MOST_ROWS = 60;
+const MOST_WHOLE = 5000;        // rows of the sheet; CSV has all
+const MOST_FIELD = 24;          // characters
 const MOST_ACROSS = 4;          // with more bodies than this, each has a row instead of a column
 const MOST_BODIES = 12;         // in the list of bodies with their speeds
-
-/** One card per player: what it was sent and answered, message, stderr, answer time and fault of the turn shown. */
-export class Cards {
-  constructor(root, match, look) {
-    this.match = match;
-    this.look = look;
-    this.cards = match.players.map((_, player) => this.#makeCard(player));
-    root.replaceChildren(...this.cards.map(card => card.root));
-  }
-
-  #makeCard(player) {
-    const card = { time: element('span', 'answer-time'), fault: element('p', 'fault'),
-      command: element('pre', 'command'), words: element('bdi'), stderr: element('pre', 'stderr'),
-      sent: element('pre', 'sent') };
-    card.message = element('p', 'message', null, card.words);
-    for (const [area, name] of [[card.stderr, 'stderr of'], [card.sent, 'sent to']]) {
-      area.tabIndex = 0;
-      area.setAttribute('aria-label', `${name} ${nameOf(this.match, player)}`);
-    }
-    card.sentBox = element('details', 'sent-box', null, element('summary', '', 'was sent'), card.sent);
-    card.sentBox.hidden = true;
-    card.sentBox.addEventListener('toggle', () => this.#fillSent(card, player));
-    card.root = inTeamColour(element('article', 'card', null,
-      element('h3', '', null, element('b', 'name', nameOf(this.match, player)), card.time),
-      card.sentBox, card.fault, card.command, card.message, card.stderr), player);
-    return card;
-  }
-
-  update(number) {
-    this.number = number;
-    const turn = this.match.turn(number);
-    this.cards.forEach((card, player) => {
-      const message = turn.messages?.[player];
-      show(card.time, this.#timeText(turn, player));
-      show(card.fault, turn.faults?.[player] && shorten(turn.faults[player], MOST_MESSAGE));
-      show(card.command, this.#commandText(turn, player, turn.commands?.[player]));
-      show(card.words, message && shorten(message, MOST_MESSAGE));
-      card.message.hidden = card.words.hidden;
-      show(card.stderr, shorten(readNotes(turn.stderr?.[player]).text, MOST_STDERR));
-      card.sentBox.hidden = !this.match.sent?.[number]?.[player];
-      this.#fillSent(card, player);
-    });
-  }
-
-  #fillSent(card, player) {
-    const sent = this.match.sent?.[this.number]?.[player];
-    if (card.sentBox.open && sent) card.sent.textContent = shorten(sent, MOST_SENT);
-  }
-
-  #commandText(turn, player, command) {
-    if (turn.number === 0) return 'before the first turn';
-    if (command === null || command === undefined) {
-      return turn.faults[player] ? '' : this.match.isIn(player, turn.number) ? 'not asked in this turn'
-        : 'out: not asked any more';
-    }
-    return shorten(this.look.commandLines(command, player, this.match).join('\n'), MOST_COMMAND);
-  }
-
-  #timeText(turn, player) {
-    const ms = answerMs(this.match, turn, player);
-    if (ms === null) return '';
-    const limit = limitMs(this.match, turn.number);
-    return `${ms.toFixed(ms < 10 ? 2 : 1)} ms${Number.isFinite(limit) ? ` of ${plainNumber(limit)}` : ''}`;
-  }
-}
 
 /** Bodies of players with their speed as a bar; a click selects one, and the field follows the choice. */
 export class BodyList {
@@ -150,10 +82,21 @@ export class StateTable {
   }
 
   #show(bodies, turn, state) {
-    const fields = [...new Set(bodies.slice(0, MOST_ROWS).flatMap(body => Object.keys(body)))]
-      .filter(field => field !== 'id');
-    const table = bodies.length <= MOST_ACROSS ? this.#across(bodies, fields) : this.#down(bodies, fields);
+    this.#shown = { bodies, state };
+    const fields = fieldsOf(bodies.slice(0, MOST_ROWS));
+    const table = bodies.length <= MOST_ACROSS ? this.#across(bodies, fields) : this.#down(bodies, fields, MOST_ROWS, MOST_FIELD);
     this.root.replaceChildren(...bodies.length ? [table] : [], this.#rest(turn, state));
+  }
+  #shown = { bodies: [], state: {} };
+
+  /** Opens the state in a sheet: every body in a row, and all else as the replay has it. */
+  openWhole(sheet) {
+    const { bodies, state } = this.#shown;
+    const fields = fieldsOf(bodies);
+    const rest = broken(JSON.stringify({ ...state, bodies: undefined }));
+    const rows = [['id', ...fields], ...bodies.map(body => [body.id, ...fields.map(field => plain(body[field]))])];
+    sheet.open(`State ${this.caption.textContent}`, [...bodies.length ? [this.#down(bodies, fields, MOST_WHOLE, Infinity)] : [],
+      element('pre', '', rest === '{}' ? '' : rest)], [...rows.map(row => row.join('\t')), rest].join('\n'));
   }
 
   /** A column per body. */
@@ -165,10 +108,10 @@ export class StateTable {
   }
 
   /** A row per body. */
-  #down(bodies, fields) {
+  #down(bodies, fields, most, longest) {
     const head = element('tr', '', null, element('th', '', 'id'), ...fields.map(field => element('th', '', field)));
-    const rows = bodies.slice(0, MOST_ROWS).map(body => element('tr', '', null, this.#heading(body),
-      ...fields.map(field => element('td', '', this.#text(field, body)))));
+    const rows = bodies.slice(0, most).map(body => element('tr', '', null, this.#heading(body),
+      ...fields.map(field => element('td', '', this.#text(field, body, longest)))));
     const left = bodies.length - rows.length;
     if (left > 0) rows.push(element('tr', '', null, element('td', '', `and ${left} more`)));
     return element('table', '', null, head, ...rows);
@@ -178,8 +121,8 @@ export class StateTable {
     return inTeamColour(element('th', '', String(body.id)), this.match.describe(body.id, body).owner);
   }
 
-  #text(field, body) {
-    return body[field] === undefined ? '' : shorten(this.look.field(field, body[field]), 24);
+  #text(field, body, longest = MOST_FIELD) {
+    return body[field] === undefined ? '' : shorten(this.look.field(field, body[field]), longest);
   }
 
   #rest(turn, state) {
@@ -194,4 +137,12 @@ export class StateTable {
     if (turn.hash) rest.append(element('dt', '', 'hash'), element('dd', '', turn.hash));
     return rest;
   }
+}
+
+function fieldsOf(bodies) {
+  return [...new Set(bodies.flatMap(body => Object.keys(body)))].filter(field => field !== 'id');
+}
+
+function plain(value) {
+  return typeof value === 'object' ? JSON.stringify(value) : String(value ?? '');
 }

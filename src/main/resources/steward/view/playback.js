@@ -114,12 +114,11 @@ export class Playback {
     this.seek(direction > 0 ? Math.floor(this.time + SAME) + 1 : Math.ceil(this.time - SAME) - 1);
   }
 
-  /** To the next or last impact; stays where there is none. */
-  stepImpact(direction) {
-    const impacts = this.match.impacts;
-    const next = direction > 0 ? firstAfter(impacts, this.time + SAME)
-      : firstAfter(impacts, this.time - SAME) - 1;
-    if (impacts[next]) this.seek(impacts[next].time);
+  /** To the next or last of a list in the order of time; returns false, and stays, where there is none. */
+  stepTo(list, direction) {
+    const next = direction > 0 ? firstAfter(list, this.time + SAME) : firstAfter(list, this.time - SAME) - 1;
+    if (list[next]) this.seek(list[next].time);
+    return Boolean(list[next]);
   }
 
   setSpeed(speed) {

@@ -81,9 +81,10 @@ export class Scores {
 export class Ending {
   isDismissed = false;
 
-  constructor(root, match) {
-    this.root = root;
-    this.match = match;
+  root; match; series; onSeek;
+
+  constructor(root, match, series, onSeek) {
+    Object.assign(this, { root, match, series, onSeek });
   }
 
   update(isAtEnd) {
@@ -110,7 +111,28 @@ export class Ending {
     list.setAttribute('aria-label', 'Ranks');
     this.root.replaceChildren(
       element('p', 'headline', this.#headline(result)),
-      element('p', 'reason', `${shorten(result.ending, MOST_REASON)}, turn ${result.turns}`), list, close);
+      element('p', 'reason', `${shorten(result.ending, MOST_REASON)}, turn ${result.turns}`, this.#leadWords(result)), list, close);
+  }
+
+  /** Since when the winner was ahead of all others, or who was ahead in its place. */
+  #leadWords({ standing }) {
+    const lead = this.series.lead();
+    const winners = standing.flatMap(({ rank }, player) => (rank === 0 ? [player] : []));
+    if (!lead || winners.length !== 1 || standing.length < 2) return '';
+    const [winner] = winners;
+    const last = lead[0].length - 1;
+    const isAhead = (player, turn) => lead.every((list, other) => other === player || (lead[player][turn] ?? 0) > (list[turn] ?? 0));
+    let turn = last;
+    while (turn >= 0 && isAhead(winner, turn)) turn--;
+    if (turn < last) return this.#momentButton(`${nameOf(this.match, winner)} was ahead from turn ${turn + 1} to the end`, turn + 1);
+    const leader = lead.findIndex((_, player) => isAhead(player, last));
+    return leader < 0 ? '' : element('span', 'then', `${nameOf(this.match, leader)} was ahead at the end`);
+  }
+
+  #momentButton(words, time) {
+    const button = element('button', 'then', words);
+    button.addEventListener('click', () => this.onSeek(time));
+    return button;
   }
 
   #headline(result) {
@@ -122,8 +144,12 @@ export class Ending {
 
   #rankLine({ player, rank, score, out }, result) {
     const why = result.players[player]?.fault ?? out;
+    const fault = this.match.faults.find(each => each.player === player);
+    const line = fault && this.match.errorLine(fault.time, player).trim();
+    const reason = why ? [fault ? this.#momentButton(`out in turn ${fault.time}: ${shorten(why, MOST_REASON)}`, fault.time)
+      : `out: ${shorten(why, MOST_REASON)}`, line ? element('code', '', shorten(line, MOST_REASON)) : ''] : [];
     return inTeamColour(element('li', '', null, element('span', 'rank', String(rank + 1)),
       element('b', 'name', shorten(nameOf(this.match, player), MOST_NAME)), element('span', 'points', grouped(score)),
-      element('span', 'why', why ? `out: ${shorten(why, MOST_REASON)}` : '')), player);
+      element('span', 'why', null, ...reason)), player);
   }
 }

@@ -22,17 +22,28 @@ export class Share {
       return;
     }
     const address = location.href.split('#')[0] + moment;
+    page.tell(await this.copy(address) ? 'Link copied' : address);
+  }
+
+  /** Copies a text; returns whether it could. */
+  async copy(text) {
     try {
-      await navigator.clipboard.writeText(address);
-      page.tell('Link copied');
+      await navigator.clipboard.writeText(text);
+      return true;
     } catch {
       const field = document.createElement('textarea');     // where the clipboard is closed to pages, as in a file
-      field.value = address;
-      document.body.append(field);
+      field.value = text;
+      (document.querySelector('dialog[open]') ?? document.body).append(field);
       field.select();
-      page.tell(document.execCommand('copy') ? 'Link copied' : address);
+      const isCopied = document.execCommand('copy');
       field.remove();
+      return isCopied;
     }
+  }
+
+  /** Saves a table. */
+  csv(name, text) {
+    this.#save(new Blob([text], { type: 'text/csv' }), `${name}.csv`);
   }
 
   /** A PNG of the field and who plays. */
@@ -40,7 +51,7 @@ export class Share {
     const { match, playback, stage } = this.page;
     const names = match.players.map((_, player) => nameOf(match, player)).join(' – ');
     pictureOf(stage, names, `${match.header.scene?.name ?? match.header.game} · ${playback.time.toFixed(2)}`)
-      .toBlob(blob => this.#save(blob, 'png'), 'image/png');
+      .toBlob(blob => this.#save(blob, `${playback.time.toFixed(2)}.png`), 'image/png');
   }
 
   /** A WebM of the next seconds, played at the present speed. */
@@ -67,7 +78,7 @@ export class Share {
       stream.getTracks().forEach(track => track.stop());
       document.body.classList.remove('recording');
       this.#recorder = null;
-      this.#save(new Blob(parts, { type: 'video/webm' }), 'webm');
+      this.#save(new Blob(parts, { type: 'video/webm' }), `${page.playback.time.toFixed(2)}.webm`);
     });
     recorder.start();
     page.playback.play();
@@ -75,10 +86,10 @@ export class Share {
   }
   #recorder = null;
 
-  #save(blob, ending) {
+  #save(blob, what) {
     const link = document.createElement('a');
     const name = (this.page.match.header.scene?.name ?? 'match').replace(/[^\w-]+/g, '-');
-    link.download = `${name}-${this.page.playback.time.toFixed(2)}.${ending}`;
+    link.download = `${name}-${what}`;
     link.href = URL.createObjectURL(blob);
     link.click();
     setTimeout(() => URL.revokeObjectURL(link.href), 60_000);

@@ -16,6 +16,7 @@ import steward.cli.check.BotCheck;
 import steward.cli.check.CheckCommand;
 import steward.cli.check.Dialog;
 import steward.cli.league.view.GameFailures;
+import steward.cli.shared.Games;
 import steward.contest.Failure;
 import steward.league.StoredGame;
 import steward.league.StoredGame.StoredSeat;
@@ -63,7 +64,7 @@ record AuthorPage(TournamentCommand.Entry entry, int version, List<StoredGame> g
     void write(Path file) throws IOException {
         List<StoredGame> bad = games.stream().filter(game -> own(game).fault() != null || own(game).rank() > 0)
             .sorted(Comparator.comparing(game -> own(game).fault() == null)).toList();
-        EmbeddedReplays kept = EmbeddedReplays.of(bad, replays, (game, seat) ->
+        EmbeddedReplays kept = EmbeddedReplays.of(bad, replays, Games.types(), (game, seat) ->
             game.seats().get(seat).version() == version);
         ReplayPage.Shell shell = ReplayPage.shell();
         boolean any = !kept.replays().isEmpty();
@@ -115,7 +116,8 @@ record AuthorPage(TournamentCommand.Entry entry, int version, List<StoredGame> g
             page.append("<td>");
             if (kept.replays().containsKey(game.id())) {
                 boolean failed = own(game).fault() != null;
-                page.append("<a href=\"#turn=").append(failed ? Math.max(1, own(game).answers()) : game.turns())
+                page.append("<a href=\"#").append(failed ? "fault=" + game.seats().indexOf(own(game))
+                        : "turn=" + game.turns())
                     .append("\" data-game=").append(game.id()).append(" data-title=\"")
                     .append(Html.escape(entry.name() + (against.isEmpty() ? "" : " against " + against))).append("\">")
                     .append(failed ? "the failure" : "the end").append("</a>");

@@ -361,7 +361,8 @@ public final class TournamentCommand extends ProgramCommand {
         Collections.reverse(games);
         ByteArrayOutputStream html = new ByteArrayOutputStream();
         LeaguePage.write(new LeagueView(played.season(), ratings, played.path(), games, Double.NaN, List.of()),
-            league.replays(), EmbeddedReplays.of(games, league.replays(), (game, seat) -> false), html, "Tournament");
+            league.replays(), EmbeddedReplays.of(games, league.replays(), Games.types(), (game, seat) -> false), html,
+            "Tournament");
         OutputFiles.replace(file, html.toByteArray());
     }
 }

@@ -7,6 +7,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.BiPredicate;
+import steward.game.GameTypes;
+import steward.json.JsonObject;
 import steward.league.StoredGame;
 import steward.replay.ReplayException;
 import steward.replay.page.ReplayPage;
@@ -17,7 +19,7 @@ import tools.jackson.core.JsonGenerator;
  *
  * @param replays as they stand in a page
  */
-public record EmbeddedReplays(Map<Long, String> replays) {
+public record EmbeddedReplays(Map<Long, ReplayPage.Embedded> replays) {
 
     /** Replays that a page holds at most, together, in bytes of the page: it is still opened in a moment. */
     private static final long MOST_BYTES = 24 << 20;
@@ -27,19 +29,21 @@ public record EmbeddedReplays(Map<Long, String> replays) {
      *
      * @param games  the most important first
      * @param folder of the replays
+     * @param types  games with which they are played again, so that the pages have what bots were sent; or {@code null}
      * @param stderr whether what the bot of a seat wrote there may be seen; {@code null} for all
      */
-    public static EmbeddedReplays of(List<StoredGame> games, Path folder, BiPredicate<StoredGame, Integer> stderr) {
-        Map<Long, String> embedded = new LinkedHashMap<>();
+    public static EmbeddedReplays of(List<StoredGame> games, Path folder, GameTypes types,
+                                     BiPredicate<StoredGame, Integer> stderr) {
+        Map<Long, ReplayPage.Embedded> embedded = new LinkedHashMap<>();
         long bytes = 0;
         for (StoredGame game : games) {
             if (game.replay() == null || !Files.isRegularFile(folder.resolve(game.replay()))) {
                 continue;
             }
             try {
-                String replay = ReplayPage.embedded(folder.resolve(game.replay()),
+                ReplayPage.Embedded replay = ReplayPage.embedded(folder.resolve(game.replay()), types,
                     stderr == null ? null : seat -> stderr.test(game, seat));
-                bytes += replay.length();
+                bytes += replay.replay().length() + replay.details().length();
                 if (bytes > MOST_BYTES) {
                     break;
                 }
@@ -54,7 +58,8 @@ public record EmbeddedReplays(Map<Long, String> replays) {
     /** The fields {@code replays} and {@code shell}. */
     public void write(JsonGenerator out, ReplayPage.Shell shell) {
         out.writeObjectPropertyStart("replays");
-        replays.forEach((game, replay) -> out.writeStringProperty(Long.toString(game), replay));
+        replays.forEach((game, replay) ->
+            JsonObject.writeTexts(out, Long.toString(game), List.of(replay.replay(), replay.details())));
         out.writeEndObject();
         if (!replays.isEmpty()) {
             out.writeObjectPropertyStart("shell");

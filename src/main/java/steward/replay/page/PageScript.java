@@ -35,19 +35,15 @@ final class PageScript {
     private PageScript() { }
 
     /**
-     * Returns the script that begins with a library, if there is one, and ends with a module and all it imports.
+     * Returns the script that ends with a module, after all that it imports.
      *
-     * @param library resource of a plain script that declares a variable, or {@code null}
-     * @param module  resource of the last module
-     * @param more    resource of a module to be added before it, or {@code null}
+     * @param module resource of the last module
+     * @param more   resource of a module to be added before it, or {@code null}
      * @throws IllegalStateException if a module is missing, imports itself in a circle, or repeats a name
      */
-    static String of(String library, String module, String more) {
+    static String of(String module, String more) {
         PageScript page = new PageScript();
         page.script.append("(() => {\n'use strict';\n");
-        if (library != null) {
-            page.script.append(Resources.text(library)).append('\n');
-        }
         if (more != null) {
             page.add(more);
         }

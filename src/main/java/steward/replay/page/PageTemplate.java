@@ -12,13 +12,15 @@ import steward.files.Sha256;
 
 /**
  * The page around a replay or other data: {@code page.html} with its places, written <code>{{name}}</code>, filled in.
- * All modules become one script; the content security policy names it and the style sheet by their hashes, so that
- * nothing else can run.
+ * All modules become one script; the content security policy names it, the library of charts and the style sheet by
+ * their hashes, so that nothing else can run.
  */
 public final class PageTemplate {
 
     private static final String OF_REPLAYS = "/steward/view/";
-    private static final String LIBRARY = OF_REPLAYS + "uPlot.js";
+    /** Script of the charts, which no one reads: it is packed in the page, and runs by itself. */
+    private static final String LIBRARY = Resources.text(OF_REPLAYS + "uPlot.js");
+    private static final String PACKED_LIBRARY = ReplayPage.embedded(LIBRARY.getBytes(StandardCharsets.UTF_8));
     private static final String LIBRARY_STYLE = OF_REPLAYS + "uPlot.css";
     /** A module for a game whose jar is installed: it calls {@code addLook} of {@code ../view/looks.js}. */
     private static final String LOOK_OF_GAME = "/steward/looks/%s.js";
@@ -40,7 +42,7 @@ public final class PageTemplate {
     static PageTemplate ofReplay(String title, String game) {
         PageTemplate page = new PageTemplate(OF_REPLAYS, title, lookOf(game));
         page.put("meta", "");
-        page.put("sent", "");
+        page.put("details", "");
         return page;
     }
 
@@ -57,10 +59,11 @@ public final class PageTemplate {
     private PageTemplate(String folder, String title, String look) {
         template = Resources.text(folder + "page.html");
         style = Resources.text(LIBRARY_STYLE) + Resources.text(folder + "page.css");
-        script = PageScript.of(LIBRARY, folder + "page.js", look);
+        script = PageScript.of(folder + "page.js", look);
         values.put("title", escape(title));
         values.put("style", style);
         values.put("script", script);
+        values.put("library", PACKED_LIBRARY);
     }
 
     private static String lookOf(String game) {
@@ -91,14 +94,14 @@ public final class PageTemplate {
      * them.
      */
     public String policy(String connect, String otherScript, String otherStyle) {
-        return "default-src 'none'; script-src " + hash(script) + otherScript + "; style-src " + hash(style)
+        return "default-src 'none'; script-src " + scriptHash() + otherScript + "; style-src " + hash(style)
             + otherStyle
             + "; img-src data:; connect-src " + connect + "; base-uri 'none'; form-action 'none'";
     }
 
-    /** The hash of its script, as a policy has it. */
+    /** The hashes of its script and of the library, as a policy has them. */
     String scriptHash() {
-        return hash(script);
+        return hash(script) + " " + hash(LIBRARY);
     }
 
     /** The hash of its style sheet, as a policy has it. */

@@ -4,6 +4,7 @@ import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -12,6 +13,7 @@ import java.util.Base64;
 import java.util.function.IntPredicate;
 import java.util.zip.Deflater;
 import java.util.zip.GZIPOutputStream;
+import steward.game.GameTypes;
 import steward.replay.JsonLine;
 import steward.replay.RecordedTurn;
 import steward.replay.ReplayException;
@@ -46,8 +48,7 @@ public final class ReplayPage {
         byte[] whole = warning == null ? replay : upToCut(replay);
         PageTemplate page = PageTemplate.ofReplay(title, gameOf(replay, source));
         page.put("meta", extras.meta(title));
-        byte[] sent = extras.types() == null ? null : SentFrames.of(whole, source, extras.types());
-        page.put("sent", sent == null ? "" : embedded(sent));
+        page.put("details", embedded(PageDetails.of(whole, source, extras.types())));
         page.put("policy", page.policy("'none'"));
         page.put("save", "");
         page.put("source", warning == null ? "" : "data-warning=\"" + PageTemplate.escape(warning) + "\"");
@@ -77,7 +78,7 @@ public final class ReplayPage {
      * The page without a replay and without a title, for a page that puts several together by itself.
      *
      * @param before     the page up to the replay; <code>{{title}}</code> stands where the title goes, as HTML
-     * @param after      the rest
+     * @param after      the rest; <code>{{details}}</code> stands where the details go
      * @param scriptHash what the policy of the other page has to allow
      * @param styleHash  likewise
      */
@@ -89,25 +90,40 @@ public final class ReplayPage {
         page.put("policy", page.policy("'none'"));
         page.put("save", "");
         page.put("source", "");
+        page.put("details", "{{details}}");
         return new Shell(page.before(), page.after(), page.scriptHash(), page.styleHash());
     }
 
     /**
-     * A replay as it stands in a page: gzip in base64.
+     * A replay as it stands in a page, gzip in base64.
      *
+     * @param details what the page has besides it, likewise
+     */
+    public record Embedded(String replay, String details) { }
+
+    /**
+     * Reads a replay for a page.
+     *
+     * @param types  games with which it is played again, so that the page has what bots were sent; or {@code null}
      * @param stderr whether what a player wrote there, and its command, may be seen; {@code null} for all
      * @throws IOException     if it cannot be read
      * @throws ReplayException if the file is no replay, of a newer format, or damaged before its end
      */
-    public static String embedded(Path replay, IntPredicate stderr) throws IOException {
+    public static Embedded embedded(Path replay, GameTypes types, IntPredicate stderr) throws IOException {
         byte[] bytes = Files.readAllBytes(replay);
         byte[] whole = check(bytes, replay.toString()) == null ? bytes : upToCut(bytes);
-        return embedded(stderr == null ? whole : OwnStderr.of(whole, stderr));
+        byte[] seen = stderr == null ? whole : OwnStderr.of(whole, stderr);
+        return new Embedded(embedded(seen), embedded(PageDetails.of(seen, replay.toString(), types)));
     }
 
-    private static String embedded(byte[] lines) throws IOException {
+    /** Bytes as they stand in a page: gzip in base64. */
+    static String embedded(byte[] bytes) {
         ByteArrayOutputStream text = new ByteArrayOutputStream();
-        embed(lines, text);
+        try {
+            embed(bytes, text);
+        } catch (IOException inMemory) {
+            throw new UncheckedIOException(inMemory);
+        }
         return text.toString(StandardCharsets.US_ASCII);
     }
 

@@ -32,7 +32,7 @@ final class SentFrames {
     }
 
     private static String lines(ReplayReader replay, GameTypes types) {
-        Resimulation again = new Resimulation(replay.header(), null, types, replay.source());
+        Resimulation again = new Resimulation(replay.header(), replay.start(), types, replay.source());
         int players = replay.header().names().size();
         Dialogue[] frames = new Dialogue[players];
         StringBuilder lines = new StringBuilder("[");

@@ -88,6 +88,10 @@ class LeaguePageTest {
             browser.click("#games button.link");
             browser.lastWindow();
             assertTrue(browser.text("h1").contains(" against "), browser.text("h1"));
+            assertTrue(browser.is("[...document.querySelectorAll('#cards .fault')].some(fault => !fault.hidden)"),
+                "a game in which a bot failed opens at that turn");
+            assertTrue(browser.is("[...document.querySelectorAll('#cards .sent-box')].some(sent => !sent.hidden)"),
+                "what was sent is there");
             assertEquals(List.of(), browser.complaints());
         }
     }

@@ -49,7 +49,7 @@ class ViewTest {
         assertTrue(html.startsWith("<!DOCTYPE html>") && html.strip().endsWith("</html>"), "it is whole");
         assertTrue(html.contains("<title>" + title + "</title>"));
         assertTrue(html.contains("type=\"application/octet-stream\" >H4sI"), "it holds a replay");
-        assertTrue(html.contains("<script id=\"sent\" type=\"application/octet-stream\">H4sI"),
+        assertTrue(html.contains("<script id=\"details\" type=\"application/octet-stream\">H4sI"),
             "it holds what bots were sent");
     }
 

@@ -16,7 +16,7 @@ class PageScriptTest {
     void modulesStandInTheOrderOfTheirImportsEachOnce() {
         assertEquals("(() => {\n'use strict';\nconst base = 1;\n\n\nconst left = base + 1;\n\n\n"
             + "const right = base + 2;\n\n\n"
-            + "window.sum = left + right;\n\n})();\n", PageScript.of(null, FOLDER + "top.js", null));
+            + "window.sum = left + right;\n\n})();\n", PageScript.of(FOLDER + "top.js", null));
     }
 
     @Test
@@ -40,7 +40,7 @@ class PageScriptTest {
     }
 
     private static String problem(String module) {
-        return assertThrows(IllegalStateException.class, () -> PageScript.of(null, FOLDER + module, null)).getMessage();
+        return assertThrows(IllegalStateException.class, () -> PageScript.of(FOLDER + module, null)).getMessage();
     }
 
     /** Whoever sends a page by mail or opens it on a phone waits for these bytes. */

@@ -30,12 +30,14 @@ class PageTestDebugging {
     static Path folder;
 
     private static PageTestBrowser browser;
+    private static PageTestPages pages;
     private static Path page;
 
     @BeforeAll
     static void start() {
         browser = PageTestBrowser.start();
-        page = new PageTestPages(folder).page(PageTestRaces.play(PageTestRaces.scene("mad-pod-racing"), 3), "Race");
+        pages = new PageTestPages(folder);
+        page = pages.page(PageTestRaces.play(PageTestRaces.scene("mad-pod-racing"), 3), "Race");
     }
 
     @AfterAll
@@ -78,7 +80,7 @@ class PageTestDebugging {
         String timed = new String(PageTestRaces.play(PageTestRaces.scene("duel"), 3), StandardCharsets.UTF_8);
         byte[] untimed = timed.replaceAll("\"answerNanos\":\\[[^]]*]", "\"answerNanos\":[0,0]")
             .getBytes(StandardCharsets.UTF_8);
-        browser.open(new PageTestPages(folder).page(untimed, "Untimed"), "#t=5");
+        browser.open(pages.page(untimed, "Untimed"), "#t=5");
         assertTrue(browser.is("document.querySelector('#cards .answer-time').hidden"));
         assertFalse(browser.text("#charts").toLowerCase().contains("answer time"));
     }
@@ -103,14 +105,14 @@ class PageTestDebugging {
         String race = new String(PageTestRaces.play(PageTestRaces.scene("mad-pod-racing"), 3), StandardCharsets.UTF_8);
         byte[] failed = race.replaceFirst("(\"turn\":30,\"commands\":\\[\\[\\{[^}]*},)\\{[^}]*}", "$1null")
             .getBytes(StandardCharsets.UTF_8);
-        browser.open(new PageTestPages(folder).page(failed, "Failed"), "#t=30");
+        browser.open(pages.page(failed, "Failed"), "#t=30");
         assertTrue(browser.text("#cards").contains("pod 1: nothing"), browser.text("#cards"));
         assertEquals(List.of(), browser.complaints());
     }
 
     @Test
     void wallsAreNamedByTheirSide() {
-        browser.open(new PageTestPages(folder).page(PageTestRaces.play(PageTestRaces.scene("walled-race"), 3), "Walls"),
+        browser.open(pages.page(PageTestRaces.play(PageTestRaces.scene("walled-race"), 3), "Walls"),
             "#t=20");
         assertTrue(browser.is("steward.impactWords().some(words => words.endsWith(' × bottom wall'))"));
         assertFalse(browser.is("steward.impactWords().some(words => words.endsWith(' × wall'))"));
@@ -165,7 +167,7 @@ class PageTestDebugging {
 
     private static Path pageWithSent() {
         byte[] race = PageTestRaces.play(PageTestRaces.scene("mad-pod-racing"), 3);
-        return new PageTestPages(folder).page(race, "Race", PageExtras.of(TestScenes.TYPES));
+        return pages.page(race, "Race", PageExtras.of(TestScenes.TYPES));
     }
 
     @Test

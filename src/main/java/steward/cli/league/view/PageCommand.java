@@ -14,6 +14,7 @@ import steward.cli.options.CallCheck;
 import steward.cli.options.ProgramCommand;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.FailedException;
+import steward.cli.shared.Games;
 import steward.cli.shared.Pages;
 import steward.files.InputException;
 import steward.files.OutputFiles;
@@ -77,7 +78,7 @@ public final class PageCommand extends ProgramCommand {
     static int write(LeagueOpening.Opened opened, LeagueTable table, OutputStream html) {
         List<StoredGame> games = games(opened);
         Path folder = opened.folder().replays();
-        EmbeddedReplays replays = EmbeddedReplays.of(games, folder, null);
+        EmbeddedReplays replays = EmbeddedReplays.of(games, folder, Games.types(), null);
         try {
             LeaguePage.write(new LeagueView(opened.season(), table, opened.games().path(opened.entries()), games,
                 Double.NaN, opened.workers()), folder, replays, html, title(opened.folder().path()));

@@ -1,0 +1,58 @@
+package steward.replay.page;
+
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.StringJoiner;
+import steward.bot.ErrorLine;
+import steward.game.GameTypes;
+import steward.replay.RecordedTurn;
+import steward.replay.ReplayReader;
+
+/**
+ * Details of a match that its page has besides the replay, for who looks for a fault. Lines of UTF-8: the first is a
+ * JSON array with a {@code [turn, player, line]} for each bot that failed and had written to stderr in that turn, the
+ * line that says why, counted from 0. The others are those of {@link SentFrames}; none if these are not known.
+ */
+final class PageDetails {
+
+    private PageDetails() { }
+
+    /** @param types games with which the match is played again; {@code null} for no frames */
+    static byte[] of(byte[] replay, String source, GameTypes types) {
+        ByteArrayOutputStream details = new ByteArrayOutputStream();
+        details.writeBytes((errors(replay, source) + "\n").getBytes(StandardCharsets.UTF_8));
+        byte[] sent = types == null ? null : SentFrames.of(replay, source, types);
+        if (sent != null) {
+            details.writeBytes(sent);
+        }
+        return details.toByteArray();
+    }
+
+    private static String errors(byte[] replay, String source) {
+        StringJoiner errors = new StringJoiner(",", "[", "]");
+        if (replay.length == 0) {
+            return errors.toString();              // it was cut off in its header
+        }
+        try (ReplayReader reader = new ReplayReader(new ByteArrayInputStream(replay), source)) {
+            for (RecordedTurn turn = reader.next(); turn != null; turn = reader.next()) {
+                for (int player = 0; player < turn.faults().length; player++) {
+                    String stderr = turn.faults()[player] == null ? null : turn.stderr()[player];
+                    if (stderr != null && !stderr.isBlank()) {
+                        errors.add("[" + turn.number() + "," + player + "," + line(stderr.lines().toList()) + "]");
+                    }
+                }
+            }
+        }
+        return errors.toString();
+    }
+
+    private static int line(List<String> lines) {
+        int line = ErrorLine.index(lines);
+        for (int last = lines.size() - 1; line < 0 && last >= 0; last--) {
+            line = lines.get(last).isBlank() ? line : last;
+        }
+        return line;
+    }
+}
