@@ -6,14 +6,15 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.StringJoiner;
 import steward.bot.ErrorLine;
+import steward.bot.FaultMessages;
 import steward.game.GameTypes;
 import steward.replay.RecordedTurn;
 import steward.replay.ReplayReader;
 
 /**
  * Details of a match that its page has besides the replay, for who looks for a fault. Lines of UTF-8: the first is a
- * JSON array with a {@code [turn, player, line]} for each bot that failed and had written to stderr in that turn, the
- * line that says why, counted from 0. The others are those of {@link SentFrames}; none if these are not known.
+ * JSON array with a {@code [turn, player, line]} for each bot that failed and wrote to stderr in that turn which line
+ * says why, counted from 0. The others are those of {@link SentFrames}; none if these are not known.
  */
 final class PageDetails {
 
@@ -38,9 +39,9 @@ final class PageDetails {
         try (ReplayReader reader = new ReplayReader(new ByteArrayInputStream(replay), source)) {
             for (RecordedTurn turn = reader.next(); turn != null; turn = reader.next()) {
                 for (int player = 0; player < turn.faults().length; player++) {
-                    String stderr = turn.faults()[player] == null ? null : turn.stderr()[player];
-                    if (stderr != null && !stderr.isBlank()) {
-                        errors.add("[" + turn.number() + "," + player + "," + line(stderr.lines().toList()) + "]");
+                    int line = line(turn.faults()[player], turn.stderr()[player]);
+                    if (line >= 0) {
+                        errors.add("[" + turn.number() + "," + player + "," + line + "]");
                     }
                 }
             }
@@ -48,9 +49,14 @@ final class PageDetails {
         return errors.toString();
     }
 
-    private static int line(List<String> lines) {
+    /** If no line has a known form, it is the last one of a program that ended, and none of one that went on. */
+    private static int line(String fault, String stderr) {
+        if (fault == null || stderr == null) {
+            return -1;
+        }
+        List<String> lines = stderr.lines().toList();
         int line = ErrorLine.index(lines);
-        for (int last = lines.size() - 1; line < 0 && last >= 0; last--) {
+        for (int last = lines.size() - 1; line < 0 && last >= 0 && FaultMessages.isExit(fault); last--) {
             line = lines.get(last).isBlank() ? line : last;
         }
         return line;
