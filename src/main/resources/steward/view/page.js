@@ -91,6 +91,7 @@ export class Page {
     this.table = new StateTable(find('state'), find('state-when'), match, look);
     this.ending = new Ending(find('ending'), match, this.series, seek);
     find('scene').textContent = `${match.header.scene?.name ?? match.header.game} · seed ${match.header.seed}`;
+    if (!match.players.length) document.title = find('title').textContent = match.header.scene?.name ?? match.header.game;
     document.body.classList.toggle('drawingless', look.isUndrawn);
     new ResizeObserver(() => this.redrawAll()).observe(find('field'));
     this.redrawAll();
