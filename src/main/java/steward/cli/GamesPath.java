@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import steward.files.InputException;
 import steward.files.JarFolder;
+import steward.files.UserFolders;
 import steward.game.GameTypes;
 
 /**
@@ -32,7 +33,8 @@ record GamesPath(List<String> words, ClassLoader before, JarFolder jars) impleme
             words.remove(at);
             named = words.remove(at);
         }
-        Path folder = Path.of(named == null ? usual() : named);
+        Path folder = named == null ? UserFolders.folder("XDG_DATA_HOME", ".local/share").resolve("games")
+            : Path.of(named);
         if (named != null && !Files.isDirectory(folder)) {
             throw new InputException(OPTION + ": found no folder " + named + ", expected one with the jars of games");
         }
@@ -57,12 +59,6 @@ record GamesPath(List<String> words, ClassLoader before, JarFolder jars) impleme
             jars.close();
             throw new InputException(folder + ": " + problem.getMessage());
         }
-    }
-
-    private static String usual() {
-        String data = System.getenv("XDG_DATA_HOME");
-        return (data != null && data.startsWith("/") ? data : System.getProperty("user.home") + "/.local/share")
-            + "/steward/games";
     }
 
     @Override

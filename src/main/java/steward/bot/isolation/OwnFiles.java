@@ -13,6 +13,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import steward.bot.command.Program;
 import steward.bot.command.ProgramFinder;
+import steward.files.UserFolders;
 
 /**
  * The files that belong to a bot, found in its command: the folder of its program, or all of its interpreter's
@@ -92,7 +93,7 @@ final class OwnFiles {
     }
 
     static Path home() {
-        return Path.of(System.getProperty("user.home")).toAbsolutePath().normalize();
+        return UserFolders.home().toAbsolutePath().normalize();
     }
 
     /** A program or script with its folder, the links to it, and its interpreter. */

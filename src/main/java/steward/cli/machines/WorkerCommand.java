@@ -23,6 +23,7 @@ import steward.cli.streams.Interruption;
 import steward.cli.streams.Streams;
 import steward.files.InputException;
 import steward.files.OutputFiles;
+import steward.files.UserFolders;
 import steward.machines.token.Invitation;
 import steward.machines.token.PrivateFile;
 import steward.machines.token.WorkerToken;
@@ -190,8 +191,8 @@ public final class WorkerCommand extends ProgramCommand {
     private WorkerToken invited(Invitation.Letter letter) {
         String host = host();
         return WorkerToken.invited(letter, keyFile != null ? OutputFiles.path(keyFile)
-            : user("XDG_STATE_HOME", ".local/state").resolve("keys").resolve(letter.broker().substring(0, BROKER_DIGITS)
-                + "-" + host + ".token"), host);
+            : UserFolders.folder("XDG_STATE_HOME", ".local/state").resolve("keys")
+                .resolve(letter.broker().substring(0, BROKER_DIGITS) + "-" + host + ".token"), host);
     }
 
     private static String host() {
@@ -203,14 +204,6 @@ public final class WorkerCommand extends ProgramCommand {
     }
 
     private Path folder() {
-        return bundles != null ? OutputFiles.path(bundles) : user("XDG_CACHE_HOME", ".cache").resolve("bundles");
-    }
-
-    /** Returns the folder of this program in one of the user's folders. */
-    private static Path user(String variable, String usual) {
-        String given = System.getenv(variable);
-        Path base = given != null && !given.isEmpty() ? Path.of(given)
-            : Path.of(System.getProperty("user.home"), usual);
-        return base.resolve("steward");
+        return bundles != null ? OutputFiles.path(bundles) : UserFolders.cache().resolve("bundles");
     }
 }

@@ -8,6 +8,7 @@ import java.nio.file.StandardCopyOption;
 import org.sqlite.SQLiteJDBCLoader;
 import org.sqlite.util.LibraryLoaderUtil;
 import org.sqlite.util.OSInfo;
+import steward.files.UserFolders;
 
 /**
  * Puts SQLite's machine code where it stays: once into the user's cache folder. Left to itself, the library would
@@ -29,7 +30,7 @@ final class NativeLibrary {
         }
         String name = LibraryLoaderUtil.getNativeLibName();
         String system = system();
-        Path folder = unpack(cache(), system, name);
+        Path folder = unpack(UserFolders.cache(), system, name);
         if (folder == null) {
             folder = unpack(own.resolve(".sqlite"), system, name);
         }
@@ -37,14 +38,6 @@ final class NativeLibrary {
             System.setProperty(PATH, folder.toString());
             System.setProperty(NAME, name);
         }
-    }
-
-    /** The user's folder for what can be made again (XDG base directory specification). */
-    private static Path cache() {
-        String given = System.getenv("XDG_CACHE_HOME");
-        Path base = given != null && !given.isEmpty() ? Path.of(given)
-            : Path.of(System.getProperty("user.home"), ".cache");
-        return base.resolve("steward");
     }
 
     /**
