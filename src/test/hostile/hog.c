@@ -10,6 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/mman.h>
+#include <sys/prctl.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -21,6 +22,9 @@ static double now(void) {
     clock_gettime(CLOCK_MONOTONIC, &time);
     return time.tv_sec * 1e3 + time.tv_nsec / 1e6;
 }
+
+/* The ends of a pipe on which a child that has begun is at its end. */
+static int begun[2];
 
 static void burnFor(double ms) {
     for (double end = now() + ms; now() < end;)
@@ -48,12 +52,23 @@ static void burnInItsTurn(void) {
     }
 }
 
+static double linkMs = 5;                           /* how long each process of a chain burns */
+
 static void forkOn(void) {
     for (;;) {
-        burnFor(5);
+        burnFor(linkMs);
         if (fork() > 0) _exit(0);
         setsid();
     }
+}
+
+/* A chain whose processes nobody waits for: their times are in no count when they have ended. */
+static void forkOnUnseen(void) {
+    prctl(PR_SET_CHILD_SUBREAPER, 1);
+    signal(SIGCHLD, SIG_IGN);
+    if (fork() == 0) forkOn();
+    close(begun[1]);
+    for (;;) pause();
 }
 
 static void goOn(int number) {
@@ -73,9 +88,6 @@ static void moveMemory(void) {
         memcpy(other, one, size);
     }
 }
-
-/* The ends of a pipe on which a child that has begun is at its end. */
-static int begun[2];
 
 /* A timer that sends SIGCONT lets a stopped process go on, and is spent by that: here are many. */
 static void freeItself(void) {
@@ -97,20 +109,23 @@ static void burnInNamespaces(void) {
     burn();
 }
 
-static const struct {
+static struct {
     const char *word;
     int children;
     void (*hog)(void);
 } kinds[] = {{"none", 0, burn}, {"own", 0, burn}, {"hogs", 16, burn}, {"many", 64, burn}, {"forks", 16, forkOn},
     {"sigcont", 16, burnAtSigcont}, {"pulse", 16, burnAndRest}, {"sleeper", 16, burnInItsTurn},
-    {"memory", 16, moveMemory}, {"namespaces", 16, burnInNamespaces}, {"timer", 16, freeItself}};
+    {"memory", 16, moveMemory}, {"namespaces", 16, burnInNamespaces}, {"timer", 16, freeItself},
+    {"chain", 0, forkOn}, {"lost", 0, forkOnUnseen}};
 
-/* Starts the children of a word; they have begun when it returns, so that holding them does not come before. */
+/* Starts the children of a word, or of one such as chain-4-2: 4 of them, and 2 ms; they have begun when it returns, so that holding them does not come before. */
 static void start(const char *word) {
-    char none;
+    char none, kind[16];
+    int count = 0;
     if (pipe(begun)) abort();
+    if (sscanf(word, "%15[a-z]-%d-%lf", kind, &count, &linkMs) == 3) word = kind;
     for (unsigned k = 0; k < sizeof kinds / sizeof *kinds; k++) {
-        for (int child = 0; strcmp(word, kinds[k].word) == 0 && child < kinds[k].children; child++) {
+        for (int child = 0; strcmp(word, kinds[k].word) == 0 && child < kinds[k].children + count; child++) {
             if (fork() == 0) {
                 setsid();
                 close(0);

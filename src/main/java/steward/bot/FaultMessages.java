@@ -8,6 +8,9 @@ public final class FaultMessages {
     /** Statuses above this are 128 + the number of the signal that ended the process. */
     private static final int SIGNALLED = 128;
 
+    /** Fault of a bot whose sandbox does not do what it is told. */
+    public static final String LOST = "kept the first process of its sandbox from answering";
+
     /** Linux's names for the signals 1 to 31, by their numbers on x86 and ARM. */
     private static final String[] SIGNALS = {
         "HUP", "INT", "QUIT", "ILL", "TRAP", "ABRT", "BUS", "FPE", "KILL", "USR1", "SEGV", "USR2", "PIPE", "ALRM",
@@ -90,6 +93,11 @@ public final class FaultMessages {
     /** Returns this fault without measured parts, which differ from one occurrence to the next; others stay. */
     public static String withoutTimes(String fault) {
         return MEASURED.matcher(fault).replaceAll("");
+    }
+
+    /** {@code used 612 MiB of memory, expected at most 512 MiB}. */
+    public static String memory(long found, long limit) {
+        return "used " + (found + (1 << 20) - 1 >> 20) + " MiB of memory, expected at most " + (limit >> 20) + " MiB";
     }
 
     /** {@code line longer than 65536 bytes}. */

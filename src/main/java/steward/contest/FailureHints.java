@@ -118,7 +118,8 @@ final class FailureHints {
     /** Bot that computed meanwhile. */
     static String beside(String name, Burner burner) {
         return String.format(Locale.ROOT, "meanwhile %s computed on %.2f processors%s; a series (--games) plays such a"
-            + " game again", name, burner.processors(), burner.holdable() ? "" : " and cannot be held here");
+            + " game again, in a single match the loss stands", name, burner.processors(),
+            burner.holdable() ? "" : " and cannot be held here");
     }
 
     /** True if it exited at its first input, or answered in the form of the other protocol. */

@@ -1,6 +1,6 @@
 /*
  * Starts a bot in a sandbox. One program in place of setsid, unshare, a shell and setpriv, because starting a program
- * takes longer than all that they do.
+ * takes longer than all that they do; one file, long as it is, because a compiler makes it on the machine of its user.
  *
  *   launch off     OPTIONS -- COMMAND...   a session of its own
  *   launch light   OPTIONS -- COMMAND...   also namespaces of its own, without capabilities
@@ -29,19 +29,28 @@
  * and lets it go on at 'c' (continue); it sends the byte back when that is done. The socket is connected before there
  * are namespaces, and the bot never has it. No privilege is needed: all processes of the bot are the user's own.
  *
- * Status 127: the command was not found; 126: it cannot be executed; 125: a step of the sandbox failed.
+ * A bot in a namespace has a keyring of its own and one filter of system calls, see confine(); nothing that the bot can
+ * set of the first process keeps that from serving the socket.
+ *
+ * Status 127: the command was not found; 126: it cannot be executed; 125: a step of the sandbox failed, or there are no
+ * words; 124: there are no words, and no filter of system calls can be set here.
  */
 #define _GNU_SOURCE
 #include <errno.h>
 #include <fcntl.h>
+#include <linux/audit.h>
 #include <linux/capability.h>
+#include <linux/filter.h>
+#include <linux/keyctl.h>
+#include <linux/seccomp.h>
 #include <net/if.h>
-#include <poll.h>
 #include <sched.h>
 #include <signal.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/epoll.h>
 #include <sys/ioctl.h>
 #include <sys/mount.h>
 #include <sys/prctl.h>
@@ -55,6 +64,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#ifndef SECCOMP_FILTER_FLAG_SPEC_ALLOW
+#define SECCOMP_FILTER_FLAG_SPEC_ALLOW 4
+#endif
 #ifndef PR_CAP_AMBIENT
 #define PR_CAP_AMBIENT 47
 #define PR_CAP_AMBIENT_CLEAR_ALL 4
@@ -94,6 +106,141 @@ static void signals(void (*disposition)(int)) {
         SIGTTOU, SIGCONT, SIGVTALRM, SIGPROF, SIGIO, SIGXCPU, SIGXFSZ};
     for (unsigned k = 0; k < sizeof all / sizeof *all; k++) {
         signal(all[k], disposition);
+    }
+}
+
+#if defined(__x86_64__)
+#define ARCHITECTURE AUDIT_ARCH_X86_64
+#elif defined(__aarch64__)
+#define ARCHITECTURE AUDIT_ARCH_AARCH64
+#elif defined(__riscv) && __riscv_xlen == 64
+#define ARCHITECTURE AUDIT_ARCH_RISCV64
+#else
+#define ARCHITECTURE 0                              /* without a filter */
+#endif
+
+#define REFUSED (SECCOMP_RET_ERRNO | EPERM)
+#define ABSENT (SECCOMP_RET_ERRNO | ENOSYS)
+#define NAMESPACES (CLONE_NEWNS | CLONE_NEWCGROUP | CLONE_NEWUTS | CLONE_NEWIPC | CLONE_NEWUSER | CLONE_NEWPID \
+    | CLONE_NEWNET)
+#define TIME_NAMESPACE 0x80
+#define X32 0x40000000
+#define ALWAYS 0, 0, 0
+
+/*
+ * Answers to system calls, by the lower half of an argument: the first rule that fits decides, and what has none is
+ * allowed. The first process of the namespace is number 1, and among those of a group and of a user. Numbers from 424
+ * on are those of all architectures.
+ */
+static struct rule {
+    unsigned call, argument;
+    unsigned short test;
+    unsigned value, answer;
+} rules[] = {
+    {SYS_prlimit64, 0, BPF_JEQ, 0, SECCOMP_RET_ALLOW}, {SYS_prlimit64, ALWAYS, REFUSED},
+    {SYS_setpriority, 1, BPF_JEQ, 1, REFUSED}, {SYS_setpriority, 0, BPF_JEQ, 0, SECCOMP_RET_ALLOW},
+    {SYS_setpriority, ALWAYS, REFUSED},
+    {SYS_ioprio_set, 1, BPF_JEQ, 1, REFUSED}, {SYS_ioprio_set, 0, BPF_JEQ, 1, SECCOMP_RET_ALLOW},
+    {SYS_ioprio_set, ALWAYS, REFUSED},
+    {SYS_sched_setaffinity, 0, BPF_JEQ, 1, REFUSED}, {SYS_sched_setattr, 0, BPF_JEQ, 1, REFUSED},
+    {SYS_sched_setparam, 0, BPF_JEQ, 1, REFUSED}, {SYS_sched_setscheduler, 0, BPF_JEQ, 1, REFUSED},
+    {SYS_socket, 0, BPF_JEQ, AF_UNIX, SECCOMP_RET_ALLOW}, {SYS_socket, 0, BPF_JEQ, AF_INET, SECCOMP_RET_ALLOW},
+    {SYS_socket, 0, BPF_JEQ, AF_INET6, SECCOMP_RET_ALLOW}, {SYS_socket, ALWAYS, REFUSED},
+    {SYS_socketpair, 0, BPF_JEQ, AF_UNIX, SECCOMP_RET_ALLOW}, {SYS_socketpair, ALWAYS, REFUSED},
+    {SYS_clone, 0, BPF_JSET, NAMESPACES, REFUSED}, {SYS_unshare, 0, BPF_JSET, NAMESPACES | TIME_NAMESPACE, REFUSED},
+    {435 /* clone3: its flags are in memory */, ALWAYS, ABSENT}, {SYS_setns, ALWAYS, REFUSED},
+    {SYS_add_key, ALWAYS, REFUSED}, {SYS_keyctl, ALWAYS, REFUSED}, {SYS_request_key, ALWAYS, REFUSED},
+    {SYS_mount, ALWAYS, REFUSED}, {SYS_umount2, ALWAYS, REFUSED}, {SYS_pivot_root, ALWAYS, REFUSED},
+    {428 /* open_tree */, ALWAYS, REFUSED}, {429 /* move_mount */, ALWAYS, REFUSED},
+    {430 /* fsopen */, ALWAYS, REFUSED}, {431, ALWAYS, REFUSED}, {432, ALWAYS, REFUSED}, {433, ALWAYS, REFUSED},
+    {442 /* mount_setattr */, ALWAYS, REFUSED}, {467 /* open_tree_attr */, ALWAYS, REFUSED},
+    {425 /* io_uring_setup */, ALWAYS, REFUSED}, {426, ALWAYS, REFUSED}, {427, ALWAYS, REFUSED},
+    {SYS_ptrace, ALWAYS, REFUSED}, {SYS_perf_event_open, ALWAYS, REFUSED}, {SYS_bpf, ALWAYS, REFUSED},
+    {SYS_userfaultfd, ALWAYS, REFUSED}, {SYS_shmget, ALWAYS, REFUSED}, {SYS_init_module, ALWAYS, REFUSED},
+    {SYS_finit_module, ALWAYS, REFUSED}, {SYS_delete_module, ALWAYS, REFUSED},
+#ifdef SYS_kexec_file_load
+    {SYS_kexec_file_load, ALWAYS, REFUSED},
+#endif
+    {SYS_kexec_load, ALWAYS, REFUSED},
+};
+#define RULES (int) (sizeof rules / sizeof *rules)
+
+static struct sock_filter code[512];
+static unsigned short length;
+
+static void add(unsigned short operation, unsigned value, unsigned char yes, unsigned char no) {
+    code[length++] = (struct sock_filter) {operation, yes, no, value};
+}
+
+static void load(size_t offset) {
+    add(BPF_LD | BPF_W | BPF_ABS, offset, 0, 0);
+}
+
+static void answer(unsigned value) {
+    add(BPF_RET | BPF_K, value, 0, 0);
+}
+
+/* Adds the answers of sorted rules, as a tree: the kernel tries the filter with each call when it is set. */
+static void addRules(int from, int to) {
+    int middle = (from + to) / 2;
+    while (middle > from && rules[middle].call == rules[middle - 1].call) {
+        middle--;
+    }
+    if (to - from > 4 && middle > from) {
+        int jump = length;
+        add(BPF_JMP | BPF_JGE | BPF_K, rules[middle].call, 0, 0);
+        addRules(from, middle);
+        code[jump].jt = length - jump - 1;
+        addRules(middle, to);
+        return;
+    }
+    for (int k = from; k < to; k++) {
+        add(BPF_JMP | BPF_JEQ | BPF_K, rules[k].call, 0, rules[k].test == 0 ? 1 : 4);
+        if (rules[k].test != 0) {
+            load(offsetof(struct seccomp_data, args) + rules[k].argument * sizeof (__u64));
+            add(BPF_JMP | rules[k].test | BPF_K, rules[k].value, 0, 1);
+        }
+        answer(rules[k].answer);
+        if (rules[k].test != 0) {
+            load(offsetof(struct seccomp_data, nr));
+        }
+    }
+    answer(SECCOMP_RET_ALLOW);
+}
+
+/* Sets the filter, for this process and all that it becomes and starts; 0 if that is done. */
+static int filterCalls(void) {
+    for (int k = 1; k < RULES; k++) {
+        for (int at = k; at > 0 && rules[at].call < rules[at - 1].call; at--) {
+            struct rule later = rules[at];
+            rules[at] = rules[at - 1];
+            rules[at - 1] = later;
+        }
+    }
+    load(offsetof(struct seccomp_data, arch));
+    add(BPF_JMP | BPF_JEQ | BPF_K, ARCHITECTURE, 1, 0);
+    answer(REFUSED);
+    load(offsetof(struct seccomp_data, nr));
+    if (ARCHITECTURE == AUDIT_ARCH_X86_64) {
+        add(BPF_JMP | BPF_JGE | BPF_K, X32, 0, 1);
+        answer(REFUSED);
+    }
+    addRules(0, RULES);
+    struct sock_fprog program = {length, code};
+    if (ARCHITECTURE == 0 || prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) {
+        errno = ENOSYS;
+        return -1;
+    }
+    /* Before Linux 5.16 a filter slows programs down against Spectre unless it says not to. */
+    return syscall(SYS_seccomp, SECCOMP_SET_MODE_FILTER, SECCOMP_FILTER_FLAG_SPEC_ALLOW, &program) == 0
+        || (errno == EINVAL && prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program, 0, 0) == 0) ? 0 : -1;
+}
+
+/* Keys are shared by all processes of a session, and by those of a user. */
+static void confine(void) {
+    syscall(SYS_keyctl, KEYCTL_JOIN_SESSION_KEYRING, NULL);
+    if (filterCalls() != 0 && errno != EINVAL && errno != ENOSYS) {
+        fail("filter");
     }
 }
 
@@ -180,45 +327,57 @@ static int obey(void) {
     return send(holding, &order, 1, MSG_NOSIGNAL) == 1;
 }
 
-static sigset_t childSignal, outerSignals;
+static sigset_t outerSignals;
+static int events = -1, childEnds;                  /* what the first process waits for */
 
-/* To be called before the bot is started: its end must not be missed. */
-static void expectChildren(void) {
+static void expect(int descriptor) {
+    struct epoll_event event = {.events = EPOLLIN, .data.fd = descriptor};
+    if (descriptor < 0 || epoll_ctl(events, EPOLL_CTL_ADD, descriptor, &event) != 0) {
+        fail("events");
+    }
+}
+
+/* To be called before the bot is started: its end must not be missed, and what it does must not keep us from it. */
+static void expectEvents(void) {
     struct sigaction onlyEnds = {.sa_handler = SIG_DFL, .sa_flags = SA_NOCLDSTOP};
+    sigset_t childSignal;
     sigaction(SIGCHLD, &onlyEnds, NULL);
     sigemptyset(&childSignal);
     sigaddset(&childSignal, SIGCHLD);
     sigprocmask(SIG_BLOCK, &childSignal, &outerSignals);
+    if (holding >= 0) {
+        events = epoll_create1(EPOLL_CLOEXEC);
+        expect(childEnds = signalfd(-1, &childSignal, SFD_CLOEXEC | SFD_NONBLOCK));
+        expect(holding);
+    }
 }
 
-/* As waitFor, for the first process of a namespace, which meanwhile does what the referee says. */
+/*
+ * As waitFor, for the first process of a namespace, which meanwhile does what the referee says. A limit of open files
+ * would keep poll from that.
+ */
 static void superviseBot(pid_t bot) {
-    struct pollfd events[2] = {{signalfd(-1, &childSignal, SFD_CLOEXEC | SFD_NONBLOCK), POLLIN, 0},
-        {holding, POLLIN, 0}};
     struct signalfd_siginfo ignored;
-    if (holding < 0 || events[0].fd < 0) {
-        waitFor(bot);
-    }
+    struct epoll_event event;
     close(0);
     close(1);
     close(2);
-    for (;;) {
+    while (holding >= 0) {
         int status;
         for (pid_t ended = waitpid(-1, &status, WNOHANG); ended > 0; ended = waitpid(-1, &status, WNOHANG)) {
             if (ended == bot) {
                 exitAs(status);
             }
         }
-        if (poll(events, 2, -1) < 0 && errno != EINTR) {
-            waitFor(bot);
+        int found = epoll_wait(events, &event, 1, -1);
+        if (found < 0 ? errno != EINTR : event.data.fd == holding && !obey()) {
+            break;
         }
-        while (read(events[0].fd, &ignored, sizeof ignored) > 0) {
+        while (read(childEnds, &ignored, sizeof ignored) > 0) {
             continue;
         }
-        if (events[1].revents != 0 && !obey()) {
-            events[1].fd = -1;
-        }
     }
+    waitFor(bot);
 }
 
 static void bringUpLoopback(void) {
@@ -308,20 +467,21 @@ static void light(char **command) {
     if (holdSocket != NULL) {
         hideSockets();
     }
-    int namespaces = open("/proc/sys/user/max_cgroup_namespaces", O_WRONLY | O_CLOEXEC);
-    if (namespaces >= 0) {                          /* with one of its own the bot could mount them again */
-        if (write(namespaces, "0", 1) < 0) {
-            fail("control groups");
+    int nested = open("/proc/sys/user/max_user_namespaces", O_WRONLY | O_CLOEXEC);
+    if (nested >= 0) {                              /* in one of its own the bot could mount all that again */
+        if (write(nested, "0", 1) < 0) {
+            fail("namespaces");
         }
-        close(namespaces);
+        close(nested);
     }
+    closeForWriting("/proc");                       /* a bot of root could write to settings of the whole machine */
     if (loopback) {
         bringUpLoopback();
     }
     dropCapabilities();
     prctl(PR_SET_DUMPABLE, 0, 0, 0, 0);             /* the bot must not be able to attach to this process */
-    expectChildren();
-    pid_t bot = fork();
+    expectEvents();
+    pid_t bot = vfork();                            /* which takes less: it executes the bot or ends */
     if (bot < 0) {
         fail("fork");
     }
@@ -330,6 +490,7 @@ static void light(char **command) {
     }
     sigprocmask(SIG_SETMASK, &outerSignals, NULL);
     signals(SIG_DFL);
+    confine();
     run(command);
 }
 
@@ -341,13 +502,14 @@ static void move(int from, int to) {
 
 /* What started this one ends it when it ends itself; the bot must not be able to attach to it and undo that. */
 static void inside(char **command) {
+    struct rlimit noCore = {0, 0};
     prctl(PR_SET_PDEATHSIG, SIGKILL, 0, 0, 0);
     prctl(PR_SET_DUMPABLE, 0, 0, 0, 0);
     if (holding >= 0 && fcntl(holding, F_SETFD, FD_CLOEXEC) != 0) {
         fail("socket");
     }
-    expectChildren();
-    pid_t bot = fork();
+    expectEvents();
+    pid_t bot = vfork();                            /* which takes less: it executes the bot or ends */
     if (bot < 0) {
         fail("fork");
     }
@@ -359,6 +521,8 @@ static void inside(char **command) {
     sigprocmask(SIG_SETMASK, &outerSignals, NULL);
     move(3, 0);
     move(4, 1);
+    setrlimit(RLIMIT_CORE, &noCore);
+    confine();
     run(command);
 }
 
@@ -410,7 +574,7 @@ int main(int count, char **words) {
     char **command = words + at + 1;
     if (at + 1 >= count) {
         fprintf(stderr, "sandbox: there is no command\n");
-        return 125;
+        return filterCalls() == 0 ? 125 : 124;
     }
     if (strcmp(mode, "inside") == 0) {
         inside(command);

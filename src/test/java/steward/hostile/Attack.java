@@ -11,9 +11,10 @@ package steward.hostile;
  * @param referee  whether it may end the referee, which then has a JVM of its own
  * @param factor   of the time limits: 1 for what is about time, otherwise generous
  * @param shortRun whether the usual tests play it too
+ * @param limited  whether its memory is limited where there is a sandbox
  */
 record Attack(String what, String program, String word, String verdict, Effect off, boolean referee, int factor,
-              boolean shortRun) {
+              boolean shortRun, boolean limited) {
 
     /** Effect of an attack. */
     enum Effect {
@@ -35,30 +36,35 @@ record Attack(String what, String program, String word, String verdict, Effect o
 
     /** One that is held everywhere. */
     static Attack held(String what, String program, String word, String verdict) {
-        return new Attack(what, program, word, verdict, Effect.HELD, false, GENEROUS, false);
+        return new Attack(what, program, word, verdict, Effect.HELD, false, GENEROUS, false, false);
     }
 
     Attack off(Effect effect) {
-        return new Attack(what, program, word, verdict, effect, referee, factor, shortRun);
+        return new Attack(what, program, word, verdict, effect, referee, factor, shortRun, limited);
     }
 
     /** On a referee with a JVM of its own. */
     Attack onReferee() {
-        return new Attack(what, program, word, verdict, off, true, LONG, shortRun);
+        return new Attack(what, program, word, verdict, off, true, LONG, shortRun, limited);
     }
 
     /** With the time limits as they are. */
     Attack inTime() {
-        return new Attack(what, program, word, verdict, off, referee, 1, shortRun);
+        return new Attack(what, program, word, verdict, off, referee, 1, shortRun, limited);
     }
 
     /** With limits that hold on a machine with other work, too: taking memory is slow there. */
     Attack slow() {
-        return new Attack(what, program, word, verdict, off, referee, LONG, shortRun);
+        return new Attack(what, program, word, verdict, off, referee, LONG, shortRun, limited);
+    }
+
+    /** With a limit of its memory. */
+    Attack limitedMemory() {
+        return new Attack(what, program, word, verdict, off, referee, factor, shortRun, true);
     }
 
     /** In the usual tests too. */
     Attack often() {
-        return new Attack(what, program, word, verdict, off, referee, factor, true);
+        return new Attack(what, program, word, verdict, off, referee, factor, true, limited);
     }
 }

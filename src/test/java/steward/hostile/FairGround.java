@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.Stream;
 import java.util.stream.StreamSupport;
 import steward.bot.hold.HoldPolicy;
 import steward.bot.isolation.HoldMeans;
@@ -25,15 +26,18 @@ import tools.jackson.databind.json.JsonMapper;
  * of a table for each: how many games the searching bot lost on time in the end, how many were played again, and in how
  * many the other was held. The case {@code none} is the baseline: the same bot without what burns.
  *
- * <p>{@code --games N} of each case (50), {@code --only WORD,WORD} cases, {@code --levels light,strict},
- * {@code --time wall,cpu}, {@code --hold burners}, {@code --threads 1}, {@code --turns N} of a game (30), {@code
- * --load N} busy processes beside it all. Exit status 1 if a case loses more games than the baseline of its level and
- * time.
+ * <p>{@code --games N} of each case (50), {@code --only WORD,WORD} cases, {@code chains} for all of those,
+ * {@code --levels light,strict}, {@code --time wall,cpu}, {@code --hold burners}, {@code --threads 1}, {@code --turns
+ * N} of a game (30), {@code --load N} busy processes beside it all. Exit status 1 if a case loses more games than the
+ * baseline of its level and time.
  */
 public final class FairGround {
 
     private static final List<String> CASES = List.of("none", "hogs", "many", "forks", "sigcont", "pulse", "sleeper",
         "memory", "namespaces", "timer", "own");
+    /** Chains of processes, 1, 4 or 16, each process for so many milliseconds; of those that are lost nobody waits. */
+    private static final List<String> CHAINS = Stream.of("chain", "lost").flatMap(kind -> Stream.of(1, 4, 16)
+        .flatMap(chains -> Stream.of(1, 2, 5, 20).map(ms -> kind + "-" + chains + "-" + ms))).toList();
     private static final String ROW = "%-11s %-7s %-5s %6s %12s %12s %6s %14s %8s%n";
     private static final String SEARCH_MS = "50";
     /** Seeds, each played from both sides. */
@@ -116,7 +120,8 @@ public final class FairGround {
 
     /** Cases take turns in rounds, so that all of them see the same machine. */
     private boolean isFair(Path scene, String level, String time) {
-        List<String> words = List.of(option("only", String.join(",", CASES)).split(","));
+        List<String> words = List.of(option("only", String.join(",", CASES)).replace("chains",
+            String.join(",", CHAINS)).split(","));
         Row[] rows = new Row[words.size()];
         Arrays.fill(rows, new Row(0, 0, 0, 0, 0, 0));
         int seeds = Math.max(1, Integer.parseInt(option("games", "50")) / 2);

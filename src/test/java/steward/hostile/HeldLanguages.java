@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
 import javax.tools.ToolProvider;
 import steward.bot.Answer;
 import steward.bot.Player;
@@ -48,9 +49,9 @@ public final class HeldLanguages {
         System.out.println("| language | asked | never held: median, worst ms | always held: median, worst ms | |");
         System.out.println("|---|---:|---:|---:|---|");
         boolean equal = true;
-        String languages = options.contains("--languages") ? options.get(options.indexOf("--languages") + 1)
-            : "java,node,go,python3";
-        for (String language : languages.split(",")) {
+        List<String> languages = options.contains("--languages")
+            ? List.of(options.get(options.indexOf("--languages") + 1).split(",")) : all();
+        for (String language : languages) {
             List<String> command = command(language, work);
             if (command == null) {
                 System.out.println("| " + language + " | - | - | - | skipped: there is no " + language + " |");
@@ -72,23 +73,45 @@ public final class HeldLanguages {
         System.exit(equal ? 0 : 1);
     }
 
+    /** Interpreters and compilers, and every JVM where systems have them. */
+    private static List<String> all() throws IOException {
+        List<String> languages = new ArrayList<>(List.of("java", "node", "go", "python3", "g++", "rustc"));
+        Path machines = Path.of("/usr/lib/jvm");
+        if (Files.isDirectory(machines)) {
+            try (Stream<Path> folders = Files.list(machines)) {
+                folders.filter(folder -> !Files.isSymbolicLink(folder)).map(folder -> folder.resolve("bin/java"))
+                    .filter(Files::isExecutable).map(Path::toString).sorted().forEach(languages::add);
+            }
+        }
+        return languages;
+    }
+
     private static List<String> command(String language, Path work) throws IOException, InterruptedException {
         Path program = ProgramFinder.find(language);
         if (program == null) {
             return null;
         }
-        String source = SOURCES.resolve(language.equals("java") ? "Threads.java" : "threads."
-            + (language.equals("node") ? "js" : language.equals("go") ? "go" : "py")).toAbsolutePath().toString();
-        if (language.equals("java")) {                       // once, and not by each of the bots
+        boolean java = program.getFileName().toString().equals("java");
+        String source = SOURCES.resolve(java ? "Threads.java" : "threads." + switch (language) {
+            case "node" -> "js";
+            case "python3" -> "py";
+            case "rustc" -> "rs";
+            case "g++" -> "cpp";
+            default -> language;
+        }).toAbsolutePath().toString();
+        if (java) {                                          // once, and not by each of the bots
             boolean compiled = ToolProvider.getSystemJavaCompiler().run(null, null, null, "-proc:none", "-d",
                 work.toString(), source) == 0;
             return compiled ? List.of(program.toString(), "-cp", work.toString(), "Threads") : null;
         }
-        if (!language.equals("go")) {
+        if (language.equals("node") || language.equals("python3")) {
             return List.of(program.toString(), source);
         }
-        Path built = work.resolve("threads");
-        ProcessBuilder builder = new ProcessBuilder("go", "build", "-o", built.toString(), source);
+        Path built = work.resolve("threads-" + language);
+        List<String> words = new ArrayList<>(List.of(program.toString(), "-o", built.toString(), source));
+        words.addAll(1, language.equals("go") ? List.of("build") : List.of("-O"));
+        words.addAll(language.equals("g++") ? List.of("-pthread") : List.of());
+        ProcessBuilder builder = new ProcessBuilder(words);
         builder.environment().put("GOFLAGS", "-mod=mod");
         return builder.inheritIO().start().waitFor() == 0 ? List.of(built.toString()) : null;
     }

@@ -86,6 +86,7 @@ class HostileTest {
     @Tag("campaign")
     void botsWithThreadsInEveryLanguageAnswerTheSameHeldOrNot(TestReporter report) throws Exception {
         run(report, HeldLanguages.class, "--turns", "20");
+        run(report, HeldLanguages.class, "--turns", "20", "--level", "strict");
     }
 
     /** The page says just what the suite holds: the same rows, in the same order. */

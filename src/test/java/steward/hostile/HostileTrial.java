@@ -62,8 +62,11 @@ final class HostileTrial {
         Set<String> filesBefore = Machine.temporaryFiles(temporary);
         int descriptorsBefore = Machine.descriptors();
         long threadsBefore = Machine.threads();
-        List<String> call = call("duel", level, replay, attack.factor(), programs.command(attack, mark),
-            programs.honest(mark));
+        List<String> call = new ArrayList<>(call("duel", level, replay, attack.factor(),
+            programs.command(attack, mark), programs.honest(mark)));
+        if (attack.limited() && level != SandboxLevel.OFF) {
+            call.addAll(List.of("--memory", "64M"));
+        }
         long start = System.nanoTime();
         Played played = attack.referee() ? inItsOwn(call) : here(call);
         long millis = TimeUnit.NANOSECONDS.toMillis(System.nanoTime() - start);

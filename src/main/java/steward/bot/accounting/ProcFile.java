@@ -106,6 +106,13 @@ final class ProcFile implements AutoCloseable {
         return pattern.matcher(new String(bytes, 0, length, StandardCharsets.ISO_8859_1).strip()).matches();
     }
 
+    /** Goes behind the first occurrence of a word; false if there is none. */
+    boolean skipPast(String word) {
+        int found = new String(bytes, 0, length, StandardCharsets.ISO_8859_1).indexOf(word);
+        at = found + word.length();
+        return found >= 0;
+    }
+
     /** Goes behind the last closing bracket: the name of a program, in brackets, may hold anything. */
     boolean skipName() {
         for (int k = length - 1; k >= 0; k--) {

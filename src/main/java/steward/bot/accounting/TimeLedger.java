@@ -20,6 +20,7 @@ public final class TimeLedger {
     /** The first sample that has the idle time of the machine, or {@link #first}. */
     private TreeSample firstIdle;
     private long run;
+    private long begun;
     private long waited;
     /** Threads that ran or waited. */
     private final Set<Long> active = new HashSet<>();
@@ -66,6 +67,7 @@ public final class TimeLedger {
         share = Math.max(0, Math.min(share, passed - ran));
         pending.put(number, still ? counted + passed : 0);
         run += ran;
+        begun += before == null && now.runnable() ? Math.max(0, passed - ran) : 0;
         waited += share;
         if (ran + share > 0) {
             active.add(number);
@@ -77,13 +79,23 @@ public final class TimeLedger {
      * threads, or that of the processes, less what its steps may have added, where that is more.
      */
     public long cpu() {
-        return Math.max(run, inSteps());
+        return Math.max(run, inSteps(2L * last.processes()));
     }
 
-    private long inSteps() {
+    /**
+     * CPU time used between the first sample and the last as it probably was: cut by one step only, and what is begun
+     * anew and runs at a sample stands for others before it, which have ended unseen. Right on average, and more than
+     * {@link #cpu} where processes come and go; not for a verdict.
+     */
+    public long probableCpu() {
+        return Math.max(run + begun, inSteps(1));
+    }
+
+    /** @param cut the steps that are left out, where there is a finer count as well */
+    private long inSteps(long cut) {
         long counted = last.steps() - first.steps();
         boolean only = last.threads() == null || first.threads() == null;
-        return Math.max(0, only ? counted : counted - 2 * TreeSample.STEP * last.processes());
+        return Math.max(0, only ? counted : counted - cut * TreeSample.STEP);
     }
 
     /*
@@ -120,7 +132,7 @@ public final class TimeLedger {
         long queued = Math.min(observed, Math.round(charged * byOthers / side));
         long computed = Math.min(observed - queued, Math.round(charged * (cpu + waited - byOthers) / side));
         TimeSpent.Shows shows = !threads ? TimeSpent.Shows.STEPS
-            : inSteps() > run ? TimeSpent.Shows.ALL_IN_STEPS : TimeSpent.Shows.ALL;
+            : cpu > run ? TimeSpent.Shows.ALL_IN_STEPS : TimeSpent.Shows.ALL;
         return new TimeSpent(limit, taken, taken - observed, computed, queued, observed - queued - computed,
             Math.round(cpu), shows, overCpu);
     }

@@ -4,8 +4,10 @@ import java.io.File;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.regex.Pattern;
 import steward.bot.accounting.TreeSample.ThreadTimes;
 
@@ -35,6 +37,8 @@ public final class TreeSampler implements AutoCloseable {
 
     private final long root;
     private boolean excused;
+    /** The processes of the last sample. */
+    private Set<Long> known = Set.of();
     private final boolean byChildren;
     private final ProcFile file = new ProcFile();
 
@@ -98,8 +102,8 @@ public final class TreeSampler implements AutoCloseable {
     }
 
     /**
-     * Samples as {@link #sample} does, but quicker, for processes that should be waiting: no thread is taken for
-     * runnable, and the idle time of the machine is left out.
+     * Samples as {@link #sample} does, but quicker, for processes that should be waiting: only threads of processes
+     * that were not there at the last sample are taken for runnable, and the idle time of the machine is left out.
      */
     public TreeSample baseline(long at) {
         return sample(at, false, false);
@@ -129,12 +133,17 @@ public final class TreeSampler implements AutoCloseable {
         Map<Long, ThreadTimes> threads = Support.THREADS ? new HashMap<>() : null;
         Map<Long, List<Long>> children = byChildren ? null : childrenByParent();
         List<Long> found = new ArrayList<>(List.of(root));
+        Set<Long> before = known;
         int seen = 0;
         long steps = 0;
         excused = false;
         for (int k = 0; k < found.size(); k++) {
             String folder = "/proc/" + found.get(k);
+            boolean begun = !before.contains(found.get(k));
             if (!file.read(folder + "/stat") || !file.skipName()) {
+                if (begun && threads != null) {                  // it ran and ended since it was found
+                    threads.put(found.get(k), new ThreadTimes(0, 0, 0, true));
+                }
                 continue;
             }
             seen++;
@@ -145,17 +154,18 @@ public final class TreeSampler implements AutoCloseable {
             String[] names = threads == null && !byChildren ? new String[0]
                 : single ? new String[] {Long.toString(found.get(k))} : new File(folder + "/task").list();
             for (String name : names == null ? new String[0] : names) {
-                readThread(folder + "/task/", name, whole, excusing, threads, found);
+                readThread(folder + "/task/", name, whole || begun, excusing, threads, found);
             }
             if (children != null) {
                 found.addAll(children.getOrDefault(found.get(k), List.of()));
             }
         }
+        known = new HashSet<>(found);
         return new TreeSample(at, seen > 0, seen, excused ? 0 : steps * TreeSample.STEP, threads,
             whole ? idle(file) : -1);
     }
 
-    private void readThread(String folder, String name, boolean whole, boolean excusing,
+    private void readThread(String folder, String name, boolean state, boolean excusing,
                             Map<Long, ThreadTimes> threads, List<Long> found) {
         String thread = folder + name;
         boolean out = excusing && file.read(thread + "/comm") && file.isMatch(OF_JVM);
@@ -164,7 +174,8 @@ public final class TreeSampler implements AutoCloseable {
             long run = file.nextLong();
             long waited = file.nextLong();
             long slices = file.nextLong();
-            boolean runnable = whole && file.read(thread + "/stat") && file.skipName() && file.nextCharacter() == 'R';
+            boolean runnable = state && (!file.read(thread + "/stat") || file.skipName()
+                && file.nextCharacter() == 'R');       // one that has just ended ran
             threads.put(Long.valueOf(name), new ThreadTimes(run, waited, slices, runnable));
         }
         if (byChildren && file.readAll(thread + "/children")) {

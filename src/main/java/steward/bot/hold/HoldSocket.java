@@ -19,10 +19,7 @@ import java.util.concurrent.locks.LockSupport;
  */
 public final class HoldSocket implements AutoCloseable {
 
-    /**
-     * How long an acknowledgement may take: beside busy processes the other end waits for a processor. Later ones are
-     * awaited with the next order.
-     */
+    /** How long an acknowledgement may take: beside busy processes the other end waits for a processor. */
     private static final long PATIENCE_NANOS = TimeUnit.SECONDS.toNanos(10);
     /** How long it is awaited without sleeping: on a free processor it comes sooner. */
     private static final long SPIN_NANOS = 100_000;
@@ -34,8 +31,8 @@ public final class HoldSocket implements AutoCloseable {
     private final ServerSocketChannel listening;
     private final ByteBuffer letter = ByteBuffer.allocateDirect(1);
     private SocketChannel connected;
-    private int unacknowledged;
     private volatile boolean broken;
+    private volatile boolean silent;
 
     private HoldSocket(Path path, ServerSocketChannel listening) {
         this.path = path;
@@ -72,7 +69,7 @@ public final class HoldSocket implements AutoCloseable {
     /**
      * Stops the bot, or lets it go on; returns when that is acknowledged.
      *
-     * @return false if it is not: nobody has connected, or the other end has gone or got no processor
+     * @return false if it is not: nobody has connected, the other end has gone, or it {@linkplain #isSilent is silent}
      */
     public boolean order(boolean stop) {
         if (broken) {
@@ -89,7 +86,6 @@ public final class HoldSocket implements AutoCloseable {
             }
             letter.clear().put((byte) (stop ? 'h' : 'c')).flip();
             broken = connected.write(letter) != 1;
-            unacknowledged++;
             return !broken && isAcknowledged();
         } catch (IOException gone) {
             broken = true;
@@ -102,16 +98,20 @@ public final class HoldSocket implements AutoCloseable {
         return broken;
     }
 
+    /** True if the other end is there and did not acknowledge an order in time; no other order is given then. */
+    public boolean isSilent() {
+        return silent;
+    }
+
     private boolean isAcknowledged() throws IOException {
         long begun = System.nanoTime();
         for (;;) {
-            letter.clear();
-            int count = connected.read(letter);
-            unacknowledged -= Math.max(0, count);
-            broken = count < 0;
-            long waited = System.nanoTime() - begun;
-            if (unacknowledged == 0 || broken || waited > PATIENCE_NANOS) {
-                return unacknowledged == 0;
+            long waited = System.nanoTime() - begun;    // before the read: this thread may have been stopped meanwhile
+            int count = connected.read(letter.clear());
+            silent = count == 0 && waited > PATIENCE_NANOS;
+            broken = count < 0 || silent;
+            if (count > 0 || broken) {
+                return !broken;
             }
             if (waited < SPIN_NANOS) {
                 Thread.onSpinWait();

@@ -26,20 +26,24 @@ public final class WaitingMeter {
     private long passed;
     private long used;
     private TreeSample before;
+    private long exactBefore;
     private long waitOfBefore;
 
     /**
      * Adds a sample.
      *
-     * @param wait in which it was taken: waits that others follow have other numbers
+     * @param wait  in which it was taken: waits that others follow have other numbers
+     * @param exact CPU time until then of all that the bot ever started, in nanoseconds; -1 if only the sample knows
      */
-    public void add(long wait, TreeSample sample) {
+    public void add(long wait, TreeSample sample, long exact) {
         if (before != null && wait == waitOfBefore && sample.shown() && sample.at() > before.at()) {
             TimeLedger ledger = new TimeLedger(before);
             ledger.add(sample);
-            add(new Interval(sample.at() - before.at(), ledger.cpu()));
+            add(new Interval(sample.at() - before.at(),
+                exact >= 0 && exactBefore >= 0 ? exact - exactBefore : ledger.probableCpu()));
         }
         before = sample.shown() ? sample : null;
+        exactBefore = exact;
         waitOfBefore = wait;
     }
 

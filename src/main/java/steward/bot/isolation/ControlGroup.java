@@ -9,6 +9,7 @@ import java.nio.file.StandardOpenOption;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 
 /**
@@ -196,7 +197,7 @@ public final class ControlGroup {
     }
 
     /** True if it limits memory and processes. */
-    boolean limits() {
+    public boolean limits() {
         return limits;
     }
 
@@ -207,6 +208,16 @@ public final class ControlGroup {
             return true;
         } catch (IOException refused) {
             return false;
+        }
+    }
+
+    /** CPU time of all processes that were ever in it, in nanoseconds; -1 if that cannot be read. */
+    public long cpu() {
+        try {
+            String[] words = Files.readString(folder.resolve("cpu.stat")).split("\\s+", 3);
+            return words[0].equals("usage_usec") ? TimeUnit.MICROSECONDS.toNanos(Long.parseLong(words[1])) : -1;
+        } catch (IOException gone) {
+            return -1;
         }
     }
 

@@ -88,12 +88,15 @@ public record Launch(Program program, Isolation isolation, List<Program> others)
                               ControlGroup controlGroup, Path holdSocket) {
         Path join = controlGroup == null ? null : controlGroup.joinFile();
         Path program = NativeLauncher.program();
+        ResourceLimits limits = controlGroup != null && controlGroup.limits()
+            ? isolation.limits().withoutControlGroup() : isolation.limits().withoutLongFilesInMemory();
         List<String> words = new ArrayList<>();
         switch (isolation.level()) {
             case OFF -> words.addAll(ShellLauncher.off(join));
             case LIGHT -> {
                 if (program == null) {
-                    words.addAll(ShellLauncher.light(isolation, join, emptied(bot), closed(bot, others)));
+                    words.addAll(ShellLauncher.light(isolation.network(), limits, join, emptied(bot),
+                        closed(bot, others)));
                     break;
                 }
                 words.addAll(List.of(program.toString(), "light", "-u", "" + UserNumbers.userInside(), "-g",
@@ -106,14 +109,14 @@ public record Launch(Program program, Isolation isolation, List<Program> others)
                 }
                 closed(bot, others).forEach(file -> words.addAll(List.of("-b", file)));
                 ControlGroup.mountPoints().forEach(point -> words.addAll(List.of("-r", point)));
-                words.addAll(List.of("-e", JVM_FILES + UserNumbers.nameInside()));
+                if (UserNumbers.hasName()) {
+                    words.addAll(List.of("-e", JVM_FILES + UserNumbers.nameInside()));
+                }
                 words.addAll(socket(holdSocket));
-                words.addAll(NativeLauncher.options(isolation.limits(), join));
+                words.addAll(NativeLauncher.options(limits, join));
                 words.add(END);
             }
             case STRICT -> {
-                ResourceLimits limits = controlGroup != null && controlGroup.limits()
-                    ? isolation.limits().withoutControlGroup() : isolation.limits();
                 if (program == null) {
                     words.addAll(ShellLauncher.outside(join));
                 } else {

@@ -18,6 +18,7 @@ import java.util.zip.CRC32;
 import steward.bot.command.ProgramFinder;
 import steward.bot.command.ProgramTrial;
 import steward.files.Sha256;
+import steward.files.UserFolders;
 
 /**
  * The small program that starts bots in a sandbox and stops them while others are asked, {@value #SOURCE}: as the
@@ -39,8 +40,10 @@ final class NativeLauncher {
     private static final String BUILT = "/steward/sandbox/";
     private static final List<String> COMPILERS = List.of("cc", "gcc", "clang");
     private static final long PATIENCE_MS = 60_000;
-    /** The exit status of the program where it is called without words. */
+    /** The exit status of the program where it is called without words, and can set a filter of system calls. */
     private static final int NO_COMMAND = 125;
+    /** That status where it can set none. */
+    private static final int NO_FILTER = 124;
     private static final int DIGEST = 8;
     private static final String OWNER_ONLY = "rwx------";
     private static final Set<PosixFilePermission> OTHERS_WRITE
@@ -48,6 +51,24 @@ final class NativeLauncher {
 
     private static final class Found {
         static final Path PROGRAM = find();
+    }
+
+    private static final class Filter {
+        static final boolean WORKS = works();
+
+        private static boolean works() {
+            try {
+                return program() != null && status(program()) == NO_COMMAND;
+            } catch (InterruptedException interrupted) {
+                Thread.currentThread().interrupt();
+                return false;
+            }
+        }
+    }
+
+    /** True if the program is there and sets a filter of system calls. The first call starts it. */
+    static boolean filters() {
+        return Filter.WORKS;
     }
 
     /** The program, or {@code null} where there is none. The first call may compile it. */
@@ -64,19 +85,13 @@ final class NativeLauncher {
                 return null;
             }
             byte[] source = stream.readAllBytes();
-            return in(folder(), source);
+            return in(UserFolders.cache(), source);
         } catch (IOException | UnsupportedOperationException | LinkageError none) {
             return null;
         } catch (InterruptedException interrupted) {
             Thread.currentThread().interrupt();
             return null;
         }
-    }
-
-    private static Path folder() {
-        String cache = System.getenv("XDG_CACHE_HOME");
-        return (cache != null && cache.startsWith("/") ? Path.of(cache)
-            : Path.of(System.getProperty("user.home"), ".cache")).resolve("steward");
     }
 
     /** The program in a folder; compiled if it is not there, or not as it was made. */
@@ -117,8 +132,12 @@ final class NativeLauncher {
 
     /** True if it starts here, and is what it should be: without words it says that there is no command. */
     private static boolean runs(Path program) throws InterruptedException {
-        return Files.isExecutable(program) && ProgramTrial.of(List.of(program.toString()), PATIENCE_MS).status()
-            == NO_COMMAND;
+        int status = Files.isExecutable(program) ? status(program) : 0;
+        return status == NO_COMMAND || status == NO_FILTER;
+    }
+
+    private static int status(Path program) throws InterruptedException {
+        return ProgramTrial.of(List.of(program.toString()), PATIENCE_MS).status();
     }
 
     /** The program as it was built with this one, or compiled here; {@code null} where there is neither. */

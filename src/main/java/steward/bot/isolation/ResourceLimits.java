@@ -79,6 +79,16 @@ public record ResourceLimits(long memory, long processes, long fileSize, long op
         return new ResourceLimits(0, 0, fileSize, openFiles);
     }
 
+    /**
+     * Returns these limits for where no control group holds the memory: a file may be in memory, and so is not longer
+     * than that may be, or than stderr has to be.
+     */
+    ResourceLimits withoutLongFilesInMemory() {
+        long most = Math.max(memory, LEAST_FILE_SIZE);
+        return memory == 0 || fileSize > 0 && fileSize <= most ? this
+            : new ResourceLimits(memory, processes, most, openFiles);
+    }
+
     public boolean isNone() {
         return equals(NONE);
     }

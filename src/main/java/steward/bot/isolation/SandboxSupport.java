@@ -49,6 +49,15 @@ public final class SandboxSupport {
         return NativeLauncher.program() != null;
     }
 
+    /** Reason why {@link #isNative} is false. */
+    public static final String NO_LAUNCHER =
+        "there is no C compiler, or its program cannot be kept in the user's cache";
+
+    /** True if the small program keeps bots in a sandbox from system calls that no bot needs. */
+    public static boolean isFiltered() {
+        return NativeLauncher.filters();
+    }
+
     /** True if this program runs as root, whose files are a bot's own at level light. */
     public static boolean isRoot() {
         return UserNumbers.isRoot();

@@ -48,7 +48,8 @@ final class ShellLauncher {
         return words;
     }
 
-    static List<String> light(Isolation isolation, Path controlGroup, boolean emptied, List<String> closed) {
+    static List<String> light(boolean network, ResourceLimits limits, Path controlGroup, boolean emptied,
+                              List<String> closed) {
         List<String> words = new ArrayList<>(List.of(program("setsid"), program("unshare"), "--user",
             "--map-user=" + UserNumbers.userInside(), "--map-group=" + UserNumbers.groupInside(), "--keep-caps",
             "--pid", "--net", "--ipc", "--uts"));
@@ -64,9 +65,9 @@ final class ShellLauncher {
         String last = program("unshare") + " --mount --mount-proc " + made + program("setpriv")
             + " --no-new-privs --ambient-caps=-all --inh-caps=-all --bounding-set=-all "
             + program("env") + " --default-signal=INT,QUIT --block-signal=QUIT";
-        String loopback = isolation.network() ? program("ip") + " link set lo up\n" : "";
+        String loopback = network ? program("ip") + " link set lo up\n" : "";
         words.addAll(List.of(program("sh"), "-c", String.format(LIGHT, SIGNALS, join(controlGroup) + loopback,
-            isolation.limits().shell(), last), "steward-launch"));
+            limits.shell(), last), "steward-launch"));
         return words;
     }
 

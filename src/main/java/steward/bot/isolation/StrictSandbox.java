@@ -49,7 +49,7 @@ final class StrictSandbox {
             "--unshare-user", "--uid", "" + UserNumbers.userInside(), "--gid", "" + UserNumbers.groupInside(),
             "--unshare-pid", "--unshare-net", "--unshare-ipc", "--unshare-uts", "--cap-drop", "ALL",
             "--die-with-parent", "--new-session",
-            "--proc", "/proc", "--dev", "/dev",
+            "--proc", "/proc", "--remount-ro", "/proc", "--dev", "/dev",
             "--size", "" + Launch.SHARED_BYTES, "--tmpfs", Launch.SHARED.toString(), "--remount-ro", "/dev",
             "--size", "" + TEMPORARY_BYTES, "--tmpfs", TEMPORARY));
         if (launcher != null) {

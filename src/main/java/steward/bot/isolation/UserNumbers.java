@@ -24,6 +24,11 @@ final class UserNumbers {
         return own == 0 ? NOBODY : own;
     }
 
+    /** True if the system has a name for the user inside. */
+    static boolean hasName() {
+        return !nameInside().equals("?");
+    }
+
     static String nameInside() {
         return isRoot() ? "nobody" : System.getProperty("user.name");
     }

@@ -86,7 +86,7 @@ final class BotHold implements WaitingSampler.WaitingBot {
                 young = false;
                 meter.reset();
             }
-            meter.add(wait, young ? tree.withoutCompilers(now) : tree.baseline(now));
+            meter.add(wait, young ? tree.withoutCompilers(now) : tree.baseline(now), young ? -1 : group.cpu());
             if (!meter.burns()) {
                 return;
             }

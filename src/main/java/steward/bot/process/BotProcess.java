@@ -85,13 +85,10 @@ public final class BotProcess implements Player {
     private final QuestionClock clock = new QuestionClock(asking::state, at -> this.tree.sample(at));
     private final Deadline deadline = new Deadline(Watchdog.shared(), alarm);
     private volatile Consumer<Answer> continuation;
-
     private final LineBuffer queued = new LineBuffer();
-
     private StderrFile stderr;
     private OutputStream input;
     private AnswerReader output;
-
     private TreeSampler tree;
     /** {@code null} for a bot that is never held. */
     private volatile BotHold hold;
@@ -104,7 +101,6 @@ public final class BotProcess implements Player {
 
     /** Writes the last lines. */
     private volatile FutureTask<Void> writer;
-
     private volatile String finalStderr;
 
     /** No more questions may be asked. */
@@ -182,6 +178,9 @@ public final class BotProcess implements Player {
             }
         } else {
             resume();
+            if (group.fault() != null) {
+                return fault(answer, group.fault());
+            }
             long now = Watchdog.now();
             clock.begin(limit, now, clock.needsBaseline() ? tree.baseline(now) : null);
         }
@@ -323,7 +322,8 @@ public final class BotProcess implements Player {
     /** The fault after the end of the output. The exit status may be known a little later than that. */
     private String endText() {
         boolean exited = group.awaitExit(TimeUnit.MILLISECONDS.toNanos(EXIT_MS));
-        return exited ? FaultMessages.exited(group.process().exitValue()) : "closed its output before answering";
+        return group.fault() != null ? group.fault()
+            : exited ? FaultMessages.exited(group.process().exitValue()) : "closed its output before answering";
     }
 
     private Ending fault(Answer answer, String reason) {

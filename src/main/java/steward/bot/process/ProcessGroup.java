@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
+import steward.bot.FaultMessages;
 import steward.bot.hold.HoldSocket;
 import steward.bot.isolation.ControlGroup;
 import steward.bot.isolation.Launch;
@@ -29,6 +30,8 @@ final class ProcessGroup {
     private final String target;
     private final ControlGroup controlGroup;
     private final HoldSocket holdSocket;
+    /** {@code null} where nothing limits memory, or a control group does. */
+    private MemoryWatch memory;
     private boolean killed;
 
     private ProcessGroup(Process process, boolean grouped, ControlGroup controlGroup, HoldSocket holdSocket) {
@@ -62,6 +65,8 @@ final class ProcessGroup {
         }
         ProcessGroup group = new ProcessGroup(process, !Launch.ownSession().isEmpty(), controlGroup, holdSocket);
         Sentinel.shared().watch(group.target);
+        long most = launch.isolation().limits().memory();
+        group.memory = most == 0 || controlGroup != null && controlGroup.limits() ? null : new MemoryWatch(group, most);
         return group;
     }
 
@@ -73,6 +78,11 @@ final class ProcessGroup {
     /** All processes that are there now, as this machine numbers them; the first process is the first. */
     List<Long> processes() {
         return ProcessTree.of(process.pid());
+    }
+
+    /** CPU time of all that was ever in its control group, in nanoseconds; -1 if there is none. */
+    long cpu() {
+        return controlGroup == null ? -1 : controlGroup.cpu();
     }
 
     /** Waits for the first process to exit; returns whether it has. */
@@ -88,6 +98,12 @@ final class ProcessGroup {
     /** True if all of the bot can be stopped: by the first process of its namespace, or its control group. */
     boolean canPause() {
         return holdSocket != null && !holdSocket.isBroken() || controlGroup != null;
+    }
+
+    /** Fault for which nothing more can be asked of the bot, but for its end; {@code null} if there is none. */
+    String fault() {
+        return holdSocket != null && holdSocket.isSilent() ? FaultMessages.LOST
+            : memory == null ? null : memory.fault();
     }
 
     /**
@@ -121,6 +137,9 @@ final class ProcessGroup {
         }
         if (controlGroup != null) {
             DaemonThreadPool.run(controlGroup::remove);
+        }
+        if (memory != null) {
+            memory.end();
         }
     }
 

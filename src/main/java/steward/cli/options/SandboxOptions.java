@@ -16,6 +16,7 @@ import steward.bot.command.ProgramFinder;
 import steward.bot.hold.HoldPolicy;
 import steward.bot.isolation.BotEnvironment;
 import steward.bot.isolation.ChosenLocale;
+import steward.bot.isolation.HoldMeans;
 import steward.bot.isolation.Isolation;
 import steward.bot.isolation.ResourceLimits;
 import steward.bot.isolation.SandboxLevel;
@@ -177,8 +178,17 @@ public final class SandboxOptions {
             streams.warn(NOT_APART + ": " + problem + "; run only bots you trust ('steward doctor' says more, "
                 + "--sandbox off says nothing)");
         }
-        return new Isolation(used, network, used == SandboxLevel.STRICT ? limits.orElse(ResourceLimits.STRICT) : limits,
-            environment, shown, List.of(), policy);
+        Isolation found = new Isolation(used, network, used == SandboxLevel.STRICT
+            ? limits.orElse(ResourceLimits.STRICT) : limits, environment, shown, List.of(), policy);
+        if (used != SandboxLevel.OFF && !SandboxSupport.isNative()) {
+            streams.warn("level " + used.word() + " has no filter of system calls here"
+                + (HoldMeans.of(found) == HoldMeans.MEASURED ? ", and bots that compute while others are asked are not "
+                + "held" : "") + ": " + SandboxSupport.NO_LAUNCHER);
+        }
+        if (used != SandboxLevel.OFF && level != null && SandboxSupport.isRoot()) {
+            streams.warn("this is root, whose files are a bot's own: other people's bots want another user");
+        }
+        return found;
     }
 
     /** Gives what another supplier gave when it was first asked. */

@@ -124,8 +124,11 @@ final class Checkup {
             "bots of strangers cannot be run safely");
         boolean quick = SandboxSupport.isNative();
         add("isolation", "launcher", quick, quick ? "a small program starts bots in a sandbox"
-            : "there is no C compiler, or its program cannot be kept in ~/.cache/steward: a shell starts bots in a "
-            + "sandbox, which takes some milliseconds longer for each");
+            : SandboxSupport.NO_LAUNCHER + ": a shell starts bots in a sandbox, which takes some milliseconds longer "
+            + "for each");
+        boolean filtered = SandboxSupport.isFiltered();
+        add("isolation", "system calls", filtered, filtered ? "a filter keeps bots at light and strict from those that "
+            + "no bot needs" : "bots can make all: " + (quick ? "this kernel has no filter" : "there is no launcher"));
         hold();
         String none = ControlGroup.problem();
         add("isolation", "control groups", none == null && ControlGroup.holdsLimits(), none != null

@@ -46,6 +46,26 @@ class TimeLedgerTest {
         assertEquals(3 * MS, ledger.cpu());
     }
 
+    /** Each process of a chain lives for less than is between two looks: one is seen, and it stands for the others. */
+    @Test
+    void aProcessThatHasBegunAndRunsStandsForThoseBeforeIt() {
+        TimeLedger ledger = new TimeLedger(sample(0, 0, 0, Map.of(7L, thread(5, 0, 5, false))));
+        ledger.add(sample(20, 0, 0, Map.of(7L, thread(5, 0, 5, false), 8L, thread(1, 0, 1, true))));
+        ledger.add(sample(40, 0, 0, Map.of(7L, thread(5, 0, 5, false), 9L, thread(2, 0, 1, false))));
+        assertEquals((20 + 2) * MS, ledger.probableCpu(), "the last does not run");
+        assertEquals((1 + 2) * MS, ledger.cpu(), "for a verdict only what was seen counts");
+    }
+
+    /** 40 ms by the count of 9 processes, all but one of which slept. */
+    @Test
+    void oneStepIsCutHoweverManyProcessesThereAre() {
+        Map<Long, ThreadTimes> asleep = Map.of(7L, thread(5, 0, 5, false));
+        TimeLedger ledger = new TimeLedger(new TreeSample(0, true, 9, 0, asleep, 0));
+        ledger.add(new TreeSample(20 * MS, true, 9, 40 * MS, asleep, 0));
+        assertEquals(30 * MS, ledger.probableCpu());
+        assertEquals(0, ledger.cpu());
+    }
+
     /** Time that the kernel has not yet counted: runnable at both samples, and it never ran. */
     @Test
     void aThreadThatStillWaitsHasWaited() {

@@ -20,7 +20,7 @@ class WaitingMeterTest {
     /** A sample so many milliseconds after the beginning, in a wait. */
     private void look(long wait, double ms) {
         meter.add(wait, new TreeSample(Math.round(ms * MS), true, 1, 0, Map.of(1L, new ThreadTimes(used, 0, 1, true)),
-            0));
+            0), -1);
     }
 
     @Test
@@ -78,6 +78,15 @@ class WaitingMeterTest {
         }
         assertTrue(burnt);
         assertFalse(meter.burns(), "the last 100 ms are rest");
+    }
+
+    /** A control group counts also what nobody waits for. */
+    @Test
+    void theCountOfAControlGroupGoesBeforeTheSample() {
+        Map<Long, ThreadTimes> asleep = Map.of(1L, new ThreadTimes(0, 0, 1, false));
+        meter.add(1, new TreeSample(0, true, 1, 0, asleep, 0), 500 * MS);
+        meter.add(1, new TreeSample(100 * MS, true, 1, 0, asleep, 0), 560 * MS);
+        assertEquals(0.6, meter.processors(), 1e-12);
     }
 
     /** A bot beside which another is late may have been seen for a moment only. */

@@ -35,6 +35,16 @@ class ResourceLimitsTest {
         assertFalse(asked.isNone());
     }
 
+    /** A file may be in memory; stderr is a file, and not cut short. */
+    @Test
+    void aLimitOfMemoryBoundsFiles() {
+        assertEquals(new ResourceLimits(1L << 30, 0, 1L << 30, 0),
+            new ResourceLimits(1L << 30, 0, 0, 0).withoutLongFilesInMemory());
+        assertEquals(new ResourceLimits(64L << 20, 0, ResourceLimits.LEAST_FILE_SIZE, 0),
+            new ResourceLimits(64L << 20, 0, 1L << 40, 0).withoutLongFilesInMemory());
+        assertEquals(ResourceLimits.STRICT, ResourceLimits.STRICT.withoutLongFilesInMemory());
+    }
+
     /** In the units of {@code ulimit}: kilobytes of addresses, blocks of 512 bytes. */
     @Test
     void shellsGetTheirOwnUnits() {

@@ -22,6 +22,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import steward.bot.Answer;
 import steward.bot.Burner;
+import steward.bot.FaultMessages;
 import steward.bot.Player;
 import steward.bot.command.ProgramFinder;
 import steward.bot.hold.HoldPolicy;
@@ -82,14 +83,16 @@ class BotHoldTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"LIGHT, hogs", "STRICT, forks", "LIGHT, sigcont", "LIGHT, namespaces", "LIGHT, pulse"})
+    @CsvSource({"LIGHT, hogs", "STRICT, forks", "LIGHT, sigcont", "LIGHT, namespaces", "LIGHT, pulse",
+        "LIGHT, chain-4-2", "STRICT, lost-1-1"})
     void aBotThatComputesWhileOthersAreAskedIsHeld(SandboxLevel level, String word) throws Exception {
         assertHeld(level, word);
     }
 
     @Tag("campaign")
     @ParameterizedTest
-    @CsvSource({"STRICT, hogs", "LIGHT, many", "LIGHT, forks", "LIGHT, memory", "STRICT, sigcont"})
+    @CsvSource({"STRICT, hogs", "LIGHT, many", "LIGHT, forks", "LIGHT, memory", "STRICT, sigcont",
+        "STRICT, chain-1-1", "LIGHT, chain-16-20", "LIGHT, lost-4-5", "STRICT, lost-16-2"})
     void aBotThatComputesInMoreWaysIsHeld(SandboxLevel level, String word) throws Exception {
         assertHeld(level, word);
     }
@@ -106,6 +109,44 @@ class BotHoldTest {
             List<Long> processes = bot.processes();
             bot.close();
             processes.forEach(ScriptedBots::assertGone);
+        }
+    }
+
+    /** First process of its namespace in this machine's numbers: the child of the one that waits outside. */
+    private static long init(BotProcess bot) {
+        return bot.processes().get(1);
+    }
+
+    /** Nothing that can be set of the first process keeps it from holding the bot: here from outside, by its user. */
+    @ParameterizedTest
+    @EnumSource(value = SandboxLevel.class, names = {"LIGHT", "STRICT"})
+    void limitsOfTheFirstProcessDoNotKeepItFromHolding(SandboxLevel level) throws Exception {
+        assumeTrue(ProgramFinder.find("prlimit") != null, "skipped: there is no prlimit");
+        try (BotProcess bot = hog(level, "none", HoldPolicy.ALWAYS)) {
+            ScriptedBots.tell(bot, "setup\n");
+            ask(bot);
+            for (String resource : List.of("--nofile", "--sigpending", "--nproc", "--as", "--memlock")) {
+                assertEquals(0, new ProcessBuilder("prlimit", "--pid", "" + init(bot), resource + "=0").inheritIO()
+                    .start().waitFor());
+            }
+            for (int turn = 0; turn < 3; turn++) {
+                assertTrue(ask(bot));
+                ScriptedBots.await("it goes on after its answer",
+                    () -> bot.processes().stream().anyMatch(ScriptedBots::isHalted));
+            }
+        }
+    }
+
+    /** A first process that does not answer costs the match one wait, not one for each turn. */
+    @Tag("campaign")
+    @ParameterizedTest
+    @EnumSource(value = SandboxLevel.class, names = {"LIGHT", "STRICT"})
+    void aBotWhoseFirstProcessDoesNotAnswerFails(SandboxLevel level) throws Exception {
+        try (BotProcess bot = hog(level, "none", HoldPolicy.ALWAYS)) {
+            ScriptedBots.tell(bot, "setup\n");
+            ask(bot);
+            assertEquals(0, new ProcessBuilder("kill", "-STOP", "" + init(bot)).start().waitFor());
+            assertEquals(FaultMessages.LOST, ScriptedBots.fault(bot, "turn\n", LIMIT).fault());
         }
     }
 
