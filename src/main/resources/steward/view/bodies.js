@@ -5,7 +5,7 @@ import { putBall, putDisc } from './hulls.js';
 import { addLook, LABEL_PIXELS, PLAIN_LOOK } from './looks.js';
 import { grouped } from './text.js';
 
-// Colours of speeds, from rest to the fastest of the match: where they are used there are none of teams.
+// Colours of speeds, from rest to the fastest of the match. Beside teams, whose colours are their own, they are not used.
 const ON_DARK = ['#5675b8', '#3d9fc4', '#46c08f', '#b5d84f', '#ffd54a', '#fff6d8'];
 const ON_LIGHT = ['#6b82b5', '#2b84ad', '#1f8a5c', '#8a8a00', '#c76a00', '#b0123a'];
 const SHADES = 4;               // between two of them
@@ -26,7 +26,8 @@ addLook('bodies', {
 
   drawAbove(scene) {
     PLAIN_LOOK.drawAbove(scene);
-    if (scene.show.names && scene.bodies.some(body => body.owner === null && !body.colour)) drawLegend(scene);
+    const isColoured = !scene.match.players.length && scene.bodies.some(body => !body.colour);
+    if (scene.show.names && isColoured) drawLegend(scene);
   },
 
   strip(match, series) {
@@ -63,7 +64,8 @@ function sumsOf(match, turn) {
 }
 
 /** The colour of a speed, as a share of the fastest of the match. */
-function colourOfSpeed({ match, theme }, speed) {
+function colourOfSpeed({ match, theme, paint }, speed) {
+  if (match.players.length) return paint.muted;
   const colours = theme.isDark ? ON_DARK : ON_LIGHT;
   const at = Math.round(SHADES * (colours.length - 1) * Math.min(1, speed / (match.topSpeed || 1)));
   const [k, more] = [Math.floor(at / SHADES), at % SHADES];

@@ -220,7 +220,8 @@ export class Timeline {
     const share = (event.clientX - left - THUMB / 2) / (width - THUMB);
     const time = Math.max(0, Math.min(1, share)) * this.match.lastTurn;
     const near = NEAR_PIXELS * this.match.lastTurn / Math.max(1, width);
-    const lines = [`turn ${Math.ceil(time)}`, ...this.#leadWords(Math.floor(time))];
+    const turn = Math.floor(time);
+    const lines = [`${time.toFixed(2)}, after turn ${turn}`, ...this.#leadWords(turn)];
     const impacts = within(this.match.impacts, time - near, time + near);
     const strongest = impacts.reduce((one, other) =>
       (!one || Math.abs(other.impact.impulse ?? 0) > Math.abs(one.impact.impulse ?? 0) ? other : one), null);
