@@ -35,6 +35,13 @@ record PlayedGames(Season season, List<LeagueTable.Entry> entries, List<StoredGa
         return new PlayedGames(opened.season(), entries, games);
     }
 
+    /** These games and one more. */
+    PlayedGames with(StoredGame game) {
+        List<StoredGame> more = new ArrayList<>(games);
+        more.add(game);
+        return new PlayedGames(season, entries, more);
+    }
+
     /** The games that count, each once, however often it was played. */
     List<StoredGame> counted() {
         return games.stream().filter(StoredGame::counts).toList();

@@ -1,6 +1,7 @@
 package steward.cli.tournament;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
@@ -49,10 +50,11 @@ record Scores(List<Row> rows, String rule) {
         private int wins;
         private int draws;
         private int failed;
+        private int bye;
         private final Map<Integer, Integer> halves = new TreeMap<>();
 
         private int points() {
-            return halves.values().stream().mapToInt(Integer::intValue).sum();
+            return bye + halves.values().stream().mapToInt(Integer::intValue).sum();
         }
     }
 
@@ -61,6 +63,28 @@ record Scores(List<Row> rows, String rule) {
         Map<Integer, Sum> sums = sums(played);
         return table(played, sums, DIRECT, (version, tied) -> tied.stream().mapToInt(other ->
             sums.get(version).halves.getOrDefault(other, 0)).sum());
+    }
+
+    /** Rule of ties of Swiss rounds. */
+    static final String BUCHHOLZ = "Ties: the sum of the opponents' points (Buchholz), then wins; then the place is "
+        + "shared. A bye counts as a round won.";
+
+    /**
+     * The table of Swiss rounds.
+     *
+     * @param games of a round, of each program
+     */
+    static Scores of(PlayedGames played, Rounds rounds, int games) {
+        Map<Integer, Sum> sums = sums(played);
+        int players = played.season().players();
+        Map<Integer, List<Integer>> opponents = new HashMap<>();
+        rounds.met().forEach((group, times) -> group.forEach(one -> group.stream().filter(other -> !other.equals(one))
+            .forEach(other -> opponents.computeIfAbsent(played.versionOf(one), key -> new ArrayList<>())
+                .addAll(Collections.nCopies(times, played.versionOf(other))))));
+        rounds.byes(players).forEach((name, byes) -> sums.get(played.versionOf(name)).bye = byes * games * 2 * (players
+            - 1));
+        return table(played, sums, BUCHHOLZ, (version, tied) -> opponents.getOrDefault(version, List.of()).stream()
+            .mapToInt(other -> sums.get(other).points()).sum());
     }
 
     /** Breaks a tie. */
@@ -108,6 +132,9 @@ record Scores(List<Row> rows, String rule) {
         if (allFailed > 0) {
             notes.add("In " + TextFormat.count(allFailed, "game") + " all failed in the same turn: they count here as "
                 + "the rules say, and in no rating.");
+        }
+        if (rule.equals(BUCHHOLZ)) {
+            return notes;
         }
         int most = rows.stream().mapToInt(Row::games).max().orElse(0);
         rows.stream().filter(row -> row.games() < most).forEach(row -> notes.add(row.name() + " has "

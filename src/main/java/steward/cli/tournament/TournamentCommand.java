@@ -10,21 +10,20 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
-import java.util.concurrent.atomic.AtomicReference;
 import java.util.stream.Stream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import steward.cli.check.BotCheck;
-import steward.cli.league.run.NoServing;
-import steward.cli.league.run.RunCommand;
 import steward.cli.league.view.LeagueOpening;
+import steward.cli.league.view.PageCommand;
 import steward.cli.options.ProgramCommand;
 import steward.cli.options.ProtocolWord;
 import steward.cli.options.ShippedScenes;
 import steward.cli.options.ThreadsOption;
 import steward.cli.options.TimeLimitOptions;
+import steward.cli.options.WatchOptions;
 import steward.cli.shared.FailedException;
 import steward.cli.shared.Games;
 import steward.cli.streams.Json;
@@ -39,7 +38,6 @@ import steward.league.FolderLock;
 import steward.league.LeagueBot;
 import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
-import steward.league.Schedule;
 import steward.league.StoredGame;
 import steward.league.page.EmbeddedReplays;
 import steward.league.page.LeagueJson;
@@ -64,13 +62,15 @@ import steward.text.TextFormat;
         "as table.csv, and in league/ a league, which 'steward league' goes on with. The",
         "same command plays what is new: changed programs, and more --games. Table and",
         "pages are of the programs as they are now, and everybody has as many games.",
-        "Links, pipes and devices among hand-ins are not opened.",
+        "Links, pipes and devices among hand-ins are not opened. A round of --rounds is",
+        "written to rounds.json before its games; new versions begin at the first round.",
         "", "--json: folder, programs (name, ready, standing), scores (place, name, games,",
         "won, drawn, lost, failed, points, tie), and the ratings as in 'league table",
         "--json'.",
         "", "Examples:",
         "  steward tournament submissions --scene mad-pod-racing",
         "  steward tournament submissions --games 10 --page results --threads auto",
+        "  steward tournament submissions --rounds 5 --watch --host 0.0.0.0",
         "", "Exit status: 0 done, whatever programs do; 1 it could not be brought to its end;",
         "2 the call or the folder is unusable; 130 interrupted, the same command goes on."})
 public final class TournamentCommand extends ProgramCommand {
@@ -79,6 +79,7 @@ public final class TournamentCommand extends ProgramCommand {
     private static final String INDEX = "index.html";
     private static final List<String> LEVELS = List.of("auto", "strict", "light", "off");
     private static final int MOST_GAMES = 100_000;
+    private static final int MOST_ROUNDS = 100;
     private static final int MOST_MEGABYTES = 100_000;
     private static final int MOST_FILES = 1_000_000;
     /** Up to so many games of a group all replays are kept; of more only those of failures, as they fill the disk. */
@@ -95,6 +96,10 @@ public final class TournamentCommand extends ProgramCommand {
     @Option(names = "--games", paramLabel = "N", defaultValue = "4", description = "Games of every group that can "
         + "meet, rounded up to whole seeds from all seats (default: ${DEFAULT-VALUE}).")
     private Integer games;
+
+    @Option(names = "--rounds", paramLabel = "R", description = "Plays R Swiss rounds, in which those meet who have as "
+        + "many points, --games times; without it everybody meets everybody.")
+    private Integer rounds;
 
     @Option(names = "--page", paramLabel = "DIR", description = "The folder of what is written (default: FOLDER with "
         + "-tournament behind its name).")
@@ -130,6 +135,9 @@ public final class TournamentCommand extends ProgramCommand {
 
     @Mixin
     private final ThreadsOption threads = new ThreadsOption();
+
+    @Mixin
+    private final WatchOptions watch = new WatchOptions();
 
     /**
      * A program of the tournament.
@@ -169,7 +177,9 @@ public final class TournamentCommand extends ProgramCommand {
         check.that(LEVELS.contains(sandbox), "--sandbox: found '" + sandbox + "', expected auto, strict, light or off");
         check.range("--most-megabytes", mostMegabytes, 1, MOST_MEGABYTES);
         check.range("--most-files", mostFiles, 1, MOST_FILES);
+        check.range("--rounds", rounds, 1, MOST_ROUNDS);
         threads.check();
+        watch.check(check);
         Path from = OutputFiles.path(folder);
         Path into = page == null ? from.resolveSibling(from.toAbsolutePath().normalize().getFileName() + "-tournament")
             : OutputFiles.path(page);
@@ -179,15 +189,20 @@ public final class TournamentCommand extends ProgramCommand {
         LeagueFolder league = new LeagueFolder(into.resolve("league"));
         boolean before = Files.isRegularFile(league.settings());
         prepare(into, before);
-        try (FolderLock lock = FolderLock.take(new LeagueFolder(into))) {
-            return call(from, into, programs, league, settings(league, before), spoken);
+        try (FolderLock lock = FolderLock.take(new LeagueFolder(into));
+             Wall wall = watch.watch() ? Wall.start(watch, streams) : null) {
+            return call(from, into, programs, league, settings(league, before), spoken, wall);
         }
     }
 
     private int call(Path from, Path into, Programs programs, LeagueFolder league, LeagueSettings settings,
-                     Protocol spoken) throws Exception {
+                     Protocol spoken, Wall wall) throws Exception {
         Contest empty = LeagueOpening.contest(league, settings, streams);
         Contest.checkPlayable(empty.setup(), List.of(new Contest.Entrant("all", "all", spoken, List.of())));
+        if (rounds != null && empty.players() < 2) {
+            throw new InputException("--rounds: found " + empty.sceneName() + ", which each plays alone, expected a "
+                + "scene for several players");
+        }
         programs.others().forEach(other -> streams.err().println("steward: " + TextFormat.plain(other)
             + " is no program, and is passed over"));
         List<Entry> entries = entries(programs, into, empty, spoken);
@@ -201,27 +216,17 @@ public final class TournamentCommand extends ProgramCommand {
         league.write(settings.withBots(bots));
         new IndexPage(entries, null, List.of("The games are not over yet: the table comes when they are. If they were "
             + "interrupted, the same command goes on.")).write(into.resolve(INDEX));
-        AtomicReference<Roster> roster = new AtomicReference<>();
-        int status = new RunCommand(new NoServing()).following((found, decided) -> {
-            roster.set(found);
-            return everybody(decided, found, empty.players());
-        }).run(json ? streams.withoutOutput() : streams, league.path().toString(), "--pause-after", "0", "--threads",
-            "" + threads.count(streams));
-        finish(league, into, entries, roster.get());
+        Roster roster = TournamentRun.roster(league, league.read(), empty, streams);
+        int seats = Math.max(1, empty.players());
+        TournamentRun run = new TournamentRun(league, roster, seats, (games + seats - 1) / seats,
+            json ? streams.withoutOutput() : streams, threads.count(streams), wall);
+        int status = rounds == null ? run.playAll() : run.playRounds(rounds, into);
+        finish(league, into, entries, run);
+        if (wall != null) {
+            wall.end(run.played());
+        }
         changes(from, into, entries);
         return status;
-    }
-
-    /** Everybody meets everybody, so often as is asked for or as some have met already. */
-    private Schedule.Plan everybody(Map<List<Integer>, Integer> decided, Roster roster, int players) {
-        int asked = (games + Math.max(1, players) - 1) / Math.max(1, players);
-        int most = decided.entrySet().stream().filter(each -> roster.versions().containsAll(each.getKey()))
-            .mapToInt(Map.Entry::getValue).max().orElse(0);
-        if (most > asked) {
-            streams.err().println("steward: everybody meets everybody in " + most * players + " games, as before: some "
-                + "have met so often");
-        }
-        return group -> Math.max(asked, most);
     }
 
     /** Says what was handed in during the games. */
@@ -322,42 +327,41 @@ public final class TournamentCommand extends ProgramCommand {
     }
 
     /** The table, the pages of authors with their games, and the page of the league, all from the same games. */
-    private void finish(LeagueFolder league, Path into, List<Entry> entries, Roster roster) throws IOException {
-        try (LeagueOpening.Opened opened = LeagueOpening.read(league)) {
-            PlayedGames played = PlayedGames.read(opened, roster);
-            Scores scores = Scores.of(played);
-            LeagueTable ratings = played.ratings();
-            Files.writeString(into.resolve("table.csv"), scores.csv(played, ratings));
-            new IndexPage(entries, scores, scores.notes(played)).write(into.resolve(INDEX));
-            if (json) {
-                Json.print(streams, out -> {
-                    out.writeStringProperty("folder", into.toString());
-                    JsonObject.writeAll(out, "programs", entries, entry -> {
-                        out.writeStringProperty("name", entry.name());
-                        out.writeBooleanProperty("ready", entry.isReady());
-                        out.writeStringProperty("standing", entry.standing());
-                    });
-                    scores.json(out);
-                    LeagueJson.table(out, opened.season(), ratings, opened.workers());
+    private void finish(LeagueFolder league, Path into, List<Entry> entries, TournamentRun run) throws IOException {
+        PlayedGames played = run.played();
+        Scores scores = run.scores(played);
+        LeagueTable ratings = played.ratings();
+        Files.writeString(into.resolve("table.csv"), scores.csv(played, ratings));
+        new IndexPage(entries, scores, scores.notes(played)).write(into.resolve(INDEX));
+        if (json) {
+            Json.print(streams, out -> {
+                out.writeStringProperty("folder", into.toString());
+                JsonObject.writeAll(out, "programs", entries, entry -> {
+                    out.writeStringProperty("name", entry.name());
+                    out.writeBooleanProperty("ready", entry.isReady());
+                    out.writeStringProperty("standing", entry.standing());
                 });
-            }
-            for (Entry entry : entries) {
-                AuthorPage.of(entry, played, league.replays()).write(page(into, entry));
-            }
-            leaguePage(played, ratings, league, into.resolve("league.html"));
-            if (!json) {
-                scores.lines().forEach(streams.out()::println);
-                scores.notes(played).forEach(streams.out()::println);
-                streams.out().println("Written: " + into.resolve(INDEX) + ", league.html, table.csv, and a page for "
-                    + "each author in " + PAGES);
-            }
+                scores.json(out);
+                LeagueJson.table(out, played.season(), ratings, List.of());
+            });
+        }
+        for (Entry entry : entries) {
+            AuthorPage.of(entry, played, league.replays()).write(page(into, entry));
+        }
+        leaguePage(played, ratings, league, into.resolve("league.html"));
+        if (!json) {
+            scores.lines().forEach(streams.out()::println);
+            scores.notes(played).forEach(streams.out()::println);
+            streams.out().println("Written: " + into.resolve(INDEX) + ", league.html, table.csv, and a page for "
+                + "each author in " + PAGES);
         }
     }
 
     /** The page of the league over these games; nobody's stderr is in it. */
     private static void leaguePage(PlayedGames played, LeagueTable ratings, LeagueFolder league, Path file)
             throws IOException {
-        List<StoredGame> games = new ArrayList<>(played.games());
+        int from = Math.max(0, played.games().size() - PageCommand.LISTED);
+        List<StoredGame> games = new ArrayList<>(played.games().subList(from, played.games().size()));
         Collections.reverse(games);
         ByteArrayOutputStream html = new ByteArrayOutputStream();
         LeaguePage.write(new LeagueView(played.season(), ratings, played.path(), games, Double.NaN, List.of()),

@@ -9,6 +9,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BiFunction;
+import java.util.function.Consumer;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import picocli.CommandLine.Command;
@@ -34,6 +35,7 @@ import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
 import steward.league.Schedule;
 import steward.league.Season;
+import steward.league.StoredGame;
 import steward.league.pairing.StopRule;
 import steward.league.play.EarlierFacts;
 import steward.league.play.LeagueRun;
@@ -120,16 +122,25 @@ public final class RunCommand extends ProgramCommand {
     private boolean json;
 
     /** Games to be played and no others, or {@code null}. */
-    private BiFunction<Roster, Map<List<Integer>, Integer>, Schedule.Plan> plan;
+    private Plan plan;
+    private Consumer<StoredGame> follower = game -> { };
+
+    /** Games that are to be played, see {@link LeagueRun#following}. */
+    public interface Plan extends BiFunction<Roster, Map<List<Integer>, Integer>, Schedule.Plan> { }
 
     /** @param serving an object with options that let other machines play */
     public RunCommand(Serving serving) {
         this.serving = serving;
     }
 
-    /** Plays what a plan says, see {@link LeagueRun#following}, and prints no table. */
-    public RunCommand following(BiFunction<Roster, Map<List<Integer>, Integer>, Schedule.Plan> maker) {
+    /**
+     * Plays what a plan says, and prints no table.
+     *
+     * @param listener is told of each game, by any thread
+     */
+    public RunCommand following(Plan maker, Consumer<StoredGame> listener) {
         plan = maker;
+        follower = listener;
         return this;
     }
 
@@ -205,6 +216,7 @@ public final class RunCommand extends ProgramCommand {
         LeagueRun run = new LeagueRun(folder, store, number, season, contest, reader, roster, limits,
             machine(contest), what -> say(screen.get(), what), game -> {
                 progress.add(game);
+                follower.accept(game);
                 if (others.get() != null) {
                     others.get().stored(game);
                 }

@@ -34,7 +34,7 @@ import steward.text.TextFormat;
 public final class PageCommand extends ProgramCommand {
 
     /** Games that the page lists. */
-    private static final int LISTED = 2000;
+    public static final int LISTED = 2000;
     /** Kept replays that it has at most. */
     private static final int REPLAYS = 200;
 
