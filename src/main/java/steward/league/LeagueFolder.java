@@ -26,6 +26,8 @@ public record LeagueFolder(Path path) {
 
     /** The file that a person edits. */
     public static final String SETTINGS = "league.json";
+    /** Folder of a tournament's programs, beside its league. */
+    public static final String PROGRAMS = "programs";
     /** A scene of the league's own. */
     public static final String SCENE = "scene.json";
 
@@ -119,10 +121,14 @@ public record LeagueFolder(Path path) {
         return named == null ? null : path.toAbsolutePath().resolve(named).normalize().toString();
     }
 
-    /** A bot's folder as it is written: relative if it is within the league's, which then can be moved. */
+    /**
+     * A bot's folder as it is written: relative if it is within the league's, or that of a tournament's programs beside
+     * it, which then can be moved.
+     */
     private String stored(String folder) {
         Path own = path.toAbsolutePath().normalize();
-        if (folder == null || !Path.of(folder).startsWith(own)) {
+        if (folder == null || !Path.of(folder).startsWith(own)
+            && !Path.of(folder).startsWith(own.resolveSibling(PROGRAMS))) {
             return folder;
         }
         String within = own.relativize(Path.of(folder)).toString();

@@ -38,6 +38,7 @@ public final class PausedBots {
         /** Games in a row in which it failed, in decisions that are not in the map any more. */
         private int failures;
         private boolean hasEarlier;
+        private boolean stopped;
         /** The last settled decision of earlier runs without failure, or -1: it was not paused until then. */
         private int fine = -1;
     }
@@ -67,12 +68,18 @@ public final class PausedBots {
     /** Lets a version play again: its failures in decisions below this one do not matter. */
     public void resume(int version, int decision) {
         Row row = row(version);
+        row.stopped = false;
         if (decision > row.since) {
             row.since = decision;
             row.failures = 0;
             row.hasEarlier = false;
             row.decisions.headMap(decision).clear();
         }
+    }
+
+    /** Pauses a version whatever its results are, until it is resumed. */
+    public void pause(int version) {
+        row(version).stopped = true;
     }
 
     /** A game that will be played. */
@@ -125,6 +132,9 @@ public final class PausedBots {
             Count count = row.decisions.pollFirstEntry().getValue();
             row.failures = count.fine > 0 ? 0 : row.failures + count.failed;
             row.hasEarlier |= count.fine + count.failed > 0;
+        }
+        if (row.stopped) {
+            return State.PAUSED;
         }
         if (most == 0 || decision <= row.fine || row.hasEarlier && row.failures == 0) {
             return State.PLAYS;

@@ -90,6 +90,7 @@ record StrictView(Map<Path, Entry> entries) {
         Set<Path> mine = new TreeSet<>(ORDER);
         own.forEach(path -> add(new Resolver().resolve(path), mine));
         OwnFiles.named(bot.words(), bot.folder()).forEach(path -> add(new Resolver().resolve(path), mine));
+        bot.paths().forEach(path -> add(new Resolver().resolve(path), mine));
         SystemFiles.shown().forEach(path -> add(resolver.resolve(path), shown));
         own.stream().filter(path -> !path.startsWith("/dev") && !path.startsWith("/proc"))
             .forEach(path -> add(resolver.resolve(path), shown));

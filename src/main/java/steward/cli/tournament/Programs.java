@@ -16,6 +16,7 @@ import java.util.Set;
 import java.util.stream.Stream;
 import steward.files.InputException;
 import steward.files.OutputFiles;
+import steward.league.LeagueFolder;
 import steward.text.TextFormat;
 
 /**
@@ -27,7 +28,7 @@ import steward.text.TextFormat;
 record Programs(List<Program> programs, List<String> others) {
 
     /** Folder of the copies, in the tournament's. */
-    static final String FOLDER = "programs";
+    static final String FOLDER = LeagueFolder.PROGRAMS;
     /** File beside a copy with the name of what was handed in. */
     static final String HANDED_IN_AS = "handed-in-as.txt";
 

@@ -15,6 +15,8 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
+import steward.bot.isolation.SandboxLevel;
+import steward.bot.isolation.SandboxSupport;
 import steward.cli.check.BotCheck;
 import steward.cli.league.view.LeagueOpening;
 import steward.cli.league.view.PageCommand;
@@ -122,9 +124,9 @@ public final class TournamentCommand extends ProgramCommand {
         description = "A program of more files and folders is refused (default: ${DEFAULT-VALUE}).")
     private Integer mostFiles;
 
-    @Option(names = "--sandbox", paramLabel = "LEVEL", defaultValue = "auto",
+    @Option(names = "--sandbox", paramLabel = "LEVEL",
         description = "How far programs are kept apart: strict, light, off or auto, as in 'match' "
-            + "(default: ${DEFAULT-VALUE}).")
+            + "(default: strict where that works, otherwise auto).")
     private String sandbox;
 
     @Option(names = "--json", description = "Prints one JSON object when all is over, and no table; see below.")
@@ -174,6 +176,7 @@ public final class TournamentCommand extends ProgramCommand {
     public Integer call() throws Exception {
         check.range("--games", games, 1, MOST_GAMES);
         check.range("--compile-limit", compileLimit, 1, (int) TimeUnit.HOURS.toSeconds(1));
+        sandbox = sandbox != null ? sandbox : SandboxSupport.problem(SandboxLevel.STRICT) == null ? "strict" : "auto";
         check.that(LEVELS.contains(sandbox), "--sandbox: found '" + sandbox + "', expected auto, strict, light or off");
         check.range("--most-megabytes", mostMegabytes, 1, MOST_MEGABYTES);
         check.range("--most-files", mostFiles, 1, MOST_FILES);

@@ -36,6 +36,9 @@ final class Pauses {
         for (Member member : next.members()) {
             int version = member.version().id();
             bots.resume(version, member.bot().resumed());
+            if (member.unsteady() != null) {
+                bots.pause(version);
+            }
             if (most > 0 && learnt.add(version)) {
                 queries.failures(version, (decision, failed) -> bots.earlier(decision, version, failed));
             }
@@ -45,8 +48,11 @@ final class Pauses {
 
     private void tell(int version) {
         Member member = roster.byVersion().get(version);
-        teller.accept(member.version().display() + " is paused: it failed in " + most + " games in a row; "
-            + "'steward league games " + folder.path() + " --failed' says how, 'steward league resume " + folder.path()
+        String why = member.unsteady() != null ? member.unsteady() + " has made a third version of it within "
+            + RosterReader.STEADY + " games, and at --sandbox off a bot can write to its own files; "
+            : "it failed in " + most + " games in a row; 'steward league games " + folder.path()
+                + " --failed' says how, ";
+        teller.accept(member.version().display() + " is paused: " + why + "'steward league resume " + folder.path()
             + " " + member.bot().name() + "' lets it play again");
     }
 }

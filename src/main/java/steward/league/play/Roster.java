@@ -30,8 +30,14 @@ public record Roster(LeagueSettings settings, List<Member> members) {
      * @param version which program it is
      * @param entrant how it is started
      * @param stamp   changes when one of its files does
+     * @param unsteady the file by which it has become another version too often, or {@code null}
      */
-    public record Member(LeagueBot bot, Version version, Entrant entrant, String stamp) {
+    public record Member(LeagueBot bot, Version version, Entrant entrant, String stamp, String unsteady) {
+
+        /** One that may play. */
+        public Member(LeagueBot bot, Version version, Entrant entrant, String stamp) {
+            this(bot, version, entrant, stamp, null);
+        }
 
         /** True if it may be started on this machine: it is not for another platform. */
         public boolean playsHere() {

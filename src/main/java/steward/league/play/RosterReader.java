@@ -1,5 +1,6 @@
 package steward.league.play;
 
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -9,6 +10,7 @@ import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 import steward.bot.command.BotCommand;
 import steward.bot.command.Platform;
+import steward.bot.isolation.SandboxLevel;
 import steward.contest.Contest;
 import steward.contest.Contest.Entrant;
 import steward.contest.ProgramWatch;
@@ -23,6 +25,9 @@ import steward.text.TextFormat;
 /** Finds out which program each bot is, and gives a bot whose program has changed a new version. Not thread-safe. */
 public final class RosterReader {
 
+    /** A third version within so many games of a bot pauses it where a bot could have made it itself. */
+    static final int STEADY = 20;
+
     private static final String HERE = Platform.here();
 
     private final GameStore store;
@@ -31,6 +36,18 @@ public final class RosterReader {
     private final boolean same;
     private final Consumer<String> teller;
     private final LongSupplier clock;
+    /** Stamps of bots as they were read last, by name. */
+    private final Map<String, String> known = new HashMap<>();
+    /** Bots that became other versions too often, by name. */
+    private final Map<String, Unsteady> unsteady = new HashMap<>();
+
+    /**
+     * A bot that became another version too often.
+     *
+     * @param file    by which it did
+     * @param resumed as it was set then: another value lets it play
+     */
+    private record Unsteady(String file, int resumed) { }
 
     /**
      * @param contest of the scene; its own bots do not matter
@@ -73,8 +90,10 @@ public final class RosterReader {
         for (int k = 0; k < active.size(); k++) {
             LeagueBot bot = active.get(k);
             Version version = version(settings, bot, identities.get(bot));
-            members.add(new Roster.Member(bot, version, entrants.get(k).named(version.display()),
-                stamps.get(k)));
+            Unsteady found = unsteady.get(bot.name());
+            members.add(new Roster.Member(bot, version, entrants.get(k).named(version.display()), stamps.get(k),
+                found != null && found.resumed() == bot.resumed() ? found.file() : null));
+            known.put(bot.name(), stamps.get(k));
         }
         return new Roster(settings, members);
     }
@@ -96,6 +115,21 @@ public final class RosterReader {
                 bot.on(each.platform()).program(), () -> null)));
         }
         return new ProgramWatch(programs, teller);
+    }
+
+    /** Games of the two versions before. */
+    private long gamesBefore(Version version) {
+        return store.versions().stream().filter(each -> each.bot().equals(version.bot())
+            && each.number() < version.number() && each.number() >= version.number() - 2)
+            .mapToLong(each -> store.gamesOf(each.id())).sum();
+    }
+
+    /** The first file of a bot that has been touched since it was read last; otherwise its command. */
+    private String changed(LeagueBot bot) {
+        List<String> before = known.getOrDefault(bot.name(), "").lines().toList();
+        String stamp = identity.stamp(bot);
+        return bot.program().paths().stream().map(Path::toString).filter(file -> stamp.lines().anyMatch(line ->
+            line.startsWith(file + " ") && !before.contains(line))).findFirst().orElse("its command");
     }
 
     private Map<LeagueBot, String> identities(List<LeagueBot> active) {
@@ -142,6 +176,9 @@ public final class RosterReader {
             return before.get();
         }
         Version version = store.add(bot.name(), bot.command(), bot.random(), hash, clock.getAsLong());
+        if (version.number() > 2 && contest.sandbox().equals(SandboxLevel.OFF.word()) && gamesBefore(version) < STEADY) {
+            unsteady.put(bot.name(), new Unsteady(changed(bot), bot.resumed()));
+        }
         before.ifPresent(old -> teller.accept(bot.name() + " changed after "
             + TextFormat.count(store.gamesOf(old.id()), "game") + ": new version " + version.display()));
         return version;

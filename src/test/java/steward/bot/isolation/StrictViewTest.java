@@ -191,4 +191,16 @@ class StrictViewTest {
             assertFalse(view.shows(Path.of(place)), place);
         }
     }
+
+    /** A bot that plays against a copy of itself, or is one of the bots whose files are hidden from all others. */
+    @Test
+    void filesThatAreListedAreTheBotsOwnWhoeverElseHasThem() throws IOException {
+        Path home = Files.createDirectories(folder.resolve("listed"));
+        Files.writeString(home.resolve("bot.py"), "");
+        Path weights = Files.writeString(home.resolve("weights.txt"), "");
+        Program bot = new Program(List.of("/bin/sh", "bot.py"), home, List.of("bot.py", "weights.txt"));
+        StrictView view = StrictView.of(bot, List.of(bot),
+            Isolation.at(SandboxLevel.STRICT).hidingFilesOf(List.of(bot)));
+        assertTrue(view.shows(weights.toRealPath()), view.toString());
+    }
 }
