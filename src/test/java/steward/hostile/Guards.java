@@ -50,7 +50,9 @@ final class Guards {
         for (SandboxLevel level : List.of(SandboxLevel.LIGHT, SandboxLevel.STRICT)) {
             if (SandboxSupport.problem(level) == null && ProgramFinder.find("cc") != null) {
                 attacks.put("computes on 16 processes while its opponent is asked, at `" + level.word() + "`",
-                    () -> burner(level));
+                    () -> burner(level, "hogs"));
+                attacks.put("computes in four chains of processes of 2 ms while its opponent is asked, at `"
+                    + level.word() + "`", () -> burner(level, "chain-4-2"));
             }
         }
         if (SandboxSupport.problem(SandboxLevel.STRICT) == null) {
@@ -149,11 +151,11 @@ final class Guards {
     }
 
     /** Held is a burner that is stopped before the match is over, whose opponent answers every time. */
-    private String burner(SandboxLevel level) throws IOException, InterruptedException {
+    private String burner(SandboxLevel level, String word) throws IOException, InterruptedException {
         Path hog = Files.createDirectories(folder.resolve(level.word())).resolve("hog");
         new ProcessBuilder("cc", "-O1", "-o", hog.toString(), "src/test/hostile/hog.c").inheritIO().start().waitFor();
         Cli said = Cli.run("match", "--scene", "duel", "--seed", "7", "--sandbox", level.word(), "--time-factor",
-            "4", "--json", "--bot", hog + " hogs 0", "--bot", hog + " none 50");
+            "4", "--json", "--bot", hog + " " + word + " 0", "--bot", hog + " none 50");
         int from = said.json().path("players").path(0).path("heldFrom").asInt(0);
         JsonNode fault = said.json().path("players").path(1).path("fault");
         return held(from > 0 && fault.isNull(), "held from turn " + from + ", its opponent: " + fault);
