@@ -35,7 +35,8 @@ class CsvRowTest {
     /** Spreadsheets compute what begins so, also when it is quoted. */
     @Test
     void noTextBeginsAsAFormula() {
-        for (String text : new String[] {"=cmd()", "+1+1", "-x", "@SUM(A1)", "\t=1", "\r=1", "'=1", "''-x", "1E400-1"}) {
+        for (String text : new String[] {"=cmd()", "+1+1", "-x", "@SUM(A1)", "\t=1", "\r=1", "'=1", "''-x",
+            "1E400-1"}) {
             String line = new CsvRow().words(text).line();
             String cell = line.substring(0, line.length() - 1).replaceAll("^\"|\"$", "");
             assertEquals(text.startsWith("1") ? text : "'" + text, cell);

@@ -31,6 +31,13 @@ public record StoredGame(long id, byte[] name, int decision, long seed, int atte
                          String problem, long played, String machine, String replay, long transcript,
                          List<StoredSeat> seats) {
 
+    /** The problem of a game begins so whose worker's answers are doubted, while nobody has decided. */
+    public static final String SUSPENDED = "suspended: ";
+    /** The problem of a game begins so that an operator has set aside, whatever it came to. */
+    public static final String FORGIVEN = "forgiven";
+    /** The problem of a forgiven game begins so that is played again. */
+    public static final String FORGIVEN_AGAIN = "forgiven, played again: ";
+
     private static final Pattern VALUE = Pattern.compile("([A-Za-z]+)=(-?[0-9]+(?:\\.[0-9]+)?(?:E-?[0-9]+)?)");
 
     public StoredGame {

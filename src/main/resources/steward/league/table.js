@@ -52,7 +52,8 @@ export function drawTable(onChoose) {
     + 'and whenever one stops. Ranks: what the games leave open, with 95%.'
     + (state.league.repeats ? ` ${state.league.repeats} more games only repeat earlier ones and do not count.` : '')
     + (state.league.again ? ` ${state.league.again} more games were played again, since others used the processors.` : '')
-    + (state.league.without ? ` ${state.league.without} more have no result.` : '');
+    + (state.league.forgiven ? ` ${state.league.forgiven} more were forgiven and do not count.` : '')
+    + (state.league.without > state.league.forgiven ? ` ${state.league.without - state.league.forgiven} more have no result.` : '');
 }
 
 /** Those that play on other machines. */
@@ -71,7 +72,7 @@ export function drawWorkers() {
     const row = make(body, 'tr');
     const cell = make(row, 'td', worker.name, 'name');
     if (worker.doubts.length) make(cell, 'span', 'doubtful', 'tag faulty').title = worker.doubts.join('; ');
-    make(row, 'td', worker.state || '–', worker.state === 'caught' ? 'left faulty' : 'left');
+    make(row, 'td', worker.state || '–', ['caught', 'suspended'].includes(worker.state) ? 'left faulty' : 'left');
     make(row, 'td', thousands(worker.games));
     make(row, 'td', fixed(worker.rate, 2));
     make(row, 'td', worker.faults, worker.faults ? 'faulty' : '');

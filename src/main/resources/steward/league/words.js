@@ -62,6 +62,7 @@ export function nameCell(row, bot, onChoose) {
   if (onChoose) make(cell, 'button', bot.name, 'choose').addEventListener('click', () => onChoose(bot));
   else cell.append(bot.name);
   if (bot.random) make(cell, 'span', 'random', 'tag').title = 'draws by lot: its games cannot be played again alike';
+  if (bot.paused) make(cell, 'span', 'paused', 'tag').title = 'failed in too many games in a row: plays no more until it is resumed or changed';
   if (!bot.active) make(cell, 'span', 'out', 'tag').title = 'plays no more';
   return cell;
 }

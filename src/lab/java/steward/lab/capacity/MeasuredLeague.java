@@ -195,7 +195,7 @@ public final class MeasuredLeague {
             MeteredGames metered = far == null ? null : new MeteredGames(far);
             if (far != null) {
                 run.with(metered);
-                far.onCaught(run::setAside);
+                far.onCaught((fate, machine, why) -> run.setAside(machine, why));
             }
             Thread playing = start("run of the measurement", run::play, told::add);
             try {

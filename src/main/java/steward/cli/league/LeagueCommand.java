@@ -60,6 +60,7 @@ public final class LeagueCommand extends ProgramCommand {
         commands.put("add", new AddCommand());
         commands.put("retire", new RetireCommand());
         commands.put("resume", new ResumeCommand());
+        commands.put("forgive", new ForgiveCommand());
         commands.put("rename", new RenameCommand());
         commands.put("list", new ListCommand());
         commands.put("run", null);                      // its options are known further up

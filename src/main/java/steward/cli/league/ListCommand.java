@@ -82,6 +82,7 @@ final class ListCommand extends ProgramCommand {
                         out.writeStringProperty("name", version.display());
                         out.writeNumberProperty("games", store.gamesOf(version.id()));
                         out.writeStringProperty("program", version.identity());
+                        out.writeBooleanProperty("paused", version.paused());
                     });
                 });
             });
@@ -96,6 +97,6 @@ final class ListCommand extends ProgramCommand {
         versions.stream().filter(version -> version.bot().equals(bot.name())).forEach(version ->
             streams.out().println("    " + version.display() + ": "
                 + TextFormat.count(store.gamesOf(version.id()), "game") + ", program "
-                + version.identity().substring(0, 8)));
+                + version.identity().substring(0, 8) + (version.paused() ? ", paused" : "")));
     }
 }

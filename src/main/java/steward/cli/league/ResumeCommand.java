@@ -32,7 +32,9 @@ final class ResumeCommand extends ProgramCommand {
         LeagueSettings settings = folder.read();
         LeagueBot bot = LeagueOpening.bot(settings, name);
         if (Files.exists(folder.database())) {
-            try (LeagueOpening.Opened opened = LeagueOpening.read(folder)) {
+            try (LeagueOpening.Opened opened = LeagueOpening.write(folder)) {
+                opened.store().versions().stream().filter(version -> version.paused() && version.bot().equals(name))
+                    .forEach(version -> opened.store().pause(version.id(), false));
                 folder.write(settings.replaced(name, bot.resumed(opened.games().nextDecision())));
             }
         }

@@ -1,17 +1,26 @@
 package steward.cli.machines;
 
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Instant;
+import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
+import steward.cli.league.view.LeagueOpening;
 import steward.cli.options.ProgramCommand;
 import steward.cli.shared.ExitStatus;
 import steward.cli.streams.Json;
+import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.json.JsonObject;
 import steward.league.LeagueFolder;
+import steward.league.store.AsideGames;
+import steward.league.store.GameStore;
+import steward.machines.check.WorkerBook;
 import steward.machines.token.BrokerKey;
 import steward.machines.token.Invitation;
 import steward.machines.token.WorkerList;
@@ -25,12 +34,15 @@ import steward.text.TextFormat;
         "password. revoke ends what it allows, also while the league is played; with",
         "--set-aside the worker's games do not count and are played again. pardon lets a",
         "revoked worker play again with the token that it has; add gives it a new one.",
+        "A worker whose answers are too often not those of its bots is suspended: it plays",
+        "no more, and its games count again by pardon, or never by revoke.",
         "invite makes one file for many machines: each makes a key of its own with it, and",
         "is a worker from then on, called like its host. revoke ends an invitation, too;",
         "the workers that came with it stay, and are revoked one by one.",
         "renew makes a new certificate for the broker's key, which workers go on trusting.",
-        "", "list --json: workers (name, invitation or null, revoked: why, or null),",
-        "invitations (name, until, used, count, revoked).",
+        "", "list --json: workers (name, invitation or null, revoked: why, or null,",
+        "suspended, doubts: by games and answers), invitations (name, until, used,",
+        "count, revoked).",
         "", "Examples:",
         "  steward league worker add night attic",
         "  steward league worker invite night --count 40 --until 2030-12-24",
@@ -109,28 +121,56 @@ final class LeagueWorkerCommand extends ProgramCommand {
                 WorkerList.revoke(league, name, "by hand", aside);
                 streams.out().println(name + " is revoked");
             }
-            case "pardon" -> {
-                WorkerList.pardon(league, name);
-                streams.out().println(name + " may play again");
-            }
+            case "pardon" -> pardon(league);
             case "renew" -> {
                 BrokerKey key = new BrokerKey(league);
                 key.make();
                 key.renew();
                 streams.out().println("A new certificate for the key " + key.fingerprint());
             }
-            default -> list(WorkerList.read(league));
+            default -> list(WorkerList.read(league), league);
         }
         return ExitStatus.DONE;
     }
 
-    private void list(WorkerList list) {
+    private void pardon(LeagueFolder league) {
+        WorkerList.pardon(league, name);
+        int games = 0;
+        if (Files.exists(league.database())) {
+            try (GameStore store = GameStore.write(league)) {
+                games = new AsideGames(store).restore(WorkerBook.machine(name));
+            }
+        }
+        streams.out().println(name + " may play again" + (games == 0 ? "" : "; " + TextFormat.count(games, "game")
+            + (games == 1 ? " counts" : " count") + " again"));
+    }
+
+    /** Returns what is doubtful by the games of each worker, and by its answers. */
+    private static Map<String, List<String>> doubts(WorkerList list, LeagueFolder league) {
+        Map<String, List<String>> doubts = new HashMap<>();
+        list.workers().stream().filter(worker -> worker.doubt() != null).forEach(worker ->
+            doubts.computeIfAbsent(worker.name(), any -> new ArrayList<>()).add(worker.doubt()));
+        if (Files.exists(league.database())) {
+            try (LeagueOpening.Opened opened = LeagueOpening.read(league)) {
+                opened.workers().forEach(row -> doubts.computeIfAbsent(row.name(), any -> new ArrayList<>())
+                    .addAll(row.doubts()));
+            } catch (InputException none) {
+                return doubts;                         // there are no games yet, or 'league verify' says what is wrong
+            }
+        }
+        return doubts;
+    }
+
+    private void list(WorkerList list, LeagueFolder league) {
+        Map<String, List<String>> doubts = doubts(list, league);
         if (json) {
             Json.print(streams, out -> {
                 JsonObject.writeAll(out, "workers", list.workers(), worker -> {
                     out.writeStringProperty("name", worker.name());
                     out.writeStringProperty("invitation", worker.invited());
                     out.writeStringProperty("revoked", worker.revoked());
+                    out.writeBooleanProperty("suspended", worker.doubt() != null);
+                    JsonObject.writeTexts(out, "doubts", doubts.getOrDefault(worker.name(), List.of()));
                 });
                 JsonObject.writeAll(out, "invitations", list.invitations(), each -> {
                     out.writeStringProperty("name", each.name());
@@ -142,9 +182,13 @@ final class LeagueWorkerCommand extends ProgramCommand {
             });
             return;
         }
-        list.workers().forEach(worker -> streams.out().println(worker.name()
-            + (worker.invited() == null ? "" : " (by " + worker.invited() + ")")
-            + (worker.revoked() == null ? "" : " (revoked: " + worker.revoked() + ")")));
+        list.workers().forEach(worker -> {
+            streams.out().println(worker.name() + (worker.invited() == null ? "" : " (by " + worker.invited() + ")")
+                + (worker.revoked() == null ? "" : " (revoked: " + worker.revoked() + ")")
+                + (worker.doubt() == null ? "" : " (suspended: its games do not count until pardon or revoke)"));
+            doubts.getOrDefault(worker.name(), List.of()).forEach(doubt ->
+                streams.out().println(TextFormat.plain("  doubtful: " + doubt)));
+        });
         list.invitations().forEach(each -> streams.out().println(each.name() + ": an invitation until " + each.until()
             + ", used by " + list.used(each) + " of " + TextFormat.count(each.count(), "machine")
             + (each.revoked() ? " (revoked)" : "")));

@@ -36,8 +36,12 @@ final class ServedGames extends ForwardedGames implements Serving.Service {
     @Override
     public void follow(LeagueRun run, Supplier<WorkerBook> read, Runnable changed) throws InterruptedException {
         book = read.get();
-        games().onCaught((machine, why) -> {
-            int count = run.setAside(machine, why);
+        games().onCaught((fate, machine, why) -> {
+            int count = switch (fate) {
+                case ASIDE -> run.setAside(machine, why);
+                case SUSPENDED -> run.suspend(machine, why);
+                case RESTORED -> run.restore(machine);
+            };
             book = read.get();
             changed.run();
             return count;
@@ -61,11 +65,12 @@ final class ServedGames extends ForwardedGames implements Serving.Service {
         Map<String, WorkerBook.Line> lines = book.lines().stream()
             .collect(Collectors.toMap(WorkerBook.Line::name, line -> line));
         return games().seen().stream().map(worker -> row(worker, lines.getOrDefault(worker.name(),
-            new WorkerBook.Line(worker.name(), 0, 0, 0, 0, List.of())))).toList();
+            new WorkerBook.Line(worker.name(), 0, 0, false, 0, 0, List.of())))).toList();
     }
 
     private static WorkerRow row(WorkerSeen worker, WorkerBook.Line line) {
-        String state = worker.caught() ? "caught" : worker.slots() == 0 ? "away" : worker.slots() + " at a time";
+        String state = worker.caught() ? "caught" : worker.suspended() ? WorkerRow.SUSPENDED
+            : worker.slots() == 0 ? "away" : worker.slots() + " at a time";
         return new WorkerRow(worker.name(), state, line.games(), line.aside(), worker.rate(), line.faults(),
             line.repeated(), worker.version(), worker.silentMs(),
             Stream.concat(line.doubts().stream(), worker.doubts().stream()).toList());

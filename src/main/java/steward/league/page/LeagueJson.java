@@ -36,6 +36,7 @@ public final class LeagueJson {
         out.writeNumberProperty("repeats", table.results().repeats());
         out.writeNumberProperty("again", table.results().playedAgain());
         out.writeNumberProperty("without", table.results().withoutResult());
+        out.writeNumberProperty("forgiven", table.results().forgiven());
         JsonObject.writeAll(out, "bots", table.rows(), row -> bot(out, row));
         square(out, "cross", table, (row, column) -> cell(out, table, row, column));
         square(out, "differences", table, (row, column) -> difference(out, table, row, column));
@@ -119,6 +120,7 @@ public final class LeagueJson {
         out.writeStringProperty("name", row.entry().name());
         out.writeBooleanProperty("active", row.entry().active());
         out.writeBooleanProperty("random", row.entry().random());
+        out.writeBooleanProperty("paused", row.entry().active() && row.entry().paused());
         JsonNumbers.writeOrNull(out, "rating", row.rating());
         JsonNumbers.writeOrNull(out, "bar", row.hasBar() ? row.bar() : Double.NaN);
         JsonNumbers.writeOrNull(out, "bound", row.bound());

@@ -9,9 +9,9 @@ import steward.text.TextFormat;
 /**
  * A worker that plays games of a league on another machine, for people.
  *
- * @param state    such as {@code away} or {@code caught}; empty where the league is not being played
+ * @param state    such as {@code away}, {@code caught} or {@code suspended}; empty where the league is not being played
  * @param games    that count
- * @param aside    that were set aside
+ * @param aside    that were set aside or are suspended
  * @param rate     games a second in this run, or NaN
  * @param faults   of bots in its games
  * @param repeated games that were played again because the machine was starved
@@ -21,6 +21,9 @@ import steward.text.TextFormat;
  */
 public record WorkerRow(String name, String state, long games, long aside, double rate, long faults, long repeated,
                         String version, long silentMs, List<String> doubts) {
+
+    /** State of a worker whose games do not count until somebody decides. */
+    public static final String SUSPENDED = "suspended";
 
     public WorkerRow {
         doubts = List.copyOf(doubts);

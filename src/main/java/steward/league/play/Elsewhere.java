@@ -15,8 +15,9 @@ public interface Elsewhere {
      * @param task     what the schedule has decided
      * @param settings of the league as it began
      * @param members  by seat
+     * @param first    number of its first attempt; not 1 if earlier ones were forgiven
      */
-    record Game(Schedule.Task task, LeagueSettings settings, List<Member> members) { }
+    record Game(Schedule.Task task, LeagueSettings settings, List<Member> members, int first) { }
 
     /**
      * Waits for a place for more games, which then is taken.

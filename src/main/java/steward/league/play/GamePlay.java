@@ -63,12 +63,13 @@ public record GamePlay(Season season, Contest contest, Recordings recordings, St
     /**
      * Plays.
      *
-     * @param members by seat
      * @return the attempts, of which the last one counts if it has a result
      * @throws InputException if the replay cannot be written
      */
-    public List<StoredGame> play(Schedule.Task task, LeagueSettings settings, List<Member> members)
-            throws InterruptedException {
+    public List<StoredGame> play(Elsewhere.Game game) throws InterruptedException {
+        Schedule.Task task = game.task();
+        LeagueSettings settings = game.settings();
+        List<Member> members = game.members();
         List<StoredGame> attempts = new ArrayList<>();
         Contest match = contest.between(members.stream().map(Member::entrant).toList())
             .isolatedBy(() -> isolation(settings));
@@ -85,7 +86,7 @@ public record GamePlay(Season season, Contest contest, Recordings recordings, St
                 problem = String.valueOf(failed.getMessage());
             }
             again = result != null && plan.demandAnother(log.failures());
-            attempts.add(stored(task, settings, members, attempts.size() + 1, result,
+            attempts.add(stored(task, settings, members, game.first() + attempts.size(), result,
                 plan.discarded() != null ? plan.discarded() : problem, !again && plan.discarded() == null, log,
                 recorder.recording()));
         }

@@ -3,8 +3,11 @@ package steward.league.play;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
+import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
@@ -26,6 +29,7 @@ import steward.league.pairing.Looks;
 import steward.league.pairing.StopRule;
 import steward.league.play.Roster.Member;
 import steward.league.rating.Ratings;
+import steward.league.store.AsideGames;
 import steward.league.store.GameQueries;
 import steward.league.store.GameStore;
 import steward.league.store.GameWriter;
@@ -74,6 +78,8 @@ public final class LeagueRun {
     private long handed;
     private Pauses pauses;
     private final Standstill standstill;
+    /** Forgiven games that are played again, with the number of their first attempt now; others begin with 1. */
+    private final Map<Schedule.Task, Integer> further = new HashMap<>();
 
     /**
      * Limits of a run.
@@ -114,7 +120,7 @@ public final class LeagueRun {
             learn();
         }
         watch = new RosterWatch(folder, reader, roster.settings(), teller);
-        pauses = new Pauses(0, roster.settings().lag(), settled, folder, queries, teller);
+        pauses = new Pauses(0, roster.settings().lag(), settled, folder, store, queries, teller);
         use(roster);
         end = limits.nanos() == Long.MAX_VALUE ? Long.MAX_VALUE : System.nanoTime() + limits.nanos();
         writer = new GameWriter(store, season);
@@ -208,13 +214,14 @@ public final class LeagueRun {
 
     /** Pauses bots that failed in so many games in a row, 0 for never; before {@link #play}. */
     public synchronized void pauseAfter(int most) {
-        pauses = new Pauses(most, roster.settings().lag(), settled, folder, queries, teller);
+        pauses = new Pauses(most, roster.settings().lag(), settled, folder, store, queries, teller);
         use(roster);
     }
 
     /** Plays until an end is reached. Call once. */
     public void play() throws InterruptedException {
         int far = elsewhere == null ? 0 : 1;
+        playForgiven();
         writer.start();                                // not before: a run that is refused leaves no thread
         try {
             WorkerThreads.run("league", limits.threads() + far, thread -> thread < limits.threads() ? this::playHere
@@ -227,12 +234,34 @@ public final class LeagueRun {
         }
     }
 
+    /** Puts the forgiven games first that are to be played again, if their bots still play. */
+    private synchronized void playForgiven() {
+        AsideGames aside = new AsideGames(store);
+        Set<List<Integer>> known = new HashSet<>();
+        for (GameStore.SetAside game : aside.again(season)) {
+            Schedule.Task task = new Schedule.Task(game.decision(), game.seed(), GameQueries.lineup(game.lineup()));
+            List<Integer> key = new ArrayList<>(List.of(game.decision()));
+            Arrays.stream(task.lineup()).forEach(key::add);
+            List<Member> seats = members(task);
+            if (seats.contains(null) || !known.add(key)) {
+                continue;
+            }
+            int attempt = 1;
+            while (aside.isReplaced(play.name(task, seats, attempt))) {
+                attempt++;
+            }
+            if (!store.has(play.name(task, seats, attempt))) {
+                further.put(task, attempt);
+                schedule.again(task);
+            }
+        }
+    }
+
     private Void playHere() throws InterruptedException {
         boolean more = true;
         while (more) {
             List<Elsewhere.Game> games = takeOrEnd(1, Standstill::isForHere);
-            more = !games.isEmpty() && play(games, one -> List.of(play.play(one.get(0).task(), one.get(0).settings(),
-                one.get(0).members())));
+            more = !games.isEmpty() && play(games, one -> List.of(play.play(one.get(0))));
         }
         return null;
     }
@@ -352,7 +381,7 @@ public final class LeagueRun {
         for (Schedule.Task task = take(fits); task != null; task = games.size() < most ? takeNow(fits) : null) {
             underWay++;
             bots.addAll(members(task));
-            games.add(new Elsewhere.Game(task, roster.settings(), members(task)));
+            games.add(new Elsewhere.Game(task, roster.settings(), members(task), further.getOrDefault(task, 1)));
         }
         return games;
     }
@@ -408,7 +437,7 @@ public final class LeagueRun {
         watch.look(roster, known != null, this::use);
         Schedule.Task task = watch.isPaused() || isAtEnd() ? null : schedule.next(limits.games(), can);
         while (task != null) {
-            byte[] name = play.name(task, members(task), 1);
+            byte[] name = play.name(task, members(task), further.getOrDefault(task, 1));
             if (!store.has(name)) {
                 return task;
             }
@@ -446,9 +475,7 @@ public final class LeagueRun {
      * @return how many counted
      */
     public synchronized int setAside(String machine, String why) throws InterruptedException {
-        while (writer.stored() < handed && writer.problem() == null) {
-            wait(1);
-        }
+        waitUntilStored();
         int games = 0;
         for (GameStore.SetAside game : store.setAside(season, machine, why)) {
             int[] lineup = GameQueries.lineup(game.lineup());
@@ -459,6 +486,23 @@ public final class LeagueRun {
         }
         notifyAll();
         return games;
+    }
+
+    /** Games of a machine do not count until {@link #restore}; they are not played again. @return how many */
+    public synchronized int suspend(String machine, String why) throws InterruptedException {
+        waitUntilStored();
+        return new AsideGames(store).suspend(machine, why);
+    }
+
+    /** Suspended games of a machine count again. @return how many */
+    public synchronized int restore(String machine) {
+        return new AsideGames(store).restore(machine);
+    }
+
+    private void waitUntilStored() throws InterruptedException {
+        while (writer.stored() < handed && writer.problem() == null) {
+            wait(1);
+        }
     }
 
     private synchronized void stop(String why) {

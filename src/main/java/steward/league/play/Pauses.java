@@ -8,12 +8,14 @@ import steward.league.PausedBots;
 import steward.league.Schedule;
 import steward.league.play.Roster.Member;
 import steward.league.store.GameQueries;
+import steward.league.store.GameStore;
 
 /** Pauses the bots of a run that failed in many games in a row, those of earlier runs included. Not thread-safe. */
 final class Pauses {
 
     private final int most;
     private final LeagueFolder folder;
+    private final GameStore store;
     private final GameQueries queries;
     private final Consumer<String> teller;
     private final PausedBots bots;
@@ -22,9 +24,11 @@ final class Pauses {
     private Roster roster;
 
     /** @param most games in a row; 0 for never */
-    Pauses(int most, int lag, int settled, LeagueFolder folder, GameQueries queries, Consumer<String> teller) {
+    Pauses(int most, int lag, int settled, LeagueFolder folder, GameStore store, GameQueries queries,
+           Consumer<String> teller) {
         this.most = most;
         this.folder = folder;
+        this.store = store;
         this.queries = queries;
         this.teller = teller;
         bots = new PausedBots(most, lag, settled);
@@ -36,10 +40,14 @@ final class Pauses {
         for (Member member : next.members()) {
             int version = member.version().id();
             bots.resume(version, member.bot().resumed());
+            boolean isNew = learnt.add(version);
+            if (isNew && member.version().paused()) {
+                store.pause(version, false);           // until it is paused again
+            }
             if (member.unsteady() != null) {
                 bots.pause(version);
             }
-            if (most > 0 && learnt.add(version)) {
+            if (most > 0 && isNew) {
                 queries.failures(version, (decision, failed) -> bots.earlier(decision, version, failed));
             }
         }
@@ -48,6 +56,7 @@ final class Pauses {
 
     private void tell(int version) {
         Member member = roster.byVersion().get(version);
+        store.pause(version, true);
         String why = member.unsteady() != null ? member.unsteady() + " has made a third version of it within "
             + RosterReader.STEADY + " games, and at --sandbox off a bot can write to its own files; "
             : "it failed in " + most + " games in a row; 'steward league games " + folder.path()

@@ -22,8 +22,15 @@ public record LeagueTable(List<Row> rows, Results results, Ratings ratings) {
      * @param name    of the bot, with the number of the version from the second on
      * @param random  whether the bot draws by lot
      * @param active  whether it plays
+     * @param paused  whether it was paused when the league was last played
      */
-    public record Entry(int version, String name, boolean random, boolean active) { }
+    public record Entry(int version, String name, boolean random, boolean active, boolean paused) {
+
+        /** A version that is not paused. */
+        public Entry(int version, String name, boolean random, boolean active) {
+            this(version, name, random, active, false);
+        }
+    }
 
     /**
      * A row.

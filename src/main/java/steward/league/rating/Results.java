@@ -30,6 +30,7 @@ public final class Results {
     private long games;
     private long again;
     private long without;
+    private long forgiven;
 
     /** None yet of a season's games. */
     public Results(Season season) {
@@ -41,7 +42,8 @@ public final class Results {
     /** Adds a game, if it counts; otherwise it is counted apart. */
     public void add(StoredGame game) {
         if (!game.counts()) {
-            addOthers(game.problem() == null ? 1 : 0, game.problem() == null ? 0 : 1);
+            boolean isForgiven = game.problem() != null && game.problem().startsWith(StoredGame.FORGIVEN);
+            addOthers(game.problem() == null ? 1 : 0, game.problem() == null ? 0 : 1, isForgiven ? 1 : 0);
             return;
         }
         if (game.allFailed()) {
@@ -92,9 +94,10 @@ public final class Results {
     }
 
     /** Adds games that do not count: those that were played again, and those without a result. */
-    public void addOthers(long playedAgain, long withoutResult) {
+    public void addOthers(long playedAgain, long withoutResult, long forgivenOnes) {
         again += playedAgain;
         without += withoutResult;
+        forgiven += forgivenOnes;
     }
 
     /** Adds a game of a seed; its sums are added apart. */
@@ -214,6 +217,11 @@ public final class Results {
     /** Returns how many have no result. */
     public long withoutResult() {
         return without;
+    }
+
+    /** Of those without a result, games that an operator has set aside. */
+    public long forgiven() {
+        return forgiven;
     }
 
     /** By version: points, games, wins and draws against the others of these. */

@@ -9,7 +9,6 @@ import java.util.Map;
 import java.util.SortedMap;
 import java.util.function.Predicate;
 import java.util.regex.Pattern;
-import steward.contest.Attempts;
 import steward.files.InputException;
 import steward.league.GameName;
 import steward.league.LeagueReader;
@@ -113,7 +112,7 @@ public final class GameLine {
                 throw new InputException(place + ": found " + seats.size() + " seats, expected " + season.players());
             }
             long seed = number(place, game, "seed", Long.MIN_VALUE, Long.MAX_VALUE);
-            int attempt = (int) number(place, game, "attempt", 1, Attempts.MOST);
+            int attempt = (int) number(place, game, "attempt", 1, Integer.MAX_VALUE);
             byte[] name = GameName.of(season, seed,
                 seats.stream().map(seat -> matching(place, seat, "identity", IDENTITY, "up to 64 hexadecimal digits"))
                     .toList(), attempt);

@@ -59,9 +59,10 @@ public final class GameQueries {
     public Results results() {
         Results results = new Results(key);
         database.inSnapshot(() -> {
-            try (ResultSet row = database.query("SELECT count(*) - count(problem), count(problem) FROM game "
-                + "WHERE season = ? AND counts = 0", season)) {
-                results.addOthers(row.getLong(1), row.getLong(2));
+            try (ResultSet row = database.query("SELECT count(*) - count(problem), count(problem), "
+                + "count(iif(problem LIKE '" + StoredGame.FORGIVEN + "%', 1, NULL)) FROM game WHERE season = ? AND "
+                + "counts = 0", season)) {
+                results.addOthers(row.getLong(1), row.getLong(2), row.getLong(3));
             }
             try (ResultSet row = database.query(SUMS, season)) {
                 while (row.next()) {

@@ -24,6 +24,7 @@ public final class GameStore implements AutoCloseable {
     private static final String VERSION = "version";
     private static final String GAME = "game";
     private static final String ID = "id = ?";
+    private static final String SUSPENDED = "problem LIKE '" + StoredGame.SUSPENDED + "%'";
 
     private final Database database;
     private final GameRows gameRows;
@@ -38,9 +39,10 @@ public final class GameStore implements AutoCloseable {
      * @param random   whether it was said to draw by lot
      * @param identity the first that it had: the one in names of games
      * @param played   when its last game ended or it began, in milliseconds since 1970
+     * @param paused   whether it was paused when the league was last played
      */
     public record Version(int id, String bot, int number, String command, boolean random, String identity,
-                          long played) {
+                          long played, boolean paused) {
 
         /** The bot's name, from the second version on with its number. */
         public String display() {
@@ -152,11 +154,11 @@ public final class GameStore implements AutoCloseable {
             try (ResultSet row = database.query("SELECT v.id, bot, number, command, random, "
                 + "(SELECT hash FROM identity i WHERE i.version = v.id ORDER BY i.began, hash LIMIT 1), "
                 + "max(began, coalesce((SELECT max(played) FROM game WHERE id IN (SELECT max(game) FROM seat WHERE "
-                + "season IN (SELECT id FROM season) AND version = v.id GROUP BY season)), 0)) "
+                + "season IN (SELECT id FROM season) AND version = v.id GROUP BY season)), 0)), paused "
                 + "FROM version v ORDER BY v.id")) {
                 while (row.next()) {
                     versions.add(new Version(row.getInt(1), row.getString(2), row.getInt(3), row.getString(4),
-                        row.getBoolean(5), row.getString(6), row.getLong(7)));
+                        row.getBoolean(5), row.getString(6), row.getLong(7), row.getBoolean(8)));
                 }
             }
             return versions;
@@ -238,6 +240,15 @@ public final class GameStore implements AutoCloseable {
             return null;
         });
         return version(version.identity()).orElseThrow();
+    }
+
+    /** Notes whether a version is paused. */
+    public void pause(int version, boolean paused) {
+        database.inTransaction(() -> {
+            database.update("UPDATE version SET paused = ? WHERE id = ?", paused ? 1 : 0, version);
+            RowDigest.seal(database, VERSION, ID, version);
+            return null;
+        });
     }
 
     /** All versions of a bot under another name. */
@@ -349,20 +360,21 @@ public final class GameStore implements AutoCloseable {
      * Sets games of a machine aside: they stay, under other names, have no result, and belong to no decision.
      *
      * @param machine how its name begins
-     * @return those that counted
+     * @return those that counted, or were suspended
      */
     public List<SetAside> setAside(int season, String machine, String why) {
         String of = " WHERE season = ? AND machine IN (SELECT id FROM machine WHERE substr(name, 1, length(?)) = ?)";
         return database.inTransaction(() -> {
             List<SetAside> games = new ArrayList<>();
             try (ResultSet row = database.query("SELECT coalesce(decision, -1), seed, (SELECT versions FROM lineup l "
-                + "WHERE l.id = game.lineup) FROM game" + of + " AND counts > 0", season, machine, machine)) {
+                + "WHERE l.id = game.lineup) FROM game" + of + " AND (counts > 0 OR " + SUSPENDED + ")", season,
+                machine, machine)) {
                 while (row.next()) {
                     games.add(new SetAside(row.getInt(1), row.getLong(2), row.getString(3)));
                 }
             }
             database.update("UPDATE game SET name = randomblob(16), decision = NULL, counts = 0, problem = ?" + of
-                + " AND problem IS NULL", why, season, machine, machine);
+                + " AND (problem IS NULL OR " + SUSPENDED + ")", why, season, machine, machine);
             RowDigest.seal(database, GAME, of.substring(" WHERE ".length()) + " AND problem = ?", season, machine,
                 machine, why);
             return games;

@@ -91,7 +91,8 @@ final class SchemaVersion {
         List.of("UPDATE game SET counts = 2 WHERE counts = 1 AND id IN (SELECT game FROM seat GROUP BY game "
             + "HAVING count(*) > 1 AND count(fault) = count(*) AND min(answers) = max(answers))"),
         // Rows of form 4 had no digests, and values of any type.
-        List.of("ALTER TABLE season ADD COLUMN digest INTEGER NOT NULL DEFAULT 0",
+        List.of("ALTER TABLE version ADD COLUMN paused INTEGER NOT NULL DEFAULT 0",
+            "ALTER TABLE season ADD COLUMN digest INTEGER NOT NULL DEFAULT 0",
             "ALTER TABLE version ADD COLUMN digest INTEGER NOT NULL DEFAULT 0",
             "ALTER TABLE machine ADD COLUMN digest INTEGER NOT NULL DEFAULT 0",
             "ALTER TABLE lineup ADD COLUMN digest INTEGER NOT NULL DEFAULT 0",

@@ -15,7 +15,8 @@ import java.util.function.Supplier;
  * Counts what became of bots that were asked again, by bot and worker. A bot that answers otherwise each time plays by
  * the clock, and one that fails here fails here: both are facts about the bot, which is not asked again. A bot that
  * gives one answer here, twice, and another on a worker may depend on the machine, or the machine answers for it. That
- * is evidence for the operator, once it is too frequent for chance; nobody is convicted by it. Thread-safe.
+ * is evidence for the operator, once it is too frequent for chance: the worker is suspected, and nobody convicted by it.
+ * Thread-safe.
  */
 public final class AskedAgain {
 
@@ -23,14 +24,21 @@ public final class AskedAgain {
     private static final int FIRST = 5;
 
     private final Consumer<String> teller;
+    private final Suspecter suspecter;
     /** By bot and worker: games in which the bot was asked again, and those in which it answered otherwise. */
     private final Map<String, Map<String, int[]>> counts = new HashMap<>();
     private final Set<String> settled = new HashSet<>();
     private final Map<String, Map<String, String>> doubts = new HashMap<>();
 
+    /** Takes doubts about a worker, by any thread. */
+    public interface Suspecter {
+        void suspect(String worker, String doubt) throws InterruptedException;
+    }
+
     /** @param teller is told what is found, by any thread */
-    public AskedAgain(Consumer<String> teller) {
+    public AskedAgain(Consumer<String> teller, Suspecter suspecter) {
         this.teller = teller;
+        this.suspecter = suspecter;
     }
 
     /**
@@ -39,7 +47,7 @@ public final class AskedAgain {
      * @param worker whose game it is
      * @param ask    asks it once; {@code null} if all answers are the recorded ones
      */
-    public void ask(String bot, String worker, Supplier<AnswerCheck.Otherwise> ask) {
+    public void ask(String bot, String worker, Supplier<AnswerCheck.Otherwise> ask) throws InterruptedException {
         synchronized (this) {
             if (settled.contains(bot)) {
                 return;
@@ -69,7 +77,7 @@ public final class AskedAgain {
         }
     }
 
-    private void count(String bot, String worker, String otherwise) {
+    private void count(String bot, String worker, String otherwise) throws InterruptedException {
         String doubt;
         synchronized (this) {
             Map<String, int[]> workers = counts.computeIfAbsent(bot, any -> new TreeMap<>());
@@ -83,6 +91,7 @@ public final class AskedAgain {
             doubts.computeIfAbsent(worker, any -> new TreeMap<>()).put(bot, doubt);
         }
         teller.accept("worker " + worker + " is doubtful: " + doubt);
+        suspecter.suspect(worker, doubt);
     }
 
     /** Compares a worker with all others at {@link #FIRST} games, then at twice as many, at a level that halves. */

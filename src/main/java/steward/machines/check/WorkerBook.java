@@ -44,6 +44,7 @@ public final class WorkerBook {
         private final int number;
         private long games;
         private long aside;
+        private boolean suspended;
         private long faults;
         private long repeated;
         private int looks;
@@ -58,12 +59,14 @@ public final class WorkerBook {
      * A worker, as its games tell.
      *
      * @param games    that count
-     * @param aside    that were set aside
+     * @param aside    that were set aside or are suspended
+     * @param suspended true if some are suspended
      * @param faults   of bots in those that count
      * @param repeated games that were played again
      * @param doubts   what is doubtful, a sentence each
      */
-    public record Line(String name, long games, long aside, long faults, long repeated, List<String> doubts) {
+    public record Line(String name, long games, long aside, boolean suspended, long faults, long repeated,
+                       List<String> doubts) {
 
         public Line {
             doubts = List.copyOf(doubts);
@@ -128,6 +131,11 @@ public final class WorkerBook {
         this.names = names;
     }
 
+    /** Returns how the texts begin that say where a worker's games were played. */
+    public static String machine(String worker) {
+        return WORKER + worker + ": ";
+    }
+
     /** The name of the worker that played on this machine, or {@code null} for the league itself. */
     public static String worker(String machine) {
         int end = machine.indexOf(": ");
@@ -145,8 +153,10 @@ public final class WorkerBook {
             : workers.computeIfAbsent(name, any -> new Entry(workers.size() + 1));
         if (!game.counts()) {
             if (entry != null) {
+                boolean suspended = game.problem() != null && game.problem().startsWith(StoredGame.SUSPENDED);
                 boolean aside = game.problem() != null && game.problem().startsWith(ASIDE);
-                entry.aside += aside ? 1 : 0;
+                entry.aside += aside || suspended ? 1 : 0;
+                entry.suspended |= suspended;
                 entry.repeated += game.problem() == null ? 1 : 0;
             }
             return List.of();
@@ -251,8 +261,8 @@ public final class WorkerBook {
     /** All workers that have played, by name. */
     public synchronized List<Line> lines() {
         List<Line> lines = new ArrayList<>();
-        workers.forEach((name, entry) -> lines.add(new Line(name, entry.games, entry.aside, entry.faults,
-            entry.repeated, entry.doubts)));
+        workers.forEach((name, entry) -> lines.add(new Line(name, entry.games, entry.aside, entry.suspended,
+            entry.faults, entry.repeated, entry.doubts)));
         return lines;
     }
 }

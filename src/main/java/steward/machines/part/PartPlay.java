@@ -19,6 +19,7 @@ import steward.league.Pairing;
 import steward.league.Schedule;
 import steward.league.Season;
 import steward.league.StoredGame;
+import steward.league.play.Elsewhere;
 import steward.league.play.GamePlay;
 import steward.league.play.Roster;
 import steward.league.play.Roster.Member;
@@ -198,7 +199,7 @@ public final class PartPlay {
     /** @param mark of the programs, from before the game */
     private void play(Schedule.Task task, String mark) throws InterruptedException {
         try {
-            List<StoredGame> attempts = play.play(task, roster.settings(), seats(task));
+            List<StoredGame> attempts = play.play(new Elsewhere.Game(task, roster.settings(), seats(task), 1));
             if (isStored(task, attempts, mark)) {
                 attempts.forEach(listener);
             }

@@ -42,7 +42,8 @@ import steward.text.TextFormat;
  * Games of a league that workers play. A result counts only for a job that the broker handed to the worker that sends
  * it. What a game came to follows from its commands, which are played again: a worker that says something else is
  * revoked, and its games are set aside. In a worker's first games, and in a share of the others, the bots are asked
- * again; what they answer is evidence, and convicts nobody.
+ * again; what they answer is evidence, and convicts nobody: a worker whose answers are others too often for chance is
+ * suspended until somebody decides.
  *
  * <p>Over 400 lines: each word of a worker is answered here, and each game believed or not.
  */
@@ -81,7 +82,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
     private volatile InputException unusable;
     /** True if a worker plays; as of the last look. */
     private volatile boolean anyConnected;
-    private volatile SettingAside setter = (machine, why) -> 0;
+    private volatile SettingAside setter = (fate, machine, why) -> 0;
 
     /** Guarded by this. */
     private final Map<String, WorkerState> workers = new TreeMap<>();
@@ -114,7 +115,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
         rules = RulesFingerprint.of(contest.setup());
         jar = JarFolder.digestOf(contest.setup());
         bundles.offerScene(contest.setup());
-        reported = new ReportedGames(folder, season, contest, types, teller);
+        reported = new ReportedGames(folder, season, contest, types, teller, this::suspect);
         door = new WorkerDoor(folder, teller);
         speed = service.scaled() ? MachineSpeed.measure() : 0;
         settings.active().forEach(Bundle::of);         // what cannot be sent is said before any game is played
@@ -140,8 +141,15 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
         }
     }
 
-    /** Sets the games of a worker aside if the list says so and it has not been done. */
+    /** Sets the games of a worker aside, or suspends them, if the list says so and it has not been done. */
     private void setAside(WorkerList.Worker worker) throws InterruptedException {
+        boolean suspended = worker.doubt() != null;
+        if (suspended != gate.isSuspended(worker.name())) {
+            gate.suspend(worker.name(), suspended);
+            if (suspended || worker.revoked() == null) {
+                suspend(worker.name(), suspended);
+            }
+        }
         WorkerState state;
         synchronized (this) {
             state = worker.aside() || workers.containsKey(worker.name()) ? state(worker.name()) : null;
@@ -160,8 +168,24 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
     }
 
     private int setAside(WorkerState state) throws InterruptedException {
-        return setter.setAside(WorkerState.machine(state.name), WorkerBook.ASIDE + "worker " + state.name
-            + " was caught");
+        return setter.decide(SettingAside.Fate.ASIDE, WorkerBook.machine(state.name), WorkerBook.ASIDE + "worker "
+            + state.name + " was caught");
+    }
+
+    /** A worker's answers are not those of its bots: its games wait for a decision, and it gets no more. */
+    private void suspect(String worker, String doubt) throws InterruptedException {
+        if (!gate.isSuspended(worker) && door.doubt(worker, shown(doubt))) {
+            gate.suspend(worker, true);
+            suspend(worker, true);
+        }
+    }
+
+    private void suspend(String worker, boolean held) throws InterruptedException {
+        int games = setter.decide(held ? SettingAside.Fate.SUSPENDED : SettingAside.Fate.RESTORED,
+            WorkerBook.machine(worker), StoredGame.SUSPENDED + "the answers of worker " + worker + " are doubtful");
+        say("worker " + worker + (held ? " is suspended: " + TextFormat.count(games, "game") + " of it leave the table "
+            + "and the comparison of workers, and it plays no more, until 'steward league worker pardon' or 'revoke' "
+            + "decides" : " is pardoned and plays again; its games count"));
     }
 
     @Override
@@ -183,7 +207,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
     }
 
     private int slots(WorkerState worker) {
-        return pauses.places(worker.name, worker.slots);
+        return gate.isSuspended(worker.name) ? 0 : pauses.places(worker.name, worker.slots);
     }
 
     @Override
@@ -274,7 +298,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
                 if (state.caught) {
                     return null;
                 }
-                machine = WorkerState.machine(state.name) + state.machine;
+                machine = WorkerBook.machine(state.name) + state.machine;
                 scale = state.scale;
             }
             attempts = reported.attempts(game, played, machine, scale, told.nanos());
@@ -287,7 +311,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
                 reported.askAgain(game, state.name, scale, played.transcripts().get(attempts.size() - 1));
             }
             synchronized (this) {
-                if (state.caught) {
+                if (state.caught || gate.isSuspended(state.name)) {
                     return null;
                 }
                 state.games++;
@@ -341,8 +365,8 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
 
     @Override
     public synchronized boolean isTrusted(String machine) {
-        return workers.values().stream().noneMatch(worker -> worker.caught
-            && machine.startsWith(WorkerState.machine(worker.name)));
+        return workers.values().stream().noneMatch(worker -> (worker.caught || gate.isSuspended(worker.name))
+            && machine.startsWith(WorkerBook.machine(worker.name)));
     }
 
     private void listen() {
@@ -484,7 +508,8 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
     /** All workers that have said anything. */
     public synchronized List<WorkerSeen> seen() {
         List<WorkerSeen> seen = new ArrayList<>();
-        workers.values().forEach(worker -> seen.add(worker.seen(reported.doubts(worker.name))));
+        workers.values().forEach(worker -> seen.add(worker.seen(gate.isSuspended(worker.name),
+            reported.doubts(worker.name))));
         return seen;
     }
 

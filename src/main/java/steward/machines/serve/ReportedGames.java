@@ -49,12 +49,13 @@ final class ReportedGames {
     private final Semaphore room = new Semaphore((int) Math.max(1, Math.min(Runtime.getRuntime().availableProcessors(),
         Runtime.getRuntime().maxMemory() / (2 * MOST_MEMORY))));
 
-    ReportedGames(LeagueFolder folder, Season season, Contest contest, GameTypes types, Consumer<String> teller) {
+    ReportedGames(LeagueFolder folder, Season season, Contest contest, GameTypes types, Consumer<String> teller,
+                  AskedAgain.Suspecter suspecter) {
         this.folder = folder;
         this.season = season;
         this.contest = contest;
         answers = new AnswerCheck(contest, types);
-        askedAgain = new AskedAgain(teller);
+        askedAgain = new AskedAgain(teller, suspecter);
         keeper = new KeptGames(folder);
     }
 
@@ -95,7 +96,7 @@ final class ReportedGames {
         List<Member> members = game.members();
         byte[] sent = played.transcripts().get(k);
         byte[] name = GameName.of(season, task.seed(),
-            members.stream().map(member -> member.version().identity()).toList(), k + 1);
+            members.stream().map(member -> member.version().identity()).toList(), game.first() + k);
         String source = "game " + HexFormat.of().formatHex(name);
         CheckedGame outcome = check.check(source, sent, expected(game));
         left[0] -= outcome.nanos();
@@ -129,7 +130,7 @@ final class ReportedGames {
         if (KeptGames.keeps(game.settings(), true, seats, names)) {
             file = keeper.take(name, check.replay(source, sent, expected(game)), true);
         }
-        return new StoredGame(0, name, task.decision(), task.seed(), k + 1, last && !discarded,
+        return new StoredGame(0, name, task.decision(), task.seed(), game.first() + k, last && !discarded,
             outcome.turns(), discarded ? RemoteGames.shown(played.discarded()) : null,
             System.currentTimeMillis(), machine, file, outcome.facts().transcript(), seats);
     }

@@ -1,8 +1,24 @@
 package steward.machines.serve;
 
-/** Sets the games of a machine aside. */
+/** Decides whether the games of a machine count. */
 public interface SettingAside {
 
-    /** See {@link steward.league.play.LeagueRun#setAside}. */
-    int setAside(String machine, String why) throws InterruptedException;
+    /** What becomes of them. */
+    enum Fate {
+        /** They never count, and are played again. */
+        ASIDE,
+        /** They do not count until somebody decides. */
+        SUSPENDED,
+        /** Suspended ones count again. */
+        RESTORED
+    }
+
+    /**
+     * Decides.
+     *
+     * @param machine how the texts begin that say where its games were played
+     * @param why     is noted with each
+     * @return how many games are concerned
+     */
+    int decide(Fate fate, String machine, String why) throws InterruptedException;
 }

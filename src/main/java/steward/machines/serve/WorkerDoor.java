@@ -84,9 +84,20 @@ final class WorkerDoor implements Admission {
 
     /** Revokes a worker that was caught; its games are to be set aside. */
     void revoke(String worker, String why) {
+        change(() -> WorkerList.revoke(folder, worker, why, true));
+    }
+
+    /** Keeps a doubt about the answers of a worker. @return whether it is suspended by that */
+    boolean doubt(String worker, String why) {
+        boolean[] kept = new boolean[1];
+        change(() -> kept[0] = WorkerList.doubt(folder, worker, why));
+        return kept[0];
+    }
+
+    private void change(Runnable how) {
         boolean interrupted = Thread.interrupted();    // which would keep the list from being written
         try {
-            WorkerList.revoke(folder, worker, why, true);
+            how.run();
         } catch (InputException gone) {
             teller.accept(gone.getMessage());
         } finally {

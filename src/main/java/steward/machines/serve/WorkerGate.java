@@ -1,10 +1,14 @@
 package steward.machines.serve;
 
 import java.util.Map;
+import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import steward.machines.broker.Gate;
 
-/** Says to the broker who may be handed jobs: workers that are not paused, as many as they said they play. */
+/**
+ * Says to the broker who may be handed jobs: workers that are neither paused nor suspended, as many as they said they
+ * play.
+ */
 final class WorkerGate implements Gate {
 
     private final WorkerPauses pauses;
@@ -15,6 +19,21 @@ final class WorkerGate implements Gate {
         this.pauses = pauses;
     }
 
+    /** Workers that may not play until somebody decides. */
+    private final Set<String> suspended = ConcurrentHashMap.newKeySet();
+
+    void suspend(String worker, boolean held) {
+        if (held) {
+            suspended.add(worker);
+        } else {
+            suspended.remove(worker);
+        }
+    }
+
+    boolean isSuspended(String worker) {
+        return suspended.contains(worker);
+    }
+
     void joined(String worker, int slots) {
         most.put(worker, 2 * slots + 2);
         pauses.untested(worker);
@@ -22,7 +41,7 @@ final class WorkerGate implements Gate {
 
     @Override
     public boolean mayTake(String worker, int jobs) {
-        return jobs < most.getOrDefault(worker, 0) && pauses.mayTake(worker);
+        return !isSuspended(worker) && jobs < most.getOrDefault(worker, 0) && pauses.mayTake(worker);
     }
 
     @Override

@@ -33,9 +33,9 @@ final class WorkerState {
     }
 
     /** Returns what is shown of it. @param doubts a sentence each */
-    WorkerSeen seen(List<String> doubts) {
+    WorkerSeen seen(boolean suspended, List<String> doubts) {
         return new WorkerSeen(name, slots, games / (Math.max(1, System.nanoTime() - began) / 1e9), version,
-            System.currentTimeMillis() - lastWord, caught, doubts);
+            System.currentTimeMillis() - lastWord, caught, suspended, doubts);
     }
 
     /** Returns why no worker that is there can play with these bundles, as each has said; {@code null} if one may. */
@@ -62,10 +62,5 @@ final class WorkerState {
     String withoutGuests() {
         return "worker " + name + " plays nothing: the scene has a referee of its own, and the worker runs none "
             + "without --guests";
-    }
-
-    /** Returns how the texts begin that say where its games were played. */
-    static String machine(String name) {
-        return "worker " + name + ": ";
     }
 }

@@ -23,8 +23,8 @@ import steward.scene.json.SceneException;
 
 /**
  * The workers of a league, in the private file {@code machines/workers.json}: of each its name, a hash of its secret,
- * and whether it is revoked, with the reason, and whether its games are to be set aside; and the invitations with which
- * machines become workers by themselves.
+ * and whether it is revoked or doubted, with the reason, and whether its games are to be set aside; and the invitations
+ * with which machines become workers by themselves.
  *
  * @param workers     in the order in which they were added
  * @param invitations in the order in which they were made
@@ -46,8 +46,16 @@ public record WorkerList(List<Worker> workers, List<Invitation> invitations) {
      * @param revoked why it may play no more, or {@code null}
      * @param aside   true if its games are not to count
      * @param invited name of the invitation with which it came, or {@code null}
+     * @param doubt   why its answers are doubted and its games do not count until somebody decides, or {@code null}
+     * @param trusted true if it was pardoned after a doubt: later ones are told, and its games count
      */
-    public record Worker(String name, String hash, String revoked, boolean aside, String invited) { }
+    public record Worker(String name, String hash, String revoked, boolean aside, String invited, String doubt,
+                         boolean trusted) {
+
+        Worker(String name, String hash, String invited) {
+            this(name, hash, null, false, invited, null, false);
+        }
+    }
 
     public WorkerList {
         workers = List.copyOf(workers);
@@ -77,7 +85,8 @@ public record WorkerList(List<Worker> workers, List<Invitation> invitations) {
             for (Block each : block.blocks("workers")) {
                 workers.add(new Worker(WorkerToken.pattern(each, "name", NAME), WorkerToken.pattern(each, "hash", HASH),
                     each.has("revoked") ? each.text("revoked") : null, each.flag("aside", false),
-                    each.has("invited") ? WorkerToken.pattern(each, "invited", NAME) : null));
+                    each.has("invited") ? WorkerToken.pattern(each, "invited", NAME) : null,
+                    each.has("doubt") ? each.text("doubt") : null, each.flag("trusted", false)));
                 each.done();
             }
             List<Invitation> invitations = new ArrayList<>();
@@ -108,9 +117,11 @@ public record WorkerList(List<Worker> workers, List<Invitation> invitations) {
             text.append(text.charAt(text.length() - 1) == '[' ? "\n" : ",\n").append("  { \"name\": \"")
                 .append(worker.name()).append("\", \"hash\": \"").append(worker.hash()).append('"');
             if (worker.revoked() != null) {
-                text.append(", \"revoked\": \"").append(worker.revoked().replaceAll("[^ -!#-\\[\\]-~]", "?"))
-                    .append('"').append(worker.aside() ? ", \"aside\": true" : "");
+                text.append(", \"revoked\": \"").append(shown(worker.revoked())).append('"')
+                    .append(worker.aside() ? ", \"aside\": true" : "");
             }
+            text.append(worker.doubt() == null ? "" : ", \"doubt\": \"" + shown(worker.doubt()) + "\"")
+                .append(worker.trusted() ? ", \"trusted\": true" : "");
             text.append(worker.invited() == null ? "" : ", \"invited\": \"" + worker.invited() + "\"").append(" }");
         }
         text.append("\n]");
@@ -120,6 +131,10 @@ public record WorkerList(List<Worker> workers, List<Invitation> invitations) {
         }
         PrivateFile.write(file(folder), text + " }\n", true);
         return this;
+    }
+
+    private static String shown(String text) {
+        return text.replaceAll("[^ -!#-\\[\\]-~]", "?");
     }
 
     public Optional<Worker> of(String name) {
@@ -142,7 +157,7 @@ public record WorkerList(List<Worker> workers, List<Invitation> invitations) {
         key.make();
         String secret = WorkerToken.newSecret();
         PrivateFile.write(token, new WorkerToken(name, secret, key.fingerprint()).text(), false);
-        return list.with(new Worker(name, WorkerToken.hash(secret), null, false, null)).write(folder);
+        return list.with(new Worker(name, WorkerToken.hash(secret), null)).write(folder);
     }
 
     /** @throws InputException if a worker or an invitation cannot have this name, or has it */
@@ -221,7 +236,7 @@ public record WorkerList(List<Worker> workers, List<Invitation> invitations) {
                 : list.workers().size() == MOST ? "the league has " + MOST + " workers, the most there may be"
                 : found.refusal(list.used(found), now);
             return refusal[0] != null ? list
-                : list.with(new Worker(name, WorkerToken.hash(secret), null, false, found.name())).write(folder);
+                : list.with(new Worker(name, WorkerToken.hash(secret), found.name())).write(folder);
         });
         return refusal[0];
     }
@@ -241,22 +256,38 @@ public record WorkerList(List<Worker> workers, List<Invitation> invitations) {
                         each.revoked() || each.name().equals(name))).toList()).write(folder);
             }
             return changed(folder, name, worker -> new Worker(name, worker.hash(), worker.revoked() == null ? why
-                : worker.revoked(), aside || worker.aside(), worker.invited()));
+                : worker.revoked(), aside || worker.aside() || worker.doubt() != null, worker.invited(), null, false));
         });
     }
 
     /**
-     * Lets a revoked worker play again, with the token that it has.
+     * Lets a worker play again that is revoked or doubted, with the token that it has.
      *
-     * @throws InputException if there is none of the name, or it is not revoked
+     * @throws InputException if there is none of the name, or it is neither
      */
     public static void pardon(LeagueFolder folder, String name) {
         PrivateFile.alone(folder(folder), () -> changed(folder, name, worker -> {
-            if (worker.revoked() == null) {
-                throw new InputException("found the worker '" + name + "', who may play, expected one that is revoked");
+            if (worker.revoked() == null && worker.doubt() == null) {
+                throw new InputException("found the worker '" + name + "', who may play, expected one that is revoked "
+                    + "or doubtful");
             }
-            return new Worker(name, worker.hash(), null, false, worker.invited());
+            return new Worker(name, worker.hash(), null, false, worker.invited(), null,
+                worker.trusted() || worker.doubt() != null);
         }));
+    }
+
+    /**
+     * Keeps a doubt about the answers of a worker until it is pardoned or revoked.
+     *
+     * @return false if it is revoked, or was pardoned after an earlier one
+     */
+    public static boolean doubt(LeagueFolder folder, String name, String why) {
+        boolean[] kept = new boolean[1];
+        PrivateFile.alone(folder(folder), () -> changed(folder, name, worker -> {
+            kept[0] = worker.revoked() == null && !worker.trusted();
+            return kept[0] ? new Worker(name, worker.hash(), null, false, worker.invited(), why, false) : worker;
+        }));
+        return kept[0];
     }
 
     private static WorkerList changed(LeagueFolder folder, String name, UnaryOperator<Worker> change) {

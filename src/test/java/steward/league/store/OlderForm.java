@@ -18,6 +18,7 @@ public final class OlderForm {
             for (String table : new String[] {"season", "version", "machine", "lineup", "game"}) {
                 statement.execute("ALTER TABLE " + table + " DROP COLUMN digest");
             }
+            statement.execute("ALTER TABLE version DROP COLUMN paused");
             statement.execute("PRAGMA writable_schema = ON");
             statement.execute("UPDATE sqlite_schema SET sql = replace(replace(sql, ', STRICT', ''), ' STRICT', '')");
             statement.execute("PRAGMA writable_schema = RESET");

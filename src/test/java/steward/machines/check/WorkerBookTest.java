@@ -100,6 +100,25 @@ class WorkerBookTest {
         assertTrue(found < 11, () -> "doubtful in " + count + " of 300 leagues, seed " + SEED);
     }
 
+    /** Half of all games are forged: beside them honest ones are the exception, until they leave the comparison. */
+    @Test
+    void honestWorkersAreNoMoreDoubtfulWhenTheForgersGamesAreSuspended() {
+        for (boolean suspended : new boolean[] {false, true}) {
+            SplittableRandom random = new SplittableRandom(SEED);
+            WorkerBook book = new WorkerBook(Integer::toString);
+            for (int k = 0; k < 80; k++) {
+                StoredGame forged = game("worker x: m", new Kind(1, 0.02, 1), random);
+                book.add(!suspended ? forged : new StoredGame(0, forged.name(), 0, forged.seed(), 1, false, 50,
+                    StoredGame.SUSPENDED + "why", 0, forged.machine(), null, forged.seats()));
+                book.add(game("worker a: m", HONEST, random));
+            }
+            WorkerBook.Line honest = book.lines().get(0);
+            assertEquals(suspended, honest.doubts().isEmpty(), () -> honest + ", seed " + SEED);
+            assertEquals(suspended ? 80 : 0, book.lines().get(1).aside());
+            assertEquals(suspended, book.lines().get(1).suspended());
+        }
+    }
+
     @Test
     void aWorkerThatLetsTheWeakBotWinIsNamedAfterFortyGames() {
         List<String> doubts = doubts(new Kind(1, 0.02, 1), 40, SEED);

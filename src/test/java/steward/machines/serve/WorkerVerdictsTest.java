@@ -113,15 +113,47 @@ class WorkerVerdictsTest extends ServedLeague {
         return false;
     }
 
-    /** All follows from its commands: that they are not the bot's is for the operator to judge, with the evidence. */
+    /**
+     * All follows from its commands: that they are not the bot's is for the operator to judge, with the evidence. Until
+     * then its games do not count, and an honest worker beside it is not doubtful.
+     */
     @Test
-    void aWorkerThatAnswersForABotIsDoubtfulAndTheOperatorSetsItsGamesAside() throws Exception {
+    void aWorkerThatAnswersForABotIsSuspendedUntilTheOperatorDecides() throws Exception {
         alone(20);
-        String said = beside(hostile(Way.ANSWERS), 20, "--threads", "0", "--pause-after", "0");
-        assertFalse(said.contains("caught"), said);
-        assertTrue(Pattern.compile("worker bad is doubtful: fast answered otherwise than here in 5 of \\d+ games that "
+        WorkerToken other = token("many", "good");
+        WorkerToken token = token("many", "bad");
+        CompletableFuture<String> run = serve("many", 20, "--threads", "0", "--pause-after", "0");
+        CompletableFuture<Void> forging = CompletableFuture.runAsync(() -> {
+            try (BrokerClient client = client(token)) {
+                hostile(Way.ANSWERS).play(client, run::isDone);
+            } catch (BrokenException | InterruptedException closed) {
+                return;
+            }
+        });
+        String suspended = "bad (suspended: its games do not count until pardon or revoke)\n  doubtful: ";
+        while (!run.isDone() && !done("worker", "list", "TMP/many").contains(suspended)) {
+            TimeUnit.MILLISECONDS.sleep(200);
+        }
+        play(worker(other, 1, Long.MAX_VALUE));
+        String said = run.get(200, TimeUnit.SECONDS);
+        forging.get(200, TimeUnit.SECONDS);
+        assertFalse(said.contains("caught") || said.contains("worker good is doubtful"), said);
+        assertTrue(Pattern.compile("worker bad is doubtful: \\w+ answered otherwise than here in 5 of \\d+ games that "
             + "were asked again, here the same twice \\(no other worker to compare with\\), such as turn ")
             .matcher(said).find(), said);
+        Matcher count = Pattern.compile("worker bad is suspended: (\\d+) games of it leave the table").matcher(said);
+        assertTrue(count.find(), said);
+        String table = done("table", "TMP/many");
+        assertTrue(table.startsWith(20 - Integer.parseInt(count.group(1)) + " games of duel, " + count.group(1)
+            + " more of workers that are suspended\n") && table.contains("worker bad: suspended, 0 games, "), table);
+        assertTrue(alone.containsAll(counting("many")), "what counts is honest");
+        try (RemoteGames games = served("many"); BrokerClient client = client(token)) {
+            assertTrue(done("worker", "list", "TMP/many", "--json").contains("\"suspended\":true,\"doubts\":[\""));
+            assertTrue(games.seen().stream().allMatch(worker -> worker.slots() == 0), "also in the next run");
+        }
+        assertEquals("bad may play again; " + count.group(1) + " games count again\n", done("worker", "pardon",
+            "TMP/many", "bad"));
+        assertTrue(done("table", "TMP/many").startsWith("20 games of duel\n"));
         assertFalse(alone.equals(counting("many")), "its games count");
 
         done("worker", "revoke", "TMP/many", "bad", "--set-aside");

@@ -3,6 +3,7 @@ package steward.machines.token;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -69,6 +70,18 @@ class TokenTest {
         WorkerList.pardon(league, "a");
         assertTrue(WorkerList.read(league).admits("a", token.secret()));
         assertThrows(InputException.class, () -> WorkerList.pardon(league, "a"), "may play");
+
+        assertTrue(WorkerList.doubt(league, "a", "answers \"otherwise\""));
+        assertEquals("answers ?otherwise?", WorkerList.read(league).of("a").orElseThrow().doubt());
+        WorkerList.revoke(league, "a", "by hand", false);
+        WorkerList.Worker revoked = WorkerList.read(league).of("a").orElseThrow();
+        assertTrue(revoked.aside() && revoked.doubt() == null, "its games never count");
+        assertFalse(WorkerList.doubt(league, "a", "more"), "it is decided");
+        WorkerList.pardon(league, "a");
+        WorkerList.doubt(league, "a", "again");
+        WorkerList.pardon(league, "a");
+        assertFalse(WorkerList.doubt(league, "a", "once more"), "it was pardoned for that");
+        assertNull(WorkerList.read(league).of("a").orElseThrow().doubt());
         WorkerList.revoke(league, "a", "by hand", true);
         WorkerList.add(league, "a", folder.resolve("anew.token"));
         assertFalse(WorkerList.read(league).admits("a", token.secret()), "a new token");

@@ -35,6 +35,9 @@ final class GameFilter {
     @Option(names = "--kept", description = "Only games whose replay is kept.")
     private boolean kept;
 
+    @Option(names = "--forgiven", description = "Only games that 'league forgive' set aside.")
+    private boolean forgiven;
+
     /** Refuses options that do not go together. */
     void check() {
         check.that((won ? 1 : 0) + (drawn ? 1 : 0) + (lost ? 1 : 0) <= 1,
@@ -74,7 +77,8 @@ final class GameFilter {
      * @param opponent of {@link #opponent}
      */
     boolean takes(StoredGame game, int version, int opponent) {
-        if (kept && game.replay() == null) {
+        if (kept && game.replay() == null || forgiven && (game.problem() == null
+                || !game.problem().startsWith(StoredGame.FORGIVEN))) {
             return false;
         }
         List<StoredSeat> own = game.seats().stream().filter(seat -> version < 0 || seat.version() == version).toList();

@@ -133,7 +133,9 @@ public final class GamesCommand extends ProgramCommand {
         }
         line.append(", ").append(TextFormat.count(game.turns(), "turn")).append(", seed ").append(game.seed());
         if (game.problem() != null) {
-            line.append(", no result: ").append(game.problem());
+            boolean aside = game.problem().startsWith(StoredGame.FORGIVEN)
+                || game.problem().startsWith(StoredGame.SUSPENDED);
+            line.append(aside ? ", does not count: " : ", no result: ").append(game.problem());
         } else if (!game.counts()) {
             line.append(", played again since others used the processors");
         }

@@ -88,7 +88,8 @@ public final class LeagueOpening {
             }
             boolean active = present && settings.bot(version.bot()).filter(bot -> !bot.retired()).isPresent();
             boolean random = version.random() || settings.bot(version.bot()).filter(LeagueBot::random).isPresent();
-            entries.add(new LeagueTable.Entry(version.id(), version.display(), random, active));
+            entries.add(new LeagueTable.Entry(version.id(), version.display(), random, active,
+                version.paused()));
         }
         return entries;
     }

@@ -69,17 +69,23 @@ public final class TableText {
     private static String others(LeagueTable table, List<WorkerRow> workers) {
         long again = table.results().playedAgain();
         long aside = workers.stream().mapToLong(WorkerRow::aside).sum();
-        long without = table.results().withoutResult() - aside;
+        long suspended = workers.stream().filter(worker -> worker.state().equals(WorkerRow.SUSPENDED))
+            .mapToLong(WorkerRow::aside).sum();
+        long forgiven = table.results().forgiven();
+        long without = table.results().withoutResult() - aside - forgiven;
         long repeats = table.results().repeats();
         return (repeats > 0 ? ", " + repeats + " more that only repeat earlier ones and do not count" : "")
             + (again > 0 ? ", " + again + " more played again since others used the processors" : "")
-            + (aside > 0 ? ", " + aside + " more set aside, of workers that were caught" : "")
+            + (aside > suspended ? ", " + (aside - suspended) + " more set aside, of workers that were caught" : "")
+            + (suspended > 0 ? ", " + suspended + " more of workers that are suspended" : "")
+            + (forgiven > 0 ? ", " + forgiven + " more forgiven" : "")
             + (without > 0 ? ", " + without + " more without a result" : "");
     }
 
     private static String name(Row row) {
         return TextFormat.plain(TextFormat.shorten(row.entry().name(), LONGEST_NAME))
-            + (row.entry().random() ? "*" : "") + (row.entry().active() ? "" : " (out)");
+            + (row.entry().random() ? "*" : "")
+            + (row.entry().active() ? row.entry().paused() ? " (paused)" : "" : " (out)");
     }
 
     /** One line a bot, and their heads. */

@@ -26,7 +26,8 @@ public final class WorkerBooks {
 
     /** Returns the workers' rows where the league is not being played. */
     static List<WorkerRow> rows(WorkerBook book) {
-        return book.lines().stream().map(line -> new WorkerRow(line.name(), line.aside() > 0 ? "caught" : "",
+        return book.lines().stream().map(line -> new WorkerRow(line.name(), line.suspended()
+            ? WorkerRow.SUSPENDED : line.aside() > 0 ? "caught" : "",
             line.games(), line.aside(), Double.NaN, line.faults(), line.repeated(), null, -1, line.doubts())).toList();
     }
 }

@@ -1,0 +1,107 @@
+package steward.league.store;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import steward.league.GameName;
+import steward.league.LeagueFolder;
+import steward.league.StoredGame;
+import steward.league.StoredGame.StoredSeat;
+import steward.league.store.AsideGames.Range;
+import steward.league.store.GameStore.Version;
+
+/** Games that do not count for a time: 1 to 3 are won by a, drawn, and lost by b, which failed; in 4 both failed. */
+class AsideGamesTest {
+
+    @TempDir
+    private Path folder;
+    private GameStore store;
+    private int season;
+    private Version a;
+    private Version b;
+    private AsideGames aside;
+
+    @BeforeEach
+    void fourGames() {
+        store = GameStore.write(new LeagueFolder(folder));
+        season = store.open(GameStoreTest.SEASON);
+        a = store.add("a", "./a", false, "1a", 1);
+        b = store.add("b", "./b", false, "1b", 2);
+        aside = new AsideGames(store);
+        store.add(season, List.of(game(7, 1, 0, null, null, "here"), game(8, 1, 0, null, null, "worker x: m"),
+            game(9, 1, 1, null, "exited", "worker x: m"), game(10, 1, 0, "exited", "exited", "worker x: m")));
+    }
+
+    private StoredGame game(long seed, int attempt, int rank, String one, String other, String machine) {
+        return new StoredGame(0, GameName.of(GameStoreTest.SEASON, seed, List.of("1a", "1b"), attempt), (int) seed,
+            seed, attempt, true, 1, null, seed, machine, null, List.of(
+            new StoredSeat(a.id(), 0, 1, one, 1, 1, 1, 1), new StoredSeat(b.id(), rank, 0, other, 1, 1, 1, 1)));
+    }
+
+    /** By number: 1 if it counts, F if all failed, or the problem. */
+    private List<String> games() {
+        assertEquals(List.of(), store.badRows(5));
+        List<String> games = new ArrayList<>();
+        new GameQueries(store, season, GameStoreTest.SEASON).games(game -> games.add(game.problem() != null
+            ? game.problem() : game.allFailed() ? "F" : game.counts() ? "1" : "0"));
+        return games;
+    }
+
+    private long counting() {
+        return new GameQueries(store, season, GameStoreTest.SEASON).results().games();
+    }
+
+    @Test
+    void gamesOfAWorkerAreSuspendedAndCountAgainOrNever() {
+        assertEquals(3, aside.suspend("worker x: ", "suspended: why"));
+        assertEquals(List.of("1", "suspended: why", "suspended: why", "suspended: why"), games());
+        assertEquals(1, counting());
+        assertEquals(3, aside.restore("worker x: "));
+        assertEquals(List.of("1", "1", "1", "F"), games());
+        assertEquals(3, counting());
+        aside.suspend("worker x: ", "suspended: why");
+        assertEquals(3, store.setAside(season, "worker x: ", "set aside: why").size(), "to be played again");
+        assertEquals(0, aside.restore("worker x: "));
+        assertEquals(1, counting());
+    }
+
+    /** Which games are left out is never up to how they ended. */
+    @Test
+    void allGamesOfARangeAreForgivenWhateverTheyCameTo() {
+        assertEquals(3, aside.forgive("b", new Range(2, 9)));
+        String why = "forgiven: games 2 to 9 of b";
+        assertEquals(List.of("1", why, why, why), games());
+        assertEquals(3, new GameQueries(store, season, GameStoreTest.SEASON).results().forgiven());
+        assertEquals(0, aside.forgive("b", new Range(2, 9)), "once");
+        assertEquals(List.of(), aside.again(season));
+        assertFalse(new GameQueries(store, season, GameStoreTest.SEASON).earlier().firstOpen() > 0);
+        assertEquals(1, aside.takeBack("a", new Range(4, 4)), "it is a game of both");
+        assertEquals(2, aside.takeBack("b", new Range(1, 99)));
+        assertEquals(List.of("1", "1", "1", "F"), games());
+        assertEquals(0, aside.forgive("c", new Range(1, 99)));
+    }
+
+    @Test
+    void failedGamesArePlayedAgainAndThatIsTakenBack() {
+        assertEquals(2, aside.playAgain("b", new Range(1, 4)));
+        assertEquals(List.of("9 1 2", "10 1 2"), aside.again(season).stream().map(game -> game.decision() + " "
+            + game.lineup()).toList());
+        StoredGame further = game(9, 2, 0, null, null, "here");
+        assertTrue(aside.isReplaced(game(9, 1, 0, null, null, "here").name()));
+        assertFalse(aside.isReplaced(further.name()));
+        store.add(season, List.of(further));
+        assertFalse(aside.isReplaced(further.name()));
+        assertEquals(3, counting());
+        assertEquals(2, aside.takeBack("b", new Range(1, 4)));
+        assertEquals(List.of("1", "1", "1", "F", "forgiven: game 3, an earlier attempt, counts again"), games());
+        assertEquals(2, aside.playAgain("b", new Range(1, 4)));
+        assertTrue(aside.isReplaced(further.name()), "a third attempt is played");
+    }
+}
