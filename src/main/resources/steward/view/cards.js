@@ -19,7 +19,9 @@ export class Cards {
     root.replaceChildren(...this.cards.map(card => card.root));
   }
   match; look; sheet; onChoose;
-  /** What is looked for, as an expression; marked in all texts. */
+  number = 0;
+  chosen = null;
+  /** Expression that is looked for; marked in all texts. */
   sought = null;
 
   #makeCard(player) {
@@ -40,6 +42,7 @@ export class Cards {
 
   update(number, chosen) {
     this.number = number;
+    this.chosen = chosen;
     const turn = this.match.turn(number);
     this.cards.forEach((card, player) => {
       const message = turn.messages?.[player];
@@ -61,7 +64,7 @@ export class Cards {
     const card = this.cards[player];
     if (!card) return;
     if (kind === 'sent') card.sentBox.open = true;
-    this.update(this.number, null);
+    this.update(this.number, this.chosen);
     (kind === 'sent' ? card.sent : card.stderr).scroll();
     card.root.scrollIntoView({ block: 'nearest' });
   }

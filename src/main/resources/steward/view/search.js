@@ -42,7 +42,7 @@ export class Search {
   time = () => 0;
 
   #show(words, list, count) {
-    const sought = words ? new RegExp(words.replace(/[.*+?^${}()|[\]\\]/g, '\\$&'), 'i') : null;
+    const sought = words ? new RegExp(words.replace(/[.*+?^${}()|[\]\\]/g, '\\$&').replace(/[:,]/g, '$&\\s*'), 'i') : null;   // also in broken JSON
     this.#found = sought ? this.#find(sought) : [];
     const most = this.#found.length;
     count.textContent = !sought ? '' : most === 0 ? 'nothing' : most >= MOST_FOUND ? `the first ${MOST_FOUND} places`

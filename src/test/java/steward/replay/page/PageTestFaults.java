@@ -111,6 +111,7 @@ class PageTestFaults {
         browser.click("#found li:last-child button");
         assertTrue(browser.is("document.querySelector('#cards .sent-box').open"
             + " || document.querySelector('#cards .card:nth-child(2) .sent-box').open"));
+        assertEquals("\"turnsLeft\": ", browser.run("return document.querySelector('#cards .sent mark').textContent"));
         assertEquals(List.of(), browser.complaints());
     }
 
