@@ -33,7 +33,7 @@ public final class Advice {
             .orElseGet(() -> about(failure));
     }
 
-    private static String about(Failure failure) {
+    static String about(Failure failure) {
         String reason = failure.reason();
         if (FaultMessages.isExit(reason, 0)) {
             return "It ended by itself: after an answer it has to read the next turn, until its input ends";
@@ -56,7 +56,8 @@ public final class Advice {
         if (reason.contains("without a line end")) {
             return "An answer ends with a line end. " + FLUSH;
         }
-        if (failure.time() != null && failure.time().computed() > failure.time().taken() / 2) {
+        if (failure.time() != null && (failure.time().overCpu()
+            || failure.time().computed() > failure.time().taken() / 2)) {
             return "It computed all the time: " + (failure.turn() == 1 ? "let it start faster, or " : "")
                 + "let it stop its search by the clock, with room to the limit";
         }

@@ -20,8 +20,8 @@ import steward.text.TextFormat;
 
 /**
  * One bot tried: a whole game against the weakest bundled bot of the game, and one against players that never answer. A
- * bot that is late, or nearly, is tried again, at last by the CPU time that it uses itself: other programs may have used
- * the processors.
+ * bot that is late, or nearly, is tried again, at last by the CPU time that it uses itself: other programs may have
+ * used the processors.
  *
  * @param contest with the bot as its only entrant
  * @param games   as far as they were played; the second is not after a failure in the first

@@ -106,8 +106,8 @@ record AuthorPage(TournamentCommand.Entry entry, int version, List<StoredGame> g
         if (games.isEmpty()) {
             return;
         }
-        page.append("<div class=scroll tabindex=0 role=group aria-label=Games><table class=games><tr><th>Against<th>Result"
-            + "<th>Replay</tr>");
+        page.append("<div class=scroll tabindex=0 role=group aria-label=Games><table class=games><tr>"
+            + "<th>Against<th>Result<th>Replay</tr>");
         for (StoredGame game : games) {
             String against = others(game).map(seat -> names.get(seat.version())).collect(Collectors.joining(", "));
             page.append("<tr><td class=name>").append(Html.escape(against.isEmpty() ? "alone" : against)).append("<td>")

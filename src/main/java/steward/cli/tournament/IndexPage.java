@@ -30,7 +30,8 @@ record IndexPage(List<TournamentCommand.Entry> entries, Scores scores, List<Stri
             page.append("<p><a href=\"league.html\">Ratings, who beats whom, all games</a>"
                 + " · <a href=\"table.csv\">as CSV</a></p>");
         }
-        page.append("<div class=scroll tabindex=0 role=group aria-label=Table><table class=places><tr><th class=num>#<th>Program")
+        page.append("<div class=scroll tabindex=0 role=group aria-label=Table><table class=places><tr>")
+            .append("<th class=num>#<th>Program")
             .append("<th class=num>Points<th class=\"num wide\">Games<th class=num>Won<th class=num>Drawn")
             .append("<th class=num>Lost<th class=\"num wide\">Failed<th class=why>Check</tr>");
         Set<String> played = new HashSet<>();

@@ -24,7 +24,8 @@ record PlayedGames(Season season, List<LeagueTable.Entry> entries, List<StoredGa
     /** Reads the games of a league that has been played. */
     static PlayedGames read(LeagueOpening.Opened opened, Roster roster) {
         List<LeagueTable.Entry> entries = roster.members().stream().map(member ->
-            new LeagueTable.Entry(member.version().id(), member.bot().name(), member.version().random(), true)).toList();
+            new LeagueTable.Entry(member.version().id(), member.bot().name(), member.version().random(),
+                true)).toList();
         List<Integer> versions = roster.versions();
         List<StoredGame> games = new ArrayList<>();
         opened.games().games(game -> {

@@ -21,9 +21,9 @@ import steward.scene.json.SceneException;
 
 /**
  * Rounds of a Swiss tournament. Each is decided when the one before is over: the first of the table meets the next one
- * below whom it has not met, and so on. Who is left over, from below, has a bye; nobody a second one before all have had
- * one. A round is written to {@code rounds.json} before its first game. The file holds for the versions that it names:
- * with others the rounds begin anew.
+ * below whom it has not met, and so on. Who is left over, from below, has a bye; nobody a second one before all have
+ * had one. A round is written to {@code rounds.json} before its first game. The file holds for the versions that it
+ * names: with others the rounds begin anew.
  *
  * @param file   where they are kept
  * @param field  the programs with the numbers of their versions
@@ -124,7 +124,8 @@ record Rounds(Path file, List<String> field, List<List<List<String>>> rounds) {
     }
 
     /** Pairs the first with the next whom it has not met, such that the others can be paired too. */
-    private static boolean pair(List<String> left, Map<Set<String>, Integer> met, List<List<String>> round, int[] tries) {
+    private static boolean pair(List<String> left, Map<Set<String>, Integer> met, List<List<String>> round,
+                                int[] tries) {
         if (left.isEmpty()) {
             return true;
         }

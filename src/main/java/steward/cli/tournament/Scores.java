@@ -138,7 +138,8 @@ record Scores(List<Row> rows, String rule) {
         }
         int most = rows.stream().mapToInt(Row::games).max().orElse(0);
         rows.stream().filter(row -> row.games() < most).forEach(row -> notes.add(row.name() + " has "
-            + TextFormat.count(row.games(), "game") + ", others up to " + most + ": " + missing(played, row.version())));
+            + TextFormat.count(row.games(), "game") + ", others up to " + most + ": "
+            + missing(played, row.version())));
         return notes;
     }
 

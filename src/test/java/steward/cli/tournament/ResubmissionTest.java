@@ -56,8 +56,9 @@ class ResubmissionTest {
     }
 
     private Cli call() {
-        return Cli.run("tournament", folder.resolve("in").toString(), "--scene", folder.resolve("short.json").toString(),
-            "--games", "2", "--protocol", "json", "--sandbox", "off", "--page", folder.resolve("out").toString()).done();
+        return Cli.run("tournament", folder.resolve("in").toString(), "--scene",
+            folder.resolve("short.json").toString(), "--games", "2", "--protocol", "json", "--sandbox", "off", "--page",
+            folder.resolve("out").toString()).done();
     }
 
     /** Calls again, and compares all pages with the database. */
@@ -188,8 +189,8 @@ class ResubmissionTest {
         program("e", "9001", "");
         Cli cli = call();
         for (String line : List.of("b has changed", "d has come", "e has gone")) {
-            assertTrue(cli.err().contains("steward: " + line + " since the programs were copied; the next call sees it"),
-                cli.err());
+            assertTrue(cli.err().contains("steward: " + line
+                + " since the programs were copied; the next call sees it"), cli.err());
         }
     }
 

@@ -137,8 +137,8 @@ class TournamentPagesTest {
         PlayedGames played = played().with(game(1, null)).with(game(2, "exited with status 1"));
         Path page = folder.resolve("left.html");
         new AuthorPage(new TournamentCommand.Entry(new Workshop.Ready(new Programs.Program("left", page,
-            Programs.Kind.PYTHON), null, null, List.of(), "none", null), null), 1, played.games(), played.names(), folder)
-            .write(page);
+            Programs.Kind.PYTHON), null, null, List.of(), "none", null), null), 1, played.games(), played.names(),
+            folder).write(page);
         try (PageTestBrowser browser = PageTestBrowser.start()) {
             browser.openPlain(page);
             assertTrue(browser.text("table.games").contains("failed in turn 5: exited with status 1"));

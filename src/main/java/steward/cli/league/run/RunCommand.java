@@ -249,9 +249,9 @@ public final class RunCommand extends ProgramCommand {
                 if (!contest.hold().isEmpty()) {
                     say(screen.get(), contest.hold());
                 }
-                say(screen.get(), plan != null ? progress.planned() : RoundText.length(settings, roster.versions(), season.players(),
-                    settings.gauntlet() == null ? -1 : roster.versionOf(settings.gauntlet()).orElse(-1),
-                    roster.meeting()));
+                say(screen.get(), plan != null ? progress.planned() : RoundText.length(settings,
+                    roster.versions(), season.players(), settings.gauntlet() == null ? -1
+                        : roster.versionOf(settings.gauntlet()).orElse(-1), roster.meeting()));
             }
             run.play();
             if (told.getAndSet(true)) {
