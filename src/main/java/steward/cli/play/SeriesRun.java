@@ -30,13 +30,14 @@ record SeriesRun(Streams streams, Series series, Verbosity report, boolean stric
 
     /** @return the exit status: not 0 if a game has no result */
     int play(int threads, boolean overwrite) throws InterruptedException {
-        return play(threads, overwrite, game -> { }, StoredSeries.watch(series.contest(), streams));
+        return play(threads, overwrite, null, StoredSeries.watch(series.contest(), streams));
     }
 
     /**
      * Plays.
      *
-     * @param keeper is told of every game that is over, by any thread; what it throws ends the series
+     * @param keeper is told of every game that is over, by any thread, and what it throws ends the series; or
+     *               {@code null}. With it, the table of a program that became another one is not printed
      * @param watch  over the programs: when one becomes another, the series ends
      */
     @SuppressWarnings("try")                           // only closed, never used
@@ -54,7 +55,9 @@ record SeriesRun(Streams streams, Series series, Verbosity report, boolean stric
         try (Interruption interruption = new Interruption(streams, () -> told.getAndSet(true) ? null
                 : interrupted(play, progress))) {
             play.play(threads, game -> {
-                keeper.accept(game);
+                if (keeper != null) {
+                    keeper.accept(game);
+                }
                 if (progress != null) {
                     progress.step(standing(play.standings()));
                 }
@@ -67,7 +70,9 @@ record SeriesRun(Streams streams, Series series, Verbosity report, boolean stric
                 progress.close();
             }
         }
-        tell(play);
+        if (keeper == null || play.changed() == null) {
+            tell(play);
+        }
         tellProblems(play);
         boolean whole = play.stopped() == null && play.standings().results() == series.games();
         boolean faults = play.standings().gamesWithFaults() > 0;

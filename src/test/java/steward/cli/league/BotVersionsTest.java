@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
@@ -115,5 +116,46 @@ class BotVersionsTest {
         Cli run = Cli.league(folder, "run", "TMP/night", "--games", "2");
         assertEquals(2, run.status(), run.err());
         assertTrue(run.err().contains("found no folder " + outside + ", in which it was added"), run.err());
+    }
+
+    /** The opponent rebuilds {@code new.sh} in the first game: no game counts for two programs. */
+    private List<String> rebuilt(String... call) throws IOException {
+        String pod = Files.readString(folder.resolve("text pod.sh"));
+        Path built = Files.writeString(folder.resolve("new.sh"), pod);
+        Files.deleteIfExists(folder.resolve("made"));
+        Files.writeString(folder.resolve("old.sh"), "[ -e made ] || { echo >>new.sh; : >made; }\n" + pod);
+        List<String> words = new ArrayList<>(List.of(call));
+        words.addAll(List.of("--scene", folder.resolve("short.json").toString(), "--sandbox", "off", "--seed", "1",
+            "--threads", "1"));
+        Cli cli = Cli.run(words.toArray(new String[0]));
+        assertTrue(cli.err().contains(built + " has changed"), cli.err() + cli.out());
+        return List.of("" + cli.status(), cli.out());
+    }
+
+    private String[] bots(String... before) {
+        List<String> words = new ArrayList<>(List.of(before));
+        words.addAll(List.of("--bot", "new=codingame:sh new.sh drive 0", "--in", folder.toString(), "--bot",
+            "old=codingame:sh old.sh stay 0", "--in", folder.toString()));
+        return words.toArray(new String[0]);
+    }
+
+    @Test
+    void aRebuiltProgramEndsATestWithoutALeague() throws IOException {
+        List<String> sprt = rebuilt(bots("sprt", "--games", "6", "--random"));
+        assertEquals("1", sprt.get(0));
+        assertTrue(sprt.get(1).contains("not decided"), sprt.get(1));
+        assertEquals("1", rebuilt(bots("match", "--games", "3", "--swap")).get(0));
+        assertEquals("1", rebuilt("tune", "--bot", "codingame:sh new.sh {a:drive|stay} 0", "--in", folder.toString(),
+            "--against", "old=codingame:sh old.sh stay 0", "--in", folder.toString(), "--games", "8", "--seeds", "1")
+            .get(0));
+    }
+
+    @Test
+    void inALeagueANewVersionBegins() throws IOException {
+        String night = folder.resolve("night").toString();
+        setLevel("off");
+        assertEquals("0", rebuilt(bots("match", "--games", "2", "--swap", "--into", night)).get(0));
+        assertEquals(List.of("new 0", "old 4", "new#2 4"), versions("night"));
+        assertEquals("0", rebuilt(bots("sprt", "--games", "6", "--random", "--into", night)).get(0));
     }
 }
