@@ -24,7 +24,8 @@ function drawAll() {
   const { league } = state;
   const failed = Math.round(league.bots.reduce((sum, bot) => sum + (bot.allFailed ?? 0), 0) / (league.players ?? 1));
   const left = [[league.repeats, 'only repeat earlier ones'], [league.again, 'were played again'], [league.forgiven, 'were forgiven'],
-    [league.without - (league.forgiven ?? 0), 'have no result'], [failed, 'failed for all']].filter(([count]) => count).map(([count, words]) => `${thousands(count)} ${words}`);
+    [league.without - (league.forgiven ?? 0), 'have no result'], [failed, 'failed for all']]
+    .filter(([count]) => count).map(([count, words]) => `${thousands(count)} ${words}`);
   const all = league.games + (league.repeats ?? 0) + league.again + league.without + failed;
   find('scene').textContent = `${thousands(all)} games of ${league.scene}`
     + (left.length ? `: ${[`${thousands(league.games)} count`, ...left].join(', ')}` : '')
