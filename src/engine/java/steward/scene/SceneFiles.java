@@ -50,8 +50,8 @@ public final class SceneFiles {
     }
 
     /**
-     * Copies a scene with the files that belong to it: the figures of its accuracy and its CSV files. Files of these
-     * names are replaced.
+     * Copies a scene with the files that belong to it: the figures of its accuracy and its CSV files. Files of these names
+     * are replaced. Those of a referee stay where they are, and are named by their whole path.
      *
      * @param scene that can be read
      * @param to    where it goes, in another folder
@@ -59,15 +59,20 @@ public final class SceneFiles {
      */
     public static void copy(Path scene, Path to) throws IOException {
         SceneText text = load(scene.toAbsolutePath().toString());
-        for (String csv : CsvLines.names(new Block(text.source(), "", JsonTree.read(text.text(), text.source(),
-                "a scene")))) {
+        Block root = new Block(text.source(), "", JsonTree.read(text.text(), text.source(), "a scene"));
+        for (String csv : CsvLines.names(root)) {
             Files.copy(scene.resolveSibling(csv), to.resolveSibling(csv), StandardCopyOption.REPLACE_EXISTING);
         }
         Path figures = AccuracyFigures.beside(scene);
         if (Files.isRegularFile(figures)) {
             Files.copy(figures, AccuracyFigures.beside(to), StandardCopyOption.REPLACE_EXISTING);
         }
-        Files.copy(scene, to, StandardCopyOption.REPLACE_EXISTING);
+        Block placed = RefereeWords.found(root, scene.toAbsolutePath());
+        if (placed == root) {
+            Files.copy(scene, to, StandardCopyOption.REPLACE_EXISTING);
+        } else {
+            Files.writeString(to, placed.json());
+        }
     }
 
     private static boolean isPath(String pathOrName) {

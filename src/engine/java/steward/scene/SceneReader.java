@@ -55,6 +55,7 @@ public final class SceneReader {
     public static Scene read(SceneText text, Accuracy instead) {
         Block root = CsvLines.takenIn(text, new Block(text.source(), "", JsonTree.read(text.text(), text.source(),
             "a scene")));
+        root = text.figures().isEmpty() ? root : RefereeWords.found(root, text.figures().get());
         if (root.contains(SCHEMA)) {
             root.text(SCHEMA);
         }

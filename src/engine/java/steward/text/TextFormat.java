@@ -102,19 +102,47 @@ public final class TextFormat {
     }
 
     /**
-     * Text from a bot or a file made safe for a terminal: control characters other than line feed and tab become a
-     * question mark, and so do the characters of Unicode that reorder what is written.
+     * Text from a bot or a file made safe for a terminal: characters other than line feed and tab that cannot be seen are
+     * escaped, as {@code \\u202E}. The joiners of emoji and scripts stay.
      */
     public static String plain(String text) {
-        StringBuilder plain = null;
+        return escaped(text, "\n\t\u200C\u200D");
+    }
+
+    /** A text with escapes, such as {@code \\u202E}, in place of all characters that cannot be seen, but for some. */
+    public static String escaped(String text, String kept) {
+        StringBuilder seen = null;
         for (int k = 0; k < text.length(); k++) {
             char c = text.charAt(k);
-            if (c != '\n' && c != '\t' && isUnsafe(c)) {
-                plain = plain == null ? new StringBuilder(text) : plain;
-                plain.setCharAt(k, '?');
+            boolean hidden = isUnseen(c) && kept.indexOf(c) < 0;
+            if (hidden && seen == null) {
+                seen = new StringBuilder(text.substring(0, k));
+            }
+            if (seen != null) {
+                seen.append(hidden ? escape(c) : String.valueOf(c));
             }
         }
-        return plain == null ? text : plain.toString();
+        return seen == null ? text : seen.toString();
+    }
+
+    /** Returns a character as JSON and Java write it, such as {@code \\u202E}. */
+    public static String escape(char c) {
+        return switch (c) {
+            case '\n' -> "\\n";
+            case '\r' -> "\\r";
+            case '\t' -> "\\t";
+            default -> String.format("\\u%04X", (int) c);
+        };
+    }
+
+    /**
+     * True if a character cannot be seen: {@link #isUnsafe}, or one of the classes Cf, Zl and Zp of Unicode, as the byte
+     * order mark, spaces without width and the separators of lines.
+     */
+    public static boolean isUnseen(char c) {
+        int type = c < ' ' || c > '~' ? Character.getType(c) : Character.OTHER_SYMBOL;
+        return isUnsafe(c) || type == Character.FORMAT || type == Character.LINE_SEPARATOR
+            || type == Character.PARAGRAPH_SEPARATOR;
     }
 
     /**

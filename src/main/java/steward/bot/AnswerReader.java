@@ -2,10 +2,11 @@ package steward.bot;
 
 import java.io.IOException;
 import java.io.InputStream;
+import java.util.Arrays;
 
 /**
  * Reads a bot's answers, line by line, with blocking reads into one buffer. Bytes beyond an answer stay in the buffer,
- * or in the pipe, for the next turn.
+ * or in the pipe, for the next turn. A byte order mark before everything, as some libraries write it, is read over.
  *
  * <p>When a process exits, the JDK moves what is left in the pipe to memory. It does so holding the stream's monitor,
  * as reads do: nothing that was written is lost, and the end of the stream comes after it.
@@ -19,6 +20,7 @@ public final class AnswerReader {
     private static final int READ = 8192;
 
     private static final byte[] NEWLINE = {'\n'};
+    private static final byte[] MARK = {(byte) 0xEF, (byte) 0xBB, (byte) 0xBF};
 
     /** Outcome of waiting for an answer. */
     public enum Outcome {
@@ -36,6 +38,9 @@ public final class AnswerReader {
     /** The bytes from start to end are unread. */
     private int start;
     private int end;
+
+    /** Nothing has been taken yet. */
+    private boolean atBeginning = true;
 
     /** The end of the last complete line of the answer that is being waited for. */
     private int afterLines;
@@ -150,6 +155,9 @@ public final class AnswerReader {
 
     /** Moves the awaited lines to the answer, without carriage returns at their ends. */
     public void take(int wanted, Answer answer) {
+        if (atBeginning) {
+            skipMark();
+        }
         for (int from = start; from < afterLines;) {
             int to = wanted == 1 ? afterLines - 1 : newline(buffer, from, afterLines);
             if (from > start) {
@@ -165,8 +173,19 @@ public final class AnswerReader {
         }
     }
 
+    private void skipMark() {
+        atBeginning = false;
+        if (end - start >= MARK.length && Arrays.equals(buffer, start, start + MARK.length, MARK, 0, MARK.length)) {
+            start += MARK.length;
+            afterLines = Math.max(start, afterLines);
+        }
+    }
+
     /** Copies what was received in place of an answer, shortened to at most {@code most} bytes. */
     public void show(Answer answer, int most) {
+        if (atBeginning) {
+            skipMark();
+        }
         int count = Math.min(most, end - start);
         answer.append(buffer, start, count < end - start ? Utf8.wholeCharacters(buffer, start, count) : count);
     }

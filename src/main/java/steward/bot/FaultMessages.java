@@ -27,7 +27,8 @@ public final class FaultMessages {
      * so the time that it takes grows with the length of a text, which may be a stranger's, and not with its square.
      */
     private static final Pattern MEASURED =
-        Pattern.compile(" \\((waited|used) [^()]*\\)|[:;] (computed \\d|this system does not show ).*");
+        Pattern.compile(" \\((waited|used) [^()]*\\)|[:;] (computed (\\d|all |for )|the machine was busy"
+            + "|this system does not show ).*");
 
     private FaultMessages() { }
 

@@ -36,6 +36,7 @@ public record TimeSpent(long limit, long taken, long unobserved, long computed, 
     }
 
     private static final double NANOS_PER_MS = 1e6;
+    private static final double MOST_OF_IT = 0.8;
 
     /** Nothing is known but how long it took. */
     public static TimeSpent unknown(long limit, long taken) {
@@ -55,14 +56,29 @@ public record TimeSpent(long limit, long taken, long unobserved, long computed, 
         return waited == 0 ? 0 : Math.round((double) unobserved * waited / (waited + computed));
     }
 
-    /**
-     * {@code computed 2, waited 53 for a processor, 2 other, 19 before the first look}, in whole milliseconds; what the
-     * kernel does not show is named.
-     */
+    /** Words for a beginner, and the figures in brackets, as far as the kernel shows them. */
     public String text() {
         if (shows == Shows.NOTHING) {
             return "this system does not show what the bot did meanwhile";
         }
+        String words = words();
+        return words.isEmpty() ? figures() : words + " [" + figures() + "]";
+    }
+
+    private String words() {
+        double observed = taken - unobserved;
+        return starved() ? "the machine was busy: not its fault"
+            : overCpu || computed >= MOST_OF_IT * observed ? "computed all the time: an endless loop, or too slow?"
+            : other >= observed / 2 && shows != Shows.STEPS ? "computed for " + ms(computed) + " ms, then waited, as for input that nobody had "
+                + "sent: does it read too much, or not flush?"
+            : "";
+    }
+
+    /**
+     * {@code computed 2, waited 53 for a processor, 2 other, 19 before the first look}, in whole milliseconds; what the
+     * kernel does not show is named.
+     */
+    private String figures() {
         long first = ms(unobserved);
         long worked = ms(computed);
         long queued = ms(waited);

@@ -224,9 +224,9 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
         int players = setup.scene().players();
         if (bots.size() != players) {
             throw new InputException("found " + TextFormat.count(bots.size(), "bot") + ", expected "
-                + TextFormat.count(players, "bot") + ", one --bot for each player of the scene \""
-                + setup.scene().name() + "\"" + (players > 1 || bots.isEmpty() ? ""
-                    : "; with --games several bots each play alone on the same maps"));
+                + TextFormat.count(players, "bot") + ", one for each player of the scene \"" + setup.scene().name()
+                + "\"" + (players != 1 || bots.isEmpty() ? ""
+                    : "; in a series of games several bots each play alone on the same maps"));
         }
     }
 

@@ -14,10 +14,10 @@ public final class SafeText {
 
     private SafeText() { }
 
-    /** The beginning of a line, with question marks for characters that steer a terminal or reorder the text. */
+    /** The beginning of a line, with escapes for characters that cannot be seen. */
     public static String line(byte[] bytes, int length) {
         String line = new String(bytes, 0, Math.min(length, BYTES_PER_CHARACTER * MOST), StandardCharsets.UTF_8);
-        return TextFormat.beginning(printable(line), MOST);
+        return TextFormat.beginning(TextFormat.escaped(line, ""), MOST);
     }
 
     /**
@@ -26,13 +26,7 @@ public final class SafeText {
      * @param wrong what is wrong with the answer
      */
     public static String fault(String wrong, byte[] answer, int length) {
-        return wellFormed(printable(wrong)) + "; received: " + line(answer, length);
-    }
-
-    private static String printable(String line) {
-        StringBuilder text = new StringBuilder(line.length());
-        line.chars().forEach(c -> text.append(TextFormat.isUnsafe((char) c) ? '?' : (char) c));
-        return text.toString();
+        return wellFormed(TextFormat.escaped(wrong, "")) + "; received: " + line(answer, length);
     }
 
     /**

@@ -1,8 +1,10 @@
 package steward.replay;
 
+import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.PushbackInputStream;
 import java.io.UncheckedIOException;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.VarHandle;
@@ -13,6 +15,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.zip.GZIPInputStream;
 import steward.Internal;
 import steward.match.Protocol;
 import steward.replay.sign.SignerKey;
@@ -20,7 +23,8 @@ import steward.scene.json.JsonProblem;
 import tools.jackson.core.JacksonException;
 
 /**
- * Reads a replay line by line. A file that was cut off anywhere is read up to the cut: its last line, if it has no line
+ * Reads a replay line by line, also one that was packed with gzip, has a byte order mark or line ends of Windows, as git
+ * and editors make them. A file that was cut off anywhere is read up to the cut: its last line, if it has no line
  * end and is no complete object, is dropped, and {@link #warning} says so.
  *
  * <p>Throws {@link ReplayException} for a file that is no replay, of a newer format, damaged before its end, or with a
@@ -34,6 +38,9 @@ public final class ReplayReader implements AutoCloseable {
      * CSV, with their drawing and their places.
      */
     static final int LONGEST_LINE = 1 << 27;
+
+    private static final byte[] BYTE_ORDER_MARK = {(byte) 0xEF, (byte) 0xBB, (byte) 0xBF};
+    private static final byte[] GZIP = {0x1F, (byte) 0x8B};
 
     private static final VarHandle EIGHT_BYTES =
         MethodHandles.byteArrayViewVarHandle(long[].class, ByteOrder.nativeOrder());
@@ -83,9 +90,13 @@ public final class ReplayReader implements AutoCloseable {
 
     /** @param longest how long a line may be, in bytes */
     ReplayReader(InputStream in, String source, int longest) {
-        this.in = in;
         this.longest = longest;
         this.source = source;
+        try {
+            this.in = unpacked(in, true);
+        } catch (IOException problem) {
+            throw new UncheckedIOException(source + ": cannot read: " + problem.getMessage(), problem);
+        }
         byte[] first = readLine();
         if (first == null) {
             throw new ReplayException(source + ": found an empty file, expected a replay");
@@ -96,6 +107,34 @@ public final class ReplayReader implements AutoCloseable {
         }
         headerLine = parse(first);
         header = headerLine == null ? null : header(headerLine);
+    }
+
+    /** Returns the bytes of a replay as they were written, if git, gzip or an editor have changed them. */
+    public static byte[] asWritten(byte[] replay) {
+        try {
+            byte[] bytes = unpacked(new ByteArrayInputStream(replay), true).readAllBytes();
+            int count = 0;
+            for (int k = 0; k < bytes.length; k++) {
+                if (bytes[k] != '\r' || k + 1 == bytes.length || bytes[k + 1] != '\n') {
+                    bytes[count++] = bytes[k];
+                }
+            }
+            return Arrays.copyOf(bytes, count);
+        } catch (IOException damaged) {
+            return replay;
+        }
+    }
+
+    /** The bytes of the replay: without a byte order mark, and unpacked if they were packed. */
+    private static InputStream unpacked(InputStream in, boolean packed) throws IOException {
+        PushbackInputStream found = new PushbackInputStream(in, BYTE_ORDER_MARK.length);
+        byte[] first = found.readNBytes(BYTE_ORDER_MARK.length);
+        if (Arrays.equals(first, BYTE_ORDER_MARK)) {
+            return in;
+        }
+        found.unread(first);
+        boolean zipped = packed && first.length > 1 && first[0] == GZIP[0] && first[1] == GZIP[1];
+        return zipped ? unpacked(new GZIPInputStream(found, 1 << 16), false) : found;
     }
 
     /** True if the line begins like a replay; a line that was cut off needs to agree only as far as it goes. */
@@ -356,7 +395,8 @@ public final class ReplayReader implements AutoCloseable {
                 lineEnded = end < limit;
                 checkLength((line == null ? 0L : line.size()) + end - position);
                 if (lineEnded && line == null) {
-                    byte[] whole = Arrays.copyOfRange(buffer, position, end);
+                    boolean windows = end > position && buffer[end - 1] == '\r';
+                    byte[] whole = Arrays.copyOfRange(buffer, position, windows ? end - 1 : end);
                     position = end + 1;
                     return whole;
                 }
@@ -364,7 +404,9 @@ public final class ReplayReader implements AutoCloseable {
                 line.write(buffer, position, end - position);
                 position = lineEnded ? end + 1 : end;
                 if (lineEnded) {
-                    return line.toByteArray();
+                    byte[] whole = line.toByteArray();
+                    return whole.length > 0 && whole[whole.length - 1] == '\r'
+                        ? Arrays.copyOf(whole, whole.length - 1) : whole;
                 }
             }
         } catch (IOException problem) {

@@ -3,6 +3,7 @@ package steward.guest;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -16,6 +17,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import steward.bot.command.ProgramFinder;
 import steward.bot.isolation.Isolation;
 import steward.cli.Cli;
 
@@ -49,6 +51,23 @@ class GuestContestTest {
 
     private static String done(String... words) {
         return Cli.run(words).done().out();
+    }
+
+    /** A referee in the folder of its scene, called from another folder. */
+    @Test
+    void theFilesOfARefereeAreSoughtBesideItsScene() throws IOException {
+        assumeTrue(ProgramFinder.find("python3") != null, "skipped: there is no python3");
+        Path games = Files.createDirectory(folder.resolve("games"));
+        Files.copy(Path.of("src/test/resources/referees/standin.py"), games.resolve("standin.py"));
+        String beside = Files.writeString(games.resolve("beside.json"), """
+            {"name": "beside", "game": "guest", "players": 2, "referee": {"command": ["python3", "standin.py", "good"]}}
+            """).toString();
+        Path file = folder.resolve("beside.jsonl");
+        done("match", "--scene", beside, "--bot", bot("one", "1"), "--bot", bot("two", "2"), "--out", file.toString());
+        done("replay", file.toString(), "--verify", "--run-referee");
+        done("league", "init", folder.resolve("league").toString(), "--scene", beside);
+        assertTrue(Files.readString(folder.resolve("league/scene.json")).contains("\"" + games.resolve("standin.py")
+            + "\""));
     }
 
     @Test

@@ -10,7 +10,7 @@ class SafeTextTest {
 
     @Test
     void controlsAndReorderingCharactersBecomeQuestionMarks() {
-        assertEquals("a?[2J?b?c?d", line("a\u001b[2J\tb\u202Ec\u009Bd"));
+        assertEquals("a\\u001B[2J\\tb\\u202Ec\\u009Bd", line("a\u001b[2J\tb\u202Ec\u009Bd"));
         assertEquals("\u05D0\u00E4", line("\u05D0\u00E4"));
     }
 
@@ -22,7 +22,7 @@ class SafeTextTest {
     @Test
     void whatIsWrongWithAnAnswerMayQuoteIt() {
         byte[] answer = "0 \u000001 100".getBytes(StandardCharsets.UTF_8);
-        assertEquals("Y: found \"?01\uFFFD\", expected a finite number; received: 0 ?01 100",
+        assertEquals("Y: found \"\\u000001\uFFFD\", expected a finite number; received: 0 \\u000001 100",
             SafeText.fault("Y: found \"\u000001\uD800\", expected a finite number", answer, answer.length));
     }
 

@@ -139,7 +139,7 @@ class UnusableAnswerTest {
     /** The line is shown on terminals. */
     @Test
     void controlCharactersAreNotQuoted() throws InterruptedException {
-        assertEquals("found an array, expected an object with message, pods; received: [?[31m",
+        assertEquals("found an array, expected an object with message, pods; received: [\\u001B[31m",
             faultOf("[\u001b[31m").fault());
     }
 

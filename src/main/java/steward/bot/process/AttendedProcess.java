@@ -1,9 +1,12 @@
 package steward.bot.process;
 
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.InputStream;
 import java.io.OutputStream;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import steward.bot.Answer;
 import steward.bot.AnswerReader;
@@ -13,22 +16,31 @@ import steward.bot.command.Program;
 
 /**
  * A bot program that a person attends to, perhaps with a debugger: no deadline, no watchdog, no session of its own. Its
- * input and output are connected to the referee; stderr and terminal are left as they are.
+ * input and output are connected to the referee; the terminal is left as it is, and so is stderr if it is to be. Otherwise
+ * stderr is passed on, and of what comes after the end of the input only as much as {@link #showRest} is asked for.
  *
  * <p>Caveat: it ends only by itself, by its user, or by {@link #kill}.
  */
 public final class AttendedProcess implements Player {
+
+    /** Bytes that are kept of what comes after the end of its input. */
+    private static final int MOST_REST = 1 << 16;
+    private static final long REST_MS = 500;
 
     private final String name;
     private final Process process;
     private final OutputStream input;
     private final AnswerReader output;
     private byte[] queued = {};
-    private boolean finished;
+    private volatile boolean finished;
+    private final OutputStream stderr;
+    private final ByteArrayOutputStream rest = new ByteArrayOutputStream();
+    private final CountDownLatch passed = new CountDownLatch(1);
 
-    private AttendedProcess(String name, Process process) {
+    private AttendedProcess(String name, Process process, OutputStream stderr) {
         this.name = name;
         this.process = process;
+        this.stderr = stderr;
         input = process.getOutputStream();
         output = new AnswerReader(process.getInputStream());
     }
@@ -37,11 +49,47 @@ public final class AttendedProcess implements Player {
      * Starts a program.
      *
      * @param name    its name in messages
+     * @param stderr  to which its stderr is passed on; {@code null} leaves it as it is
      * @throws IOException when it could not be started
      */
-    public static AttendedProcess start(String name, Program program) throws IOException {
-        return new AttendedProcess(name, new ProcessBuilder(program.words()).directory(program.folder().toFile())
-            .redirectError(ProcessBuilder.Redirect.INHERIT).start());
+    public static AttendedProcess start(String name, Program program, OutputStream stderr) throws IOException {
+        Process process = new ProcessBuilder(program.words()).directory(program.folder().toFile())
+            .redirectError(stderr == null ? ProcessBuilder.Redirect.INHERIT : ProcessBuilder.Redirect.PIPE).start();
+        AttendedProcess attended = new AttendedProcess(name, process, stderr);
+        if (stderr != null) {
+            DaemonThreadPool.run(attended::passOn);
+        }
+        return attended;
+    }
+
+    private void passOn() {
+        byte[] bytes = new byte[1 << 13];
+        try (InputStream in = process.getErrorStream()) {
+            for (int count = in.read(bytes); count >= 0; count = in.read(bytes)) {
+                if (!finished) {
+                    stderr.write(bytes, 0, count);
+                    stderr.flush();
+                } else if (rest.size() < MOST_REST) {
+                    rest.write(bytes, 0, count);
+                }
+            }
+        } catch (IOException gone) {
+            return;
+        } finally {
+            passed.countDown();
+        }
+    }
+
+    /** Passes on what it wrote to stderr behind the end of its input; for one that has ended by itself. */
+    public void showRest() throws InterruptedException {
+        if (stderr != null && passed.await(REST_MS, TimeUnit.MILLISECONDS)) {
+            try {
+                rest.writeTo(stderr);
+                stderr.flush();
+            } catch (IOException gone) {
+                return;
+            }
+        }
     }
 
     /** The number of the process, to attach a debugger to it. */

@@ -27,6 +27,11 @@ public final class SceneOptions {
         return StandardFiles.is(scene);
     }
 
+    /** The scene as it was typed. */
+    public String typed() {
+        return scene;
+    }
+
     public GameSetup open(Streams streams) {
         return accuracy.open(scene, streams);
     }

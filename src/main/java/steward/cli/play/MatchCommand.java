@@ -21,9 +21,11 @@ import steward.cli.shared.Verbosity;
 import steward.cli.streams.StandardFiles;
 import steward.contest.Contest;
 import steward.contest.Series;
+import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.game.GameSetup;
 import steward.replay.sign.SigningKey;
+import steward.text.TextFormat;
 
 /** {@code steward match}: one match, or many. */
 @Command(name = "match", description = "Plays a match between bots, or many matches.",
@@ -126,7 +128,18 @@ public final class MatchCommand extends ProgramCommand {
             + ", expected 1 to " + MOST_LEVEL);
         GameSetup setup = Games.warn(scene.open(streams), streams);
         setup = level == null ? setup : Games.types().inLeague(setup, level);
-        boolean alone = setup.scene().players() == 1;
+        int players = setup.scene().players();
+        boolean alone = players == 1;
+        String named = setup.scene().name();
+        if (players == 0 && !bots.isEmpty()) {
+            throw new InputException("found " + TextFormat.count(bots.size(), "bot") + ", expected none: the scene \""
+                + named + "\" has no players; 'steward run " + scene.typed() + "' plays it");
+        }
+        if (bots.size() != players && !(alone && many.isAny() && !bots.isEmpty())) {
+            throw new InputException("found " + TextFormat.count(bots.size(), "bot") + ", expected "
+                + TextFormat.count(players, "bot") + ", one --bot for each player of the scene \"" + named + "\""
+                + (alone && !bots.isEmpty() ? "; with --games several bots each play alone on the same maps" : ""));
+        }
         String problem = alone ? many.problemAlone() : null;
         check.that(problem == null, problem);
         List<Path> own = folders.of("--bot");

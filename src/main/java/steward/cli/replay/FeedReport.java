@@ -34,6 +34,7 @@ final class FeedReport {
     private int compared;
     private int played;
     private boolean diverged;
+    private boolean ended;
 
     FeedReport(FeedSession session) {
         this.session = session;
@@ -86,12 +87,16 @@ final class FeedReport {
     }
 
     /**
-     * The counts of all turns that were compared, and the result of letting the bot play.
+     * The counts of all turns that were compared, and the result of letting the bot play; said once.
      *
      * @param outcome or {@code null} if it did not play
      * @param file    of the new replay as it was typed, or {@code null}
      */
     void end(Takeover.Outcome outcome, String file) {
+        if (ended) {
+            return;
+        }
+        ended = true;
         if (session.match().warning() != null) {
             session.streams().warn(session.match().warning());
         }

@@ -41,9 +41,10 @@ record FeedSession(Streams streams, GameTypes types, RecordedMatch match, int pl
     private static final long GRACE_MS = 1000;
     private static final long KILL_MS = 500;
 
-    /** Work with a bot once it runs; returns the exit status. */
+    /** Work with a bot once it runs; returns the outcome if it played on, or {@code null}. */
     private interface Work {
-        int with(AttendedProcess process, FeedReport report, WaitingNotice waiting) throws InterruptedException;
+        Takeover.Outcome with(AttendedProcess process, FeedReport report, WaitingNotice waiting)
+            throws InterruptedException;
     }
 
     /** Returns where readable text goes. */
@@ -62,17 +63,17 @@ record FeedSession(Streams streams, GameTypes types, RecordedMatch match, int pl
 
     /** Sends the turns to the last or the given one, and compares. */
     int compare(int until) throws InterruptedException {
-        return start((process, report, waiting) -> {
+        return start(null, (process, report, waiting) -> {
             Feed feed = new Feed(match, types, player, protocol, process);
             Feed.Ending ending = feed.run(until, turn -> before(turn, process, waiting), turn -> {
                 waiting.answered();
                 report.add(turn);
             });
-            report.end(null, null);
             if (ending == Feed.Ending.STOPPED) {
+                report.end(null, null);
                 hold(until, process);
             }
-            return report.status();
+            return null;
         });
     }
 
@@ -84,14 +85,12 @@ record FeedSession(Streams streams, GameTypes types, RecordedMatch match, int pl
     int replace(int from, String file, boolean overwrite) throws InterruptedException {
         try (OutputStream out = piped ? new UnclosedOutputStream(streams.out())
                 : OutputFiles.open(OutputFiles.path(file), overwrite)) {
-            return start((process, report, waiting) -> {
+            return start(file, (process, report, waiting) -> {
                 Takeover takeover = new Takeover(match, types, player, protocol, process, from, bot.toString(), out);
-                Takeover.Outcome outcome = takeover.run(turn -> before(turn, process, waiting), turn -> {
+                return takeover.run(turn -> before(turn, process, waiting), turn -> {
                     waiting.answered();
                     report.add(turn);
                 });
-                report.end(outcome, file);
-                return report.status();
             });
         } catch (UncheckedIOException problem) {
             throw new FailedException(file + ": " + problem.getMessage());
@@ -100,12 +99,18 @@ record FeedSession(Streams streams, GameTypes types, RecordedMatch match, int pl
         }
     }
 
-    private int start(Work work) throws InterruptedException {
+    /**
+     * Starts the bot and works with it; the verdict is the last word, behind all that the bot says.
+     *
+     * @param file of the new replay as it was typed, or {@code null}
+     */
+    private int start(String file, Work work) throws InterruptedException {
         boolean debugger = Debugger.is(program.words());
         AttendedProcess process;
         try {
             process = AttendedProcess.start(bot.displayName(program.folder()), debugger
-                ? program.started(Debugger.onTerminal(program.words())) : program);
+                ? program.started(Debugger.onTerminal(program.words())) : program,
+                debugger || pause != null ? null : streams.err());
         } catch (IOException problem) {
             throw new InputException("the bot could not be started: " + problem.getMessage());
         }
@@ -119,15 +124,19 @@ record FeedSession(Streams streams, GameTypes types, RecordedMatch match, int pl
                     + match.source() + ", speaks " + protocol.word() + ": " + called()));
                 text().flush();
             }
-            int status = work.with(process, new FeedReport(this), waiting);
+            FeedReport report = new FeedReport(this);
+            Takeover.Outcome outcome = work.with(process, report, waiting);
             text().flush();
             process.close();
             if (debugger || pause != null) {
                 process.ended().join();
-            } else {
-                process.awaitEnd(GRACE_MS);
+            } else if (process.awaitEnd(GRACE_MS)) {
+                process.showRest();
             }
-            return status;
+            end(process);
+            report.end(outcome, file);
+            text().flush();
+            return report.status();
         } finally {
             end(process);
             streams.hooks().remove(last);

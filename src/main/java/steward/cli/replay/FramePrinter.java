@@ -4,17 +4,13 @@ import steward.bot.LineBuffer;
 import steward.cli.shared.FailedException;
 import steward.cli.streams.Streams;
 import steward.game.GameTypes;
-import steward.match.Dialogue;
 import steward.replay.RecordedTurn;
 import steward.replay.ReplayException;
 import steward.replay.ReplayReader;
 import steward.replay.feed.Feed;
-import steward.replay.verify.Resimulation;
+import steward.replay.feed.SentLines;
 
-/**
- * Prints the lines that one bot was sent in a recorded match. They follow from the game, which is played again; the
- * referee of a guest says what is recorded.
- */
+/** Prints the lines that one bot was sent in a recorded match. */
 final class FramePrinter {
 
     /**
@@ -22,29 +18,39 @@ final class FramePrinter {
      * more turns, but the end.
      *
      * @param player counted from 0
+     * @param only   the turn of which the lines are printed, of the first with those before it; {@code null} for all
      * @throws FailedException if the replay does not say what the game gives, from that turn on
      */
-    static void print(Streams streams, ReplayReader replay, int player, GameTypes types) {
-        Resimulation again = new Resimulation(replay.header(), replay.start(), types, replay.source());
-        Dialogue frames = Dialogue.of(replay.header().protocols().get(player), again.setup(),
-            again.game(), again.codec());
-        print(streams, frames.setup(player));
+    static void print(Streams streams, ReplayReader replay, int player, Integer only, GameTypes types) {
+        SentLines frames = new SentLines(replay, types);
+        if (only == null || only == 1) {
+            print(streams, frames.setup(player));
+        }
         boolean failed = false;
+        int last = 0;
         for (RecordedTurn turn = replay.next(); turn != null && !streams.outEnded(); turn = replay.next()) {
-            if (again.game().isAsked(player) && turn.asked(player)) {
-                print(streams, frames.turn(player));
+            last = turn.number();
+            LineBuffer lines = frames.turn(player, turn);
+            if (lines != null && (only == null || only == last)) {
+                print(streams, lines);
+            }
+            if (only != null && only == last) {
+                return;
             }
             failed |= turn.faults()[player] != null;
-            play(again, turn);
+            play(frames, turn);
+        }
+        if (only != null) {
+            throw TurnDetail.noSuchTurn(replay, only, last);
         }
         if (replay.ending() != null && !failed) {
             print(streams, frames.end(player));
         }
     }
 
-    private static void play(Resimulation again, RecordedTurn turn) {
+    private static void play(SentLines frames, RecordedTurn turn) {
         try {
-            Feed.play(again, turn);
+            Feed.play(frames.match(), turn);
         } catch (ReplayException differs) {
             throw new FailedException(differs.getMessage());
         }

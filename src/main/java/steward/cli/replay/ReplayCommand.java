@@ -115,7 +115,8 @@ public final class ReplayCommand extends ProgramCommand {
     private String require;
 
     @OptionSection("Looking at a part")
-    @Option(names = "--frames", description = "Prints the lines that one bot was sent, byte for byte; with --player.")
+    @Option(names = "--frames", description = "Prints the lines that one bot was sent, byte for byte; with --player, and "
+        + "--turn for those of one turn.")
     private boolean frames;
 
     @OptionSection("Looking at a part")
@@ -203,9 +204,9 @@ public final class ReplayCommand extends ProgramCommand {
                 streams.out().print(TextMap.of(replay));
             } else if (frames) {
                 FramePrinter.print(streams, replay,
-                    PlayerChoice.of(player, replay.header().names(), replay.source()), referee.types());
+                    PlayerChoice.of(player, replay.header().names(), replay.source()), turn, referee.types());
             } else if (turn != null && !impacts) {
-                TurnDetail.print(streams, replay, turn);
+                new TurnDetail(streams.out(), replay, referee.types()).print(turn);
             } else {
                 int first = turn != null ? turn : from != null ? from : 0;
                 int last = turn != null ? turn : to != null ? to : Integer.MAX_VALUE;
@@ -237,8 +238,8 @@ public final class ReplayCommand extends ProgramCommand {
             + "light or strict" + NearestName.question(String.valueOf(require), LEVELS, "'"));
         check.that(require == null || verify && signedBy != null,
             "--require is for --verify with --signed-by, expected all three");
-        check.that(!frames || !impacts && !range && turn == null,
-            "--frames prints the whole match, expected no --turn, --from, --to or --impacts with it");
+        check.that(!frames || !impacts && !range,
+            "--frames prints the whole match or one --turn, expected no --from, --to or --impacts with it");
         check.that(!frames || player != null, "--frames: expected --player P with it");
         check.that(frames || player == null, "--player is for --frames, expected both");
         check.that(at == null || picture != null, "--at is for --picture, expected both");
@@ -348,7 +349,7 @@ public final class ReplayCommand extends ProgramCommand {
             object.impacts(turn != null ? turn : from != null ? from : 0,
                 turn != null ? turn : to != null ? to : Integer.MAX_VALUE);
         } else if (turn != null) {
-            object.turn(turn);
+            object.turn(turn, referee.types());
         } else {
             object.summary();
         }

@@ -9,6 +9,7 @@ import steward.cli.shared.Games;
 import steward.cli.streams.Json;
 import steward.cli.streams.Streams;
 import steward.contest.RecordedFailures;
+import steward.game.GameTypes;
 import steward.json.JsonNumbers;
 import steward.json.JsonObject;
 import steward.match.MatchResult;
@@ -17,6 +18,7 @@ import steward.replay.ReplayHeader;
 import steward.replay.ReplayReader;
 import steward.replay.verify.Difference;
 import steward.replay.verify.Verification;
+import steward.text.TextFormat;
 import tools.jackson.core.JsonGenerator;
 
 /** Facts of {@code steward replay} about a match, for programs: one JSON object. */
@@ -68,21 +70,16 @@ record ReplayJson(Streams streams, ReplayReader replay) {
     }
 
     /** One turn: what was recorded of it, angles in radians. */
-    void turn(int number) {
-        int last = 0;
-        for (RecordedTurn turn = replay.next(); turn != null; turn = replay.next()) {
-            last = turn.number();
-            if (last == number) {
-                RecordedTurn found = turn;
-                Json.print(streams, out -> turn(out, found));
-                return;
-            }
-        }
-        throw TurnDetail.noSuchTurn(replay, number, last);
+    void turn(int number, GameTypes types) {
+        TurnDetail detail = new TurnDetail(null, replay, types);
+        RecordedTurn turn = detail.find(number);
+        String[] sent = detail.sent(turn);
+        Json.print(streams, out -> turn(out, turn, sent));
     }
 
-    private static void turn(JsonGenerator out, RecordedTurn turn) {
+    private static void turn(JsonGenerator out, RecordedTurn turn, String[] sent) {
         out.writeNumberProperty("turn", turn.number());
+        texts(out, "sent", sent);
         raw(out, "commands", turn.commands());
         texts(out, "faults", turn.faults());
         texts(out, "messages", turn.messages());
@@ -92,7 +89,7 @@ record ReplayJson(Streams streams, ReplayReader replay) {
 
     private static void raw(JsonGenerator out, String name, byte[] json) {
         out.writeName(name);
-        out.writeRawValue(new String(json, StandardCharsets.UTF_8));
+        out.writeRawValue(TextFormat.escaped(new String(json, StandardCharsets.UTF_8), ""));
     }
 
     private static void texts(JsonGenerator out, String name, String[] texts) {

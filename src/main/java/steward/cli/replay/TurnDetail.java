@@ -1,13 +1,19 @@
 package steward.cli.replay;
 
 import java.io.PrintStream;
+import java.io.UncheckedIOException;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import steward.cli.streams.Json;
-import steward.cli.streams.Streams;
 import steward.files.InputException;
+import steward.game.GameTypes;
 import steward.replay.RecordedTurn;
+import steward.replay.ReplayException;
 import steward.replay.ReplayReader;
+import steward.replay.feed.Feed;
+import steward.replay.feed.SentLines;
+import steward.scene.json.SceneException;
 import steward.text.TextFormat;
 
 /** Prints everything that was recorded of one turn. */
@@ -17,17 +23,55 @@ final class TurnDetail {
     private static final int WIDTH = 100;
     private static final int DECIMALS = 9;
 
+    private final PrintStream out;
+    private final ReplayReader replay;
+    private SentLines frames;
+    private String unknown;
+
+    /** @param types by which the match is played again for what bots were sent */
+    TurnDetail(PrintStream out, ReplayReader replay, GameTypes types) {
+        this.out = out;
+        this.replay = replay;
+        told(() -> frames = new SentLines(replay, types));
+    }
+
     /** @throws InputException if the replay has no such turn */
-    static void print(Streams streams, ReplayReader replay, int number) {
+    void print(int number) {
+        RecordedTurn turn = find(number);
+        String[] sent = sent(turn);
+        print(turn, sent);
+    }
+
+    /** @throws InputException if the replay has no such turn */
+    RecordedTurn find(int number) {
         int last = 0;
         for (RecordedTurn turn = replay.next(); turn != null; turn = replay.next()) {
             last = turn.number();
             if (last == number) {
-                print(streams.out(), replay, turn);
-                return;
+                return turn;
             }
+            RecordedTurn before = turn;
+            told(() -> Feed.play(frames.match(), before));
         }
         throw noSuchTurn(replay, number, last);
+    }
+
+    /** The lines that each bot was sent for the turn that was found; {@code null} for none, or where it is not known. */
+    String[] sent(RecordedTurn turn) {
+        String[] sent = new String[replay.header().names().size()];
+        told(() -> Arrays.setAll(sent, player -> frames.text(player, turn)));
+        return sent;
+    }
+
+    /** A match that cannot be played again is shown as far as it is recorded. */
+    private void told(Runnable work) {
+        try {
+            if (unknown == null) {
+                work.run();
+            }
+        } catch (ReplayException | SceneException | UncheckedIOException problem) {
+            unknown = problem.getMessage();
+        }
     }
 
     /** The refusal of a turn that was not played. */
@@ -36,10 +80,14 @@ final class TurnDetail {
             : ", expected 1 to " + last) + (replay.warning() == null ? "" : " (the file was cut off)"));
     }
 
-    private static void print(PrintStream out, ReplayReader replay, RecordedTurn turn) {
+    private void print(RecordedTurn turn, String[] sent) {
         Map<String, Object> outcome = Json.object(turn.outcome());
         out.println("turn " + turn.number());
-        players(out, replay, turn);
+        players(turn, sent);
+        if (unknown != null) {
+            out.println();
+            out.println(TextFormat.plain("what bots were sent is not known: " + unknown));
+        }
         List<Map<?, ?>> events = Json.objects(outcome.get("events"));
         if (!events.isEmpty()) {
             out.println();
@@ -65,7 +113,7 @@ final class TurnDetail {
         }
     }
 
-    private static void players(PrintStream out, ReplayReader replay, RecordedTurn turn) {
+    private void players(RecordedTurn turn, String[] sent) {
         List<Object> commands = Json.array(turn.commands());
         Object nanos = turn.times() == null ? null : Json.object(turn.times()).get("answerNanos");
         for (int player = 0; player < replay.header().names().size(); player++) {
@@ -75,6 +123,7 @@ final class TurnDetail {
             out.println("player " + player + ", " + HeaderText.name(replay.header(), player)
                 + (Double.isNaN(time) ? "" : ", " + TextFormat.fixed(time / NANOS_PER_MS, 2) + " ms"));
             Object command = player < commands.size() ? commands.get(player) : null;
+            say(out, "sent   ", sent[player]);
             say(out, "command", command == null ? "none" : spell(command));
             say(out, "message", turn.messages()[player]);
             say(out, "stderr ", turn.stderr()[player]);

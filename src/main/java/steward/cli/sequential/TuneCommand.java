@@ -188,8 +188,9 @@ public final class TuneCommand extends ProgramCommand {
         int players = setup.scene().players();
         check.that(players <= 2, "found a scene for " + players + " players, expected one for one or two");
         int ofStep = 2 * Math.max(1, players) * seeds * against.size();
-        check.that(games >= ofStep, "--games: found " + games + ", expected at least the " + ofStep
-            + " of one step: two sets of values, " + TextFormat.count(seeds, "seed") + ", "
+        check.that(games >= LEAST_STEPS * ofStep, "--games: found " + games + ", expected at least "
+            + LEAST_STEPS * ofStep + ", as fewer than " + LEAST_STEPS + " steps tell nothing; a step has " + ofStep
+            + ": two sets of values, " + TextFormat.count(seeds, "seed") + ", "
             + TextFormat.count(against.size(), "bot") + " against them, from all seats");
         checkBots();
         long first = seed.or(into == null ? SeedOption.draw() : 1);

@@ -30,10 +30,11 @@ public final class UnknownWord {
         return "unknown command '" + word + "'" + question(word, known);
     }
 
-    /** The dashes of an option may have been forgotten. */
+    /** The dashes of an option may have been forgotten, or the option before a bot. */
     private static String option(String word, CommandSpec spec) {
         List<String> options = new ArrayList<>(spec.optionsMap().keySet());
-        return options.contains("--" + word) ? "; did you mean '--" + word + "'?" : "";
+        return options.contains("--" + word) ? "; did you mean '--" + word + "'?"
+            : options.contains("--bot") ? "; a bot stands behind --bot: --bot '" + word.replace("'", "") + "'" : "";
     }
 
     private static String question(String word, Collection<String> known) {

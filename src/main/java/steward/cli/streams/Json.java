@@ -14,6 +14,10 @@ import tools.jackson.core.JsonParser;
 import tools.jackson.core.JsonToken;
 import tools.jackson.core.ObjectReadContext;
 import tools.jackson.core.ObjectWriteContext;
+import tools.jackson.core.SerializableString;
+import tools.jackson.core.io.CharacterEscapes;
+import tools.jackson.core.io.SerializedString;
+import tools.jackson.core.json.JsonFactory;
 
 /**
  * Small JSON values read as a whole, without the start-up cost of a data-binding library: objects are maps in their
@@ -21,7 +25,29 @@ import tools.jackson.core.ObjectWriteContext;
  */
 public final class Json {
 
+    private static final int DELETE = 0x7f;
+
+    /** Escapes what cannot be seen. */
+    private static final JsonFactory PRINTED = JsonNumbers.FACTORY.rebuild().characterEscapes(new Unseen()).build();
+
     private Json() { }
+
+    private static final class Unseen extends CharacterEscapes {
+
+        private static final long serialVersionUID = 1;
+
+        @Override
+        public int[] getEscapeCodesForAscii() {
+            int[] codes = standardAsciiEscapesForJSON();
+            codes[DELETE] = ESCAPE_STANDARD;
+            return codes;
+        }
+
+        @Override
+        public SerializableString getEscapeSequence(int character) {
+            return TextFormat.isUnseen((char) character) ? new SerializedString(TextFormat.escape((char) character)) : null;
+        }
+    }
 
     public static Map<String, Object> object(byte[] json) {
         try (JsonParser in = JsonNumbers.FACTORY.createParser(ObjectReadContext.empty(), json, 0, json.length)) {
@@ -51,8 +77,7 @@ public final class Json {
 
     /** As above, to one of the streams. */
     public static void print(PrintStream to, Consumer<JsonGenerator> fields) {
-        try (JsonGenerator out = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(),
-                new UnclosedOutputStream(to))) {
+        try (JsonGenerator out = PRINTED.createGenerator(ObjectWriteContext.empty(), new UnclosedOutputStream(to))) {
             out.writeStartObject();
             fields.accept(out);
             out.writeEndObject();

@@ -79,6 +79,10 @@ record AuthorPage(TournamentCommand.Entry entry, int version, List<StoredGame> g
             page.append("<p class=bad>It cannot run:</p>");
             pre(page, entry.ready().problem());
         }
+        String call = Workshop.call(entry.ready());
+        if (call != null) {
+            page.append("<p>Compiled by <code>").append(Html.escape(call)).append("</code></p>");
+        }
         if (entry.check() != null) {
             ByteArrayOutputStream said = new ByteArrayOutputStream();
             CheckCommand.print(new PrintStream(said, true, StandardCharsets.UTF_8), entry.check());

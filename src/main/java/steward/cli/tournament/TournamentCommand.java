@@ -15,6 +15,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
+import steward.bot.command.CommandLine;
 import steward.bot.isolation.SandboxLevel;
 import steward.bot.isolation.SandboxSupport;
 import steward.cli.check.BotCheck;
@@ -115,6 +116,10 @@ public final class TournamentCommand extends ProgramCommand {
     @Option(names = "--compile-limit", paramLabel = "S", defaultValue = "60",
         description = "Seconds for the compilation of one program (default: ${DEFAULT-VALUE}).")
     private Integer compileLimit;
+
+    @Option(names = "--cxx-flags", paramLabel = "WORDS", defaultValue = "", description = "Gives these words to "
+        + "the compiler of C++ too, behind -O2 and -std=c++20, or the newest that it has.")
+    private String cxxFlags;
 
     @Option(names = "--most-megabytes", paramLabel = "N", defaultValue = "50",
         description = "A program with more is refused (default: ${DEFAULT-VALUE}).")
@@ -287,11 +292,19 @@ public final class TournamentCommand extends ProgramCommand {
         return settings;
     }
 
+    private List<String> flags() {
+        try {
+            return cxxFlags.isBlank() ? List.of() : CommandLine.split(cxxFlags);
+        } catch (IllegalArgumentException problem) {
+            throw new InputException("--cxx-flags: " + problem.getMessage());
+        }
+    }
+
     /** Makes ready and checks each program, alone, and writes the pages of the authors. */
     private List<Entry> entries(Programs programs, Path into, Contest empty, Protocol spoken)
             throws IOException, InterruptedException {
         Workshop workshop = new Workshop(into.resolve(Programs.FOLDER).toAbsolutePath().normalize(),
-            empty.isolation().get(), TimeUnit.SECONDS.toMillis(compileLimit), bounds());
+            empty.isolation().get(), TimeUnit.SECONDS.toMillis(compileLimit), bounds(), flags());
         withoutPages(into, programs);
         List<Entry> entries = new ArrayList<>();
         for (Programs.Program program : programs.programs()) {
@@ -325,7 +338,7 @@ public final class TournamentCommand extends ProgramCommand {
 
     private static LeagueBot bot(Workshop.Ready ready, Protocol spoken) {
         String prefix = spoken == Protocol.CODINGAME ? "codingame:" : "json:";
-        return new LeagueBot(ready.program().name(), prefix + steward.bot.command.CommandLine.quote(ready.command()),
+        return new LeagueBot(ready.program().name(), prefix + CommandLine.quote(ready.command()),
             ready.files().stream().map(Path::toString).toList(), false, false).in(none -> ready.folder().toString());
     }
 

@@ -38,8 +38,9 @@ import steward.text.Utf8Text.NotUtf8Exception;
  * @param isolation of compilers
  * @param limitMs   for one program
  * @param bounds    of one program
+ * @param cxxFlags  further words for the compiler of C++
  */
-record Workshop(Path folder, Isolation isolation, long limitMs, HandIn.Bounds bounds) {
+record Workshop(Path folder, Isolation isolation, long limitMs, HandIn.Bounds bounds, List<String> cxxFlags) {
 
     static final String COMPILER = "the compiler failed";
     /** So much of what a compiler says is kept, in bytes. */
@@ -50,8 +51,10 @@ record Workshop(Path folder, Isolation isolation, long limitMs, HandIn.Bounds bo
     private static final String CONTENT = "content.txt";
     /** Characters of a command that league.json can hold behind a prefix. */
     private static final int MOST_COMMAND = JsonLimits.TEXT - 20;
-    /** The source that was compiled last. */
-    private static final String COMPILED = "compiled.txt";
+    /** The source that was compiled last by the same call. */
+    private static final String COMPILED = "compiled";
+    /** What the compiler said; of C++ the first line is its call. */
+    private static final String SAYS = "compiler.txt";
     private static final Pattern PUBLIC = Pattern.compile(
         "\\bpublic\\s+(?:final\\s+|abstract\\s+|strictfp\\s+|sealed\\s+)*(?:class|record|enum|interface)\\s+([\\w$]+)",
         Pattern.UNICODE_CHARACTER_CLASS);
@@ -60,10 +63,12 @@ record Workshop(Path folder, Isolation isolation, long limitMs, HandIn.Bounds bo
     private static final List<Path> HEADERS = Stream.of("/usr/include", "/usr/local/include").map(Path::of)
         .filter(Files::isDirectory).toList();
 
-    /** Both take the source, the compiler, and another tool. */
+    /** Both take the source, the compiler, and another tool or flags; that of C++ says first how it calls. */
     private static final String BEGIN = "d=$(mktemp -d) || exit 1; trap 'rm -rf \"$d\"' EXIT; ";
     private static final String CPP = BEGIN + "ulimit -v 4000000 2>/dev/null; "
-        + "\"$1\" -O2 -std=c++17 -o \"$d/bot\" \"$0\" >&2 && cat \"$d/bot\"";
+        + "for std in c++20 c++2a c++17; do \"$1\" -std=$std -E -x c++ /dev/null >/dev/null 2>&1 && break; done; "
+        + "cxx=$1; shift; set -- -O2 -std=$std \"$@\"; echo \"${cxx##*/} $*\" >&2; "
+        + "\"$cxx\" \"$@\" -o \"$d/bot\" \"$0\" >&2 && cat \"$d/bot\"";
     private static final String JAVA = BEGIN + "mkdir \"$d/classes\"; "
         + "\"$1\" -J-Xmx512m -encoding UTF-8 -proc:none -nowarn -d \"$d/classes\" \"$0\" >&2 "
         + "&& \"$2\" -J-Xmx512m --create --file \"$d/bot.jar\" -C \"$d/classes\" . >&2 "
@@ -140,7 +145,8 @@ record Workshop(Path folder, Isolation isolation, long limitMs, HandIn.Bounds bo
             .findFirst().orElse(null);
         Path made = own.resolve("bot");
         String problem = compiler == null ? "there is no C++ compiler (g++ or clang++) on the PATH of this machine"
-            : compile(source, made, CPP, compiler.toString());
+            : compile(source, made, CPP, Stream.concat(Stream.of(compiler.toString()), cxxFlags.stream())
+                .toArray(String[]::new));
         if (problem != null) {
             return failed(program, problem);
         }
@@ -233,12 +239,13 @@ record Workshop(Path folder, Isolation isolation, long limitMs, HandIn.Bounds bo
     /** Compiles, unless it was compiled from the same source; returns what the compiler said if that failed. */
     private String compile(Path source, Path made, String script, String... tools)
             throws IOException, InterruptedException {
-        Path known = made.resolveSibling(COMPILED);
+        Path known = made.resolveSibling(COMPILED + "." + Integer.toHexString(
+            (script + String.join("\0", tools)).hashCode()));
         if (Files.isRegularFile(made) && Files.isRegularFile(known) && Files.mismatch(source, known) < 0) {
             return null;
         }
         Path part = made.resolveSibling("bot.part");
-        Path said = made.resolveSibling("compiler.txt");
+        Path said = made.resolveSibling(SAYS);
         List<String> command = new ArrayList<>(List.of("sh", "-c", script, source.toString()));
         command.addAll(List.of(tools));
         OptionalInt status = ProgramRun.of(new Launch(command,
@@ -252,6 +259,14 @@ record Workshop(Path folder, Isolation isolation, long limitMs, HandIn.Bounds bo
         Files.move(part, made, StandardCopyOption.REPLACE_EXISTING);
         Files.copy(source, known, StandardCopyOption.REPLACE_EXISTING);
         return null;
+    }
+
+    /** How a program of C++ was compiled, or {@code null}. */
+    static String call(Ready ready) throws IOException {
+        Path said = ready.program().kind() != Programs.Kind.CPP || ready.folder() == null ? null
+            : ready.folder().resolve(SAYS);
+        return said == null || !Files.isRegularFile(said) ? null
+            : beginning(said).lines().findFirst().orElse(null);
     }
 
     /** First line of a compiler that names an error, with the bare name of the source; empty if there is none. */

@@ -44,9 +44,10 @@ public final class ReplayPage {
      */
     public static void write(byte[] replay, String source, OutputStream html, String title, PageExtras extras)
             throws IOException {
-        String warning = check(replay, source);
-        byte[] whole = warning == null ? replay : upToCut(replay);
-        PageTemplate page = PageTemplate.ofReplay(title, gameOf(replay, source));
+        byte[] read = ReplayReader.asWritten(replay);
+        String warning = check(read, source);
+        byte[] whole = warning == null ? read : upToCut(read);
+        PageTemplate page = PageTemplate.ofReplay(title, gameOf(read, source));
         page.put("meta", extras.meta(title));
         page.put("details", embedded(PageDetails.of(whole, source, extras.types())));
         page.put("policy", page.policy("'none'"));
@@ -110,7 +111,7 @@ public final class ReplayPage {
      * @throws ReplayException if the file is no replay, of a newer format, or damaged before its end
      */
     public static Embedded embedded(Path replay, GameTypes types, IntPredicate stderr) throws IOException {
-        byte[] bytes = Files.readAllBytes(replay);
+        byte[] bytes = ReplayReader.asWritten(Files.readAllBytes(replay));
         byte[] whole = check(bytes, replay.toString()) == null ? bytes : upToCut(bytes);
         byte[] seen = stderr == null ? whole : OwnStderr.of(whole, stderr);
         return new Embedded(embedded(seen), embedded(PageDetails.of(seen, replay.toString(), types)));

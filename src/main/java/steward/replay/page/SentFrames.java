@@ -4,10 +4,9 @@ import java.io.ByteArrayInputStream;
 import java.nio.charset.StandardCharsets;
 import steward.bot.LineBuffer;
 import steward.game.GameTypes;
-import steward.match.Dialogue;
 import steward.replay.RecordedTurn;
 import steward.replay.ReplayReader;
-import steward.replay.verify.Resimulation;
+import steward.replay.feed.SentLines;
 import tools.jackson.core.io.JsonStringEncoder;
 
 /**
@@ -32,24 +31,20 @@ final class SentFrames {
     }
 
     private static String lines(ReplayReader replay, GameTypes types) {
-        Resimulation again = new Resimulation(replay.header(), replay.start(), types, replay.source());
+        SentLines frames = new SentLines(replay, types);
         int players = replay.header().names().size();
-        Dialogue[] frames = new Dialogue[players];
         StringBuilder lines = new StringBuilder("[");
         for (int player = 0; player < players; player++) {
-            frames[player] = Dialogue.of(replay.header().protocols().get(player), again.setup(), again.game(),
-                again.codec());
-            append(lines, player, frames[player].setup(player));
+            append(lines, player, frames.setup(player));
         }
         lines.append("]\n");
         for (RecordedTurn turn = replay.next(); turn != null && lines.length() < MOST; turn = replay.next()) {
             lines.append('[');
             for (int player = 0; player < players; player++) {
-                boolean isAsked = again.game().isAsked(player) && turn.asked(player);
-                append(lines, player, isAsked ? frames[player].turn(player) : null);
+                append(lines, player, frames.turn(player, turn));
             }
             lines.append("]\n");
-            if (again.play(turn) != null) {
+            if (frames.match().play(turn) != null) {
                 break;
             }
         }

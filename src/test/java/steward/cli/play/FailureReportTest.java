@@ -50,7 +50,7 @@ class FailureReportTest {
         String out = match("", script, "--no-deadline").out();
         assertTrue(out.contains("""
             me failed in turn 2: exited with status 1 before answering
-              its stderr says: Value?Error: a dog
+              its stderr says: Value\\u001BError: a dog
               the last 10 lines of its stderr:
                 three
                 4
@@ -61,7 +61,7 @@ class FailureReportTest {
                 9
                 10
                 11
-                Value?Error: a dog
+                Value\\u001BError: a dog
             """), out);
     }
 

@@ -41,8 +41,8 @@ class StarvedReportTest {
     private static final TimeSpent SPENT = new TimeSpent(75 * MS, 76 * MS, 19 * MS, 2 * MS, 53 * MS, 2 * MS, 2 * MS,
         TimeSpent.Shows.ALL, false);
 
-    private static final String FAULT = "no answer within 75 ms (waited 76 ms): computed 2, waited 53 for a processor, "
-        + "2 other, 19 before the first look";
+    private static final String FAULT = "no answer within 75 ms (waited 76 ms): the machine was busy: not its fault "
+        + "[computed 2, waited 53 for a processor, 2 other, 19 before the first look]";
 
     /** Two games: in the first the bot is late in turn 4, then both have nothing to complain of. */
     private static SeriesPlay play(Hiccups hiccups) throws InterruptedException {

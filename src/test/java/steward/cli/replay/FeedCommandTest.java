@@ -160,6 +160,19 @@ class FeedCommandTest {
             .orElse(false));
     }
 
+    /** A loop around a read that fails, as beginners write it, said so thousands of times behind the verdict. */
+    @Test
+    void theVerdictIsTheLastWordAndABotThatSpinsAtTheEndSaysNoMore() throws IOException, InterruptedException {
+        String spins = ProcessTest.steward("feed", replay.toString(), "--player", "0", "--quiet", "--", "sh", "-c",
+            "sh " + script + " 100; echo loose >&2; while :; do echo end of file >&2; done");
+        assertEquals("51 turns compared: 51 the same, 0 different\nstatus 0\n",
+            ProcessTest.shell(spins).replaceFirst("process.*\n", ""));
+        String ends = ProcessTest.steward("feed", replay.toString(), "--player", "0", "--quiet", "--", "sh", "-c",
+            "sh " + script + " 100; echo bye >&2");
+        assertEquals("bye\n51 turns compared: 51 the same, 0 different\nstatus 0\n",
+            ProcessTest.shell(ends).replaceFirst("process.*\n", ""));
+    }
+
     @Test
     void aBotThatSpeaksLinesIsFedLines() {
         Cli cli = feed("--protocol codingame", "sh", "-c",

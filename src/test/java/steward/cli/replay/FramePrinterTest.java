@@ -7,8 +7,10 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Arrays;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -40,6 +42,35 @@ class FramePrinterTest {
     @Test
     void ofBothBotsOfADuel() throws IOException {
         same(Recorded.duel(11));
+    }
+
+    /** The first turn with the line before it. */
+    @Test
+    void ofOneTurn() throws IOException {
+        Recorded recorded = Recorded.duel(11);
+        Path file = Files.write(folder.resolve("x.jsonl"), recorded.bytes());
+        List<String> lines = recorded.sent().get(1).toString().lines().toList();
+        String[] call = {"replay", file.toString(), "--frames", "--player", "1", "--turn", "1"};
+        assertEquals(lines.get(0) + "\n" + lines.get(1) + "\n", Cli.run(call).out());
+        call[6] = "7";
+        assertEquals(lines.get(7) + "\n", Cli.run(call).out());
+        String turn = Cli.run("replay", file.toString(), "--turn", "7").out();
+        assertTrue(turn.contains("  sent     " + lines.get(7) + "\n"), turn);
+        assertEquals(lines.get(7) + "\n", Cli.run("replay", file.toString(), "--turn", "7", "--json").json().get("sent")
+            .get(1).stringValue());
+        call[6] = "900";
+        assertTrue(Cli.run(call).err().contains("found no turn 900, expected 1 to "));
+    }
+
+    /** What was recorded is shown all the same. */
+    @Test
+    void ofAMatchThatCannotBePlayedAgain() throws IOException {
+        Path file = Files.writeString(folder.resolve("x.jsonl"),
+            new String(Recorded.duel(11).bytes(), StandardCharsets.UTF_8).replaceFirst("\"thrust\":120", "\"thrust\":7"));
+        Cli turn = Cli.run("replay", file.toString(), "--turn", "7");
+        assertEquals(ExitStatus.DONE, turn.status(), turn.err());
+        assertTrue(turn.out().contains("what bots were sent is not known: ") && turn.out().contains("state after the turn"),
+            turn.out());
     }
 
     @Test

@@ -1,15 +1,19 @@
 package steward.cli.replay;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.List;
 import java.util.stream.IntStream;
+import java.util.zip.GZIPOutputStream;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -20,6 +24,7 @@ import steward.cli.Cli;
 import steward.cli.Recorded;
 import steward.cli.shared.ExitStatus;
 import steward.match.TestSize;
+import steward.replay.ReplayReader;
 import steward.text.TextFormat;
 
 /** {@code steward replay} on a duel of two in-process bots that both drive. */
@@ -43,6 +48,28 @@ class ReplayCommandTest {
         arguments[1] = file.toString();
         System.arraycopy(more, 0, arguments, 2, more.length);
         return Cli.run(arguments);
+    }
+
+    /** As git with autocrlf, an editor of Windows and gzip leave it. */
+    @Test
+    void aReplayThatGitGzipOrAnEditorTouchedIsRead() throws IOException {
+        String text = new String(duel.bytes(), StandardCharsets.UTF_8);
+        byte[] windows = ("\uFEFF" + text.replace("\n", "\r\n")).getBytes(StandardCharsets.UTF_8);
+        ByteArrayOutputStream zipped = new ByteArrayOutputStream();
+        try (GZIPOutputStream gzip = new GZIPOutputStream(zipped)) {
+            gzip.write(windows);
+        }
+        Path file = folder.resolve("touched.jsonl");
+        for (byte[] each : List.of(windows, zipped.toByteArray())) {
+            assertArrayEquals(duel.bytes(), ReplayReader.asWritten(each));
+            Files.write(file, each);
+            Cli verified = replay(file, "--verify");
+            assertEquals(ExitStatus.DONE, verified.status(), verified.err());
+            assertEquals(ExitStatus.DONE, replay(file, "--view", folder.resolve("touched.html").toString(), "--overwrite")
+                .status());
+        }
+        Files.write(file, Arrays.copyOf(zipped.toByteArray(), 2000));
+        assertTrue(replay(file).err().contains("cannot read: Unexpected end of ZLIB"));
     }
 
     @Test

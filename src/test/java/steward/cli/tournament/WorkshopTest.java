@@ -25,6 +25,7 @@ import steward.bot.isolation.SandboxSupport;
 class WorkshopTest {
 
     private static final HandIn.Bounds BOUNDS = new HandIn.Bounds(1, 20);
+    private static final List<String> FLAGS = List.of("-DVALUE=7", "-DNAME=a b");
 
     @TempDir
     private Path folder;
@@ -32,7 +33,7 @@ class WorkshopTest {
     private Workshop.Ready made(String file, Programs.Kind kind, Isolation isolation, String text)
             throws IOException, InterruptedException {
         Path source = Files.writeString(Files.createDirectories(folder.resolve("in")).resolve(file), text);
-        return new Workshop(Files.createDirectories(folder.resolve("out")), isolation, 120_000, BOUNDS)
+        return new Workshop(Files.createDirectories(folder.resolve("out")), isolation, 120_000, BOUNDS, FLAGS)
             .make(new Programs.Program("bot", source, kind));
     }
 
@@ -50,13 +51,15 @@ class WorkshopTest {
     void aCompilerFindsItsHeadersAtStrict() throws IOException, InterruptedException {
         assumeTrue(ProgramFinder.find("g++") != null, "there is no C++ compiler");
         assumeTrue(SandboxSupport.problem(SandboxLevel.STRICT) == null, "strict does not work here");
-        assertNull(made("x.cpp", Programs.Kind.CPP, Isolation.at(SandboxLevel.STRICT),
-            "#include <iostream>\nint main() { std::cout << 1 << std::endl; }\n").problem());
+        Workshop.Ready ready = made("x.cpp", Programs.Kind.CPP, Isolation.at(SandboxLevel.STRICT),
+            "#include <iostream>\n#include <concepts>\nint main() { std::cout << VALUE << std::endl; }\n");
+        assertNull(ready.problem());
+        assertEquals("g++ -O2 -std=c++20 -DVALUE=7 -DNAME=a b", Workshop.call(ready));
     }
 
     @Test
     void aProgramThatCannotBeReadIsTold() throws Exception {
-        Workshop.Ready ready = new Workshop(folder, Isolation.OFF, 1, BOUNDS).make(
+        Workshop.Ready ready = new Workshop(folder, Isolation.OFF, 1, BOUNDS, List.of()).make(
             new Programs.Program("bot", folder.resolve("gone.py"), Programs.Kind.PYTHON));
         assertTrue(ready.problem().startsWith("cannot be copied: "), ready.problem());
     }
