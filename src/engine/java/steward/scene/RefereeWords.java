@@ -15,8 +15,8 @@ import steward.scene.json.JsonValue.JsonObject;
 import steward.scene.json.JsonValue.JsonText;
 
 /**
- * Finds the files of a scene's own referee in the folder of the scene, as those of CSV: a word of its command or an entry
- * of its class path that is the relative path of a file there becomes its path from the current folder.
+ * Finds the files of a scene's own referee in the folder of the scene, as those of CSV: a word of its command or an
+ * entry of its class path that is the relative path of a file there becomes its path from the current folder.
  */
 final class RefereeWords {
 

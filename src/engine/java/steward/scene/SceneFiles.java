@@ -50,8 +50,8 @@ public final class SceneFiles {
     }
 
     /**
-     * Copies a scene with the files that belong to it: the figures of its accuracy and its CSV files. Files of these names
-     * are replaced. Those of a referee stay where they are, and are named by their whole path.
+     * Copies a scene with the files that belong to it: the figures of its accuracy and its CSV files. Files of these
+     * names are replaced. Those of a referee stay where they are, and are named by their whole path.
      *
      * @param scene that can be read
      * @param to    where it goes, in another folder

@@ -102,8 +102,8 @@ public final class TextFormat {
     }
 
     /**
-     * Text from a bot or a file made safe for a terminal: characters other than line feed and tab that cannot be seen are
-     * escaped, as {@code \\u202E}. The joiners of emoji and scripts stay.
+     * Text from a bot or a file made safe for a terminal: characters other than line feed and tab that cannot be seen
+     * are escaped, as {@code \\u202E}. The joiners of emoji and scripts stay.
      */
     public static String plain(String text) {
         return escaped(text, "\n\t\u200C\u200D");
@@ -136,8 +136,8 @@ public final class TextFormat {
     }
 
     /**
-     * True if a character cannot be seen: {@link #isUnsafe}, or one of the classes Cf, Zl and Zp of Unicode, as the byte
-     * order mark, spaces without width and the separators of lines.
+     * True if a character cannot be seen: {@link #isUnsafe}, or one of the classes Cf, Zl and Zp of Unicode, as the
+     * byte order mark, spaces without width and the separators of lines.
      */
     public static boolean isUnseen(char c) {
         int type = c < ' ' || c > '~' ? Character.getType(c) : Character.OTHER_SYMBOL;

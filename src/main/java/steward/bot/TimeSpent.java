@@ -69,8 +69,8 @@ public record TimeSpent(long limit, long taken, long unobserved, long computed, 
         double observed = taken - unobserved;
         return starved() ? "the machine was busy: not its fault"
             : overCpu || computed >= MOST_OF_IT * observed ? "computed all the time: an endless loop, or too slow?"
-            : other >= observed / 2 && shows != Shows.STEPS ? "computed for " + ms(computed) + " ms, then waited, as for input that nobody had "
-                + "sent: does it read too much, or not flush?"
+            : other >= observed / 2 && shows != Shows.STEPS ? "computed for " + ms(computed) + " ms, then waited, "
+                + "as for input that nobody had sent: does it read too much, or not flush?"
             : "";
     }
 

@@ -23,8 +23,8 @@ import steward.scene.json.JsonProblem;
 import tools.jackson.core.JacksonException;
 
 /**
- * Reads a replay line by line, also one that was packed with gzip, has a byte order mark or line ends of Windows, as git
- * and editors make them. A file that was cut off anywhere is read up to the cut: its last line, if it has no line
+ * Reads a replay line by line, also one that was packed with gzip, has a byte order mark or line ends of Windows, as
+ * git and editors make them. A file that was cut off anywhere is read up to the cut: its last line, if it has no line
  * end and is no complete object, is dropped, and {@link #warning} says so.
  *
  * <p>Throws {@link ReplayException} for a file that is no replay, of a newer format, damaged before its end, or with a

@@ -72,8 +72,8 @@ class FaultMessagesTest {
     @Test
     void aMissedDeadlineTellsWhereTheTimeWent() {
         TimeSpent spent = new TimeSpent(75 * MS, 76 * MS, 19 * MS, 2 * MS, 53 * MS, 2 * MS, 2 * MS, Shows.ALL, false);
-        String parts = "the machine was busy: not its fault [computed 2, waited 53 for a processor, 2 other, 19 before the "
-            + "first look]";
+        String parts = "the machine was busy: not its fault [computed 2, waited 53 for a processor, 2 other, 19 before "
+            + "the first look]";
         assertEquals("no answer within 75 ms (waited 76 ms): " + parts,
             FaultMessages.missed(spent, TimeBasis.WALL, false, 0, 1, 0));
         assertEquals("no answer within 75 ms (waited 76 ms): 1 of 2 lines came; " + parts,
@@ -90,8 +90,8 @@ class FaultMessagesTest {
             FaultMessages.missed(used, TimeBasis.CPU, false, 0, 1, 0));
         TimeSpent slept = new TimeSpent(750 * MS, 751 * MS, 0, 0, 0, 751 * MS, 0, Shows.ALL, false);
         assertEquals("no answer within 750 ms, 10 times the limit of CPU time (waited 751 ms): computed for 0 ms, "
-            + "then waited, as for input that nobody had sent: does it read too much, or not flush? [computed 0, waited 0 "
-            + "for a processor, 751 other]", FaultMessages.missed(slept, TimeBasis.CPU, false, 0, 1, 0));
+            + "then waited, as for input that nobody had sent: does it read too much, or not flush? [computed 0, waited "
+            + "0 for a processor, 751 other]", FaultMessages.missed(slept, TimeBasis.CPU, false, 0, 1, 0));
         assertTrue(FaultMessages.isLate(FaultMessages.missed(used, TimeBasis.CPU, false, 0, 1, 0)));
     }
 

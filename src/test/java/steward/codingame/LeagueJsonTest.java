@@ -65,7 +65,8 @@ class LeagueJsonTest {
         }, 0, 3);
 
         assertEquals("{\"ranks\":[0,1],\"errors\":[0,1],\"faults\":[null,\"line 1 of 2: found \\\"nonsense\\\", "
-            + "expected X Y and a thrust, SHIELD or BOOST; received: nonsense\\\\nnonsense\"],\"test_data\":{\"seed\":7},"
+            + "expected X Y and a thrust, SHIELD or BOOST; received: nonsense\\\\nnonsense\"],"
+            + "\"test_data\":{\"seed\":7},"
             + "\"player_data\":[{\"k\":1},{}],\"attributes\":["
             + "{\"name\":\"k\",\"player\":0,\"turn\":null,\"value\":\"1\"},"
             + "{\"name\":\"money\",\"player\":0,\"turn\":1,\"value\":\"5\"},"

@@ -18,8 +18,8 @@ class FailureTest {
             + "look | no answer within 75 ms",
         "no answer within 75 ms (waited 76 ms): 1 of 2 lines came; computed 2, waited 53 for a processor, 21 other"
             + " | no answer within 75 ms: 1 of 2 lines came",
-        "no answer within 75 ms (waited 76 ms): the machine was busy: not its fault [computed 2, waited 53 for a processor]"
-            + " | no answer within 75 ms",
+        "no answer within 75 ms (waited 76 ms): the machine was busy: not its fault [computed 2, waited 53 for a "
+            + "processor] | no answer within 75 ms",
         "no answer within 75 ms (waited 76 ms): computed all the time: an endless loop, or too slow? [computed 76]"
             + " | no answer within 75 ms",
         "no answer within 75 ms (waited 76 ms): this system does not show what the bot did meanwhile"

@@ -115,8 +115,8 @@ public final class ReplayCommand extends ProgramCommand {
     private String require;
 
     @OptionSection("Looking at a part")
-    @Option(names = "--frames", description = "Prints the lines that one bot was sent, byte for byte; with --player, and "
-        + "--turn for those of one turn.")
+    @Option(names = "--frames", description = "Prints the lines that one bot was sent, byte for byte; with --player, "
+        + "and --turn for those of one turn.")
     private boolean frames;
 
     @OptionSection("Looking at a part")

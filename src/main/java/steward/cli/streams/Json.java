@@ -45,7 +45,8 @@ public final class Json {
 
         @Override
         public SerializableString getEscapeSequence(int character) {
-            return TextFormat.isUnseen((char) character) ? new SerializedString(TextFormat.escape((char) character)) : null;
+            char c = (char) character;
+            return TextFormat.isUnseen(c) ? new SerializedString(TextFormat.escape(c)) : null;
         }
     }
 

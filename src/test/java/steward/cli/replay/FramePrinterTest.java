@@ -66,11 +66,12 @@ class FramePrinterTest {
     @Test
     void ofAMatchThatCannotBePlayedAgain() throws IOException {
         Path file = Files.writeString(folder.resolve("x.jsonl"),
-            new String(Recorded.duel(11).bytes(), StandardCharsets.UTF_8).replaceFirst("\"thrust\":120", "\"thrust\":7"));
+            new String(Recorded.duel(11).bytes(), StandardCharsets.UTF_8)
+                .replaceFirst("\"thrust\":120", "\"thrust\":7"));
         Cli turn = Cli.run("replay", file.toString(), "--turn", "7");
         assertEquals(ExitStatus.DONE, turn.status(), turn.err());
-        assertTrue(turn.out().contains("what bots were sent is not known: ") && turn.out().contains("state after the turn"),
-            turn.out());
+        assertTrue(turn.out().contains("what bots were sent is not known: ")
+            && turn.out().contains("state after the turn"), turn.out());
     }
 
     @Test

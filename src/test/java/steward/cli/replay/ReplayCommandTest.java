@@ -65,8 +65,8 @@ class ReplayCommandTest {
             Files.write(file, each);
             Cli verified = replay(file, "--verify");
             assertEquals(ExitStatus.DONE, verified.status(), verified.err());
-            assertEquals(ExitStatus.DONE, replay(file, "--view", folder.resolve("touched.html").toString(), "--overwrite")
-                .status());
+            assertEquals(ExitStatus.DONE, replay(file, "--view", folder.resolve("touched.html").toString(),
+                "--overwrite").status());
         }
         Files.write(file, Arrays.copyOf(zipped.toByteArray(), 2000));
         assertTrue(replay(file).err().contains("cannot read: Unexpected end of ZLIB"));
