@@ -22,9 +22,9 @@ package steward.physics;
  *                              movable one by both halves). Caveat: a body far behind a wall is moved by the whole
  *                              depth at once, even into another body
  * @param maximumImpacts        the bound on impacts in a turn; 0 for the default, 10,000 + 1,000 per body
- * @param restSpeed             in u per turn: an impact in a heap, with restitution below 1 and without a minimum
- *                              impulse, is rest if it would rebound at up to this speed. {@code NaN} for the default,
- *                              which follows from the impacts that its bodies have had in the turn
+ * @param restSpeed             in u per turn: an impact with restitution below 1 and without a minimum impulse is rest
+ *                              if it would rebound at up to this speed. {@code NaN} for the default, which follows from
+ *                              the forces and the energy of its bodies
  */
 public record ImpactLaw(Restitution restitution, double minimumImpulse, boolean minimumImpulseAtWalls, double deadZone,
                         boolean separatingPairsReact, double batchWindow, ScanOrder scanOrder, double pushOut,

@@ -10,9 +10,10 @@ import java.util.List;
  * @param reaction       answers {@code ASK} contacts, or {@code null} if there are none
  * @param infiniteMasses whether bodies can have infinite mass: two of them never exchange an impulse
  * @param official       the game's own way to advance in the official arithmetic, or {@code null} if it has none
+ * @param forces         what accelerates bodies all the time
  */
 public record PhysicsParts(ImpactLaw law, Arithmetic arithmetic, Contacts contacts, List<Wall> walls,
-                           Reaction reaction, boolean infiniteMasses, OfficialExpressions official) {
+                           Reaction reaction, boolean infiniteMasses, OfficialExpressions official, Forces forces) {
 
     /**
      * @throws IllegalArgumentException if there is an {@code ASK} contact without a reaction, or a reaction without one
@@ -28,7 +29,7 @@ public record PhysicsParts(ImpactLaw law, Arithmetic arithmetic, Contacts contac
     /** Parts of a game without expressions of its own. */
     public PhysicsParts(ImpactLaw law, Arithmetic arithmetic, Contacts contacts, List<Wall> walls, Reaction reaction,
                         boolean infiniteMasses) {
-        this(law, arithmetic, contacts, walls, reaction, infiniteMasses, null);
+        this(law, arithmetic, contacts, walls, reaction, infiniteMasses, null, Forces.NONE);
     }
 
     /** One kind of bodies with finite masses that bounce off each other, without walls. */
@@ -37,7 +38,11 @@ public record PhysicsParts(ImpactLaw law, Arithmetic arithmetic, Contacts contac
     }
 
     public PhysicsParts withArithmetic(Arithmetic other) {
-        return new PhysicsParts(law, other, contacts, walls, reaction, infiniteMasses, official);
+        return new PhysicsParts(law, other, contacts, walls, reaction, infiniteMasses, official, forces);
+    }
+
+    public PhysicsParts withForces(Forces other) {
+        return new PhysicsParts(law, arithmetic, contacts, walls, reaction, infiniteMasses, official, other);
     }
 
     /** True if a turn from impact to impact is the game's own way to advance. */

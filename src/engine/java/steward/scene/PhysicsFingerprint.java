@@ -9,6 +9,7 @@ import steward.physics.Advance;
 import steward.physics.Arena;
 import steward.physics.Bodies;
 import steward.physics.Contacts;
+import steward.physics.Forces;
 import steward.physics.ImpactLaw;
 import steward.physics.PhysicsParts;
 import steward.physics.Segment;
@@ -31,6 +32,7 @@ public final class PhysicsFingerprint {
     private static final List<Wall> WALLS =
         Stream.concat(Arrays.stream(Wall.box(2400, 2400, 0.9)),
             Stream.of(new Segment(300, 900, 1500, 1700, 1), new Arena(1200, 1200, 1600, 0.8))).toList();
+    private static final List<Forces> FORCES = List.of(Forces.NONE, new Forces(0, 0, 20, 100));
     private static final ImpactLaw SOFT = ImpactLaw.PHYSICS.withRestitution(ImpactLaw.Restitution.MINIMUM);
 
     private PhysicsFingerprint() { }
@@ -44,12 +46,12 @@ public final class PhysicsFingerprint {
         StateHash hash = new StateHash().add(law.ordinal()).add(law.version());
         for (Accuracy rung : Accuracy.ladder()) {
             for (ImpactLaw impacts : List.of(ImpactLaw.OFFICIAL_POD_RACE, ImpactLaw.PHYSICS, SOFT)) {
-                if (RungLaw.of(rung, impacts) == law && rung.steps() <= MOST_STEPS) {
-                    play(rung, impacts, List.of(), bodies(FEW), hash);
-                    play(rung, impacts, WALLS, bodies(FEW), hash);
-                    play(rung, impacts, List.of(), tie(), hash);
-                    if (rung.usesCells(impacts, new Contacts(1), MANY)) {
-                        play(rung, impacts, WALLS, bodies(MANY), hash);
+                if (rung.steps() <= MOST_STEPS) {
+                    for (Forces forces : FORCES) {
+                        if (RungLaw.of(rung, impacts, forces.act()) == law
+                            && (!forces.act() || rung.way() == Accuracy.Way.EVENT && !impacts.separatingPairsReact())) {
+                            play(rung, impacts, forces, hash);
+                        }
                     }
                 }
             }
@@ -57,10 +59,23 @@ public final class PhysicsFingerprint {
         return StateHash.toHex(hash.value());
     }
 
-    private static void play(Accuracy rung, ImpactLaw law, List<Wall> walls, Bodies bodies, StateHash hash) {
-        Advance advance = rung.advance(new PhysicsParts(law, rung.arithmetic(), new Contacts(1), walls, null, false),
-            bodies.size());
+    private static void play(Accuracy rung, ImpactLaw law, Forces forces, StateHash hash) {
+        play(rung, law, forces, List.of(), bodies(FEW), hash);
+        play(rung, law, forces, WALLS, bodies(FEW), hash);
+        play(rung, law, forces, List.of(), tie(), hash);
+        if (rung.usesCells(law, new Contacts(1), MANY)) {
+            play(rung, law, forces, WALLS, bodies(MANY), hash);
+        }
+    }
+
+    private static void play(Accuracy rung, ImpactLaw law, Forces forces, List<Wall> walls, Bodies bodies,
+                             StateHash hash) {
+        Advance advance = rung.advance(new PhysicsParts(law, rung.arithmetic(), new Contacts(1), walls, null, false)
+            .withForces(forces), bodies.size());
         for (int turn = 0; turn < TURNS; turn++) {
+            for (int k = 0; k < bodies.size() && forces.act(); k++) {
+                forces.accelerate(bodies, k, 0, 0);
+            }
             advance.turn(bodies, TurnSink.NONE);
             for (int k = 0; k < bodies.size(); k++) {
                 hash.add(bodies.x[k]).add(bodies.y[k]).add(bodies.vx[k]).add(bodies.vy[k]);

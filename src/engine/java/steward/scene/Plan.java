@@ -92,7 +92,8 @@ public final class Plan {
      * @throws IllegalArgumentException if there are {@code ASK} contacts without a reaction, or a reaction without them
      */
     public PhysicsParts physics(Reaction reaction) {
-        return new PhysicsParts(impacts(), arithmetic(), contacts, walls, reaction, infiniteMasses, own.official());
+        return new PhysicsParts(impacts(), arithmetic(), contacts, walls, reaction, infiniteMasses, own.official(),
+            own.forces());
     }
 
     private ImpactLaw impacts() {
@@ -101,7 +102,7 @@ public final class Plan {
 
     @Internal
     public RungLaw law() {
-        return RungLaw.of(scene.accuracy(), impacts());
+        return RungLaw.of(scene.accuracy(), impacts(), own.forces().act());
     }
 
     /** The version of the law that a match is recorded with. */
@@ -150,10 +151,21 @@ public final class Plan {
     private Part restitution() {
         boolean in = lowestRestitution < 1;
         return new Part(Part.RESTITUTION, in,
-            in ? "restitution as low as " + Wording.number(lowestRestitution)
-                + (Double.isNaN(scene.law().restSpeed()) ? "" : ", restSpeed "
-                + Wording.number(scene.law().restSpeed()))
+            in ? "restitution as low as " + Wording.number(lowestRestitution) + ", " + rest()
                 : "everything has restitution 1");
+    }
+
+    /** The law of rest, and why it is that one. */
+    private String rest() {
+        ImpactLaw law = impacts();
+        if (!law.bodiesRest()) {
+            return "nothing rests: minimumImpulse";
+        }
+        if (!Double.isNaN(law.restSpeed())) {
+            return "restSpeed " + Wording.number(law.restSpeed());
+        }
+        return own.forces().act() ? "rest where a rebound takes less than a turn: forces act"
+            : "rest below 2^-40 of the energy: no forces act";
     }
 
     private Part minimumImpulse() {

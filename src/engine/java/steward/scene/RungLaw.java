@@ -18,19 +18,27 @@ public enum RungLaw {
     /** {@code event/official}, where bodies cannot come to rest. */
     OFFICIAL(1, "503e94a136d51a78"),
     /** {@code event/official}, where they can. */
-    OFFICIAL_WITH_REST(2, "45788404ae95d669"),
+    OFFICIAL_WITH_REST(3, "0c0c6f764ed90bd2"),
     /** {@code event/double}, where bodies cannot come to rest. */
     DOUBLE(1, "f465cab171fe3b9e"),
     /** {@code event/double}, where they can. */
-    DOUBLE_WITH_REST(2, "bf8319c020f1acad"),
+    DOUBLE_WITH_REST(3, "2de704dd97bcd439"),
     /** {@code event/compensated}, where bodies cannot come to rest. */
     COMPENSATED(2, "40397a35ed557add"),
     /** {@code event/compensated}, where they can. */
-    COMPENSATED_WITH_REST(3, "831dbbb0f60cff52"),
+    COMPENSATED_WITH_REST(4, "655dd00c52b94e50"),
     /** {@code event/exact}, where bodies cannot come to rest. */
     EXACT(2, "645d2e6a31ecc31a"),
     /** {@code event/exact}, where they can. */
-    EXACT_WITH_REST(3, "5d4cba9011d3b866");
+    EXACT_WITH_REST(4, "0b4af48e609564ce"),
+    /** {@code event/official}, where forces act on bodies that cannot come to rest. */
+    OFFICIAL_WITH_FORCES(2, "8b898bf768825e1a"),
+    /** {@code event/double}, where forces act on bodies that cannot come to rest. */
+    DOUBLE_WITH_FORCES(2, "b6b4db6a1843fb98"),
+    /** {@code event/compensated}, where forces act on bodies that cannot come to rest. */
+    COMPENSATED_WITH_FORCES(3, "428ec50add56e78c"),
+    /** {@code event/exact}, where forces act on bodies that cannot come to rest. */
+    EXACT_WITH_FORCES(3, "8de4a6c29935e9d3");
 
     /** The fingerprint of the whole ladder that programs had before laws had versions: law 1 of every rung. */
     public static final String WHOLE_LADDER = "b8309ca632eecf63";
@@ -44,19 +52,23 @@ public enum RungLaw {
         this.fingerprint = fingerprint;
     }
 
-    /** The law by which bodies under an impact law are advanced on a rung. */
-    public static RungLaw of(Accuracy rung, ImpactLaw law) {
-        return of(rung, law.bodiesRest());
+    /**
+     * The law by which bodies under an impact law are advanced on a rung.
+     *
+     * @param forces whether forces act on them; laws with batches do not ask
+     */
+    public static RungLaw of(Accuracy rung, ImpactLaw law, boolean forces) {
+        return of(rung, law.bodiesRest(), forces && !law.separatingPairsReact());
     }
 
-    private static RungLaw of(Accuracy rung, boolean rest) {
+    private static RungLaw of(Accuracy rung, boolean rest, boolean forces) {
         return switch (rung.way()) {
             case STEP -> STEP;
             case EVENT -> switch (rung.arithmetic()) {
-                case OFFICIAL -> rest ? OFFICIAL_WITH_REST : OFFICIAL;
-                case DOUBLE -> rest ? DOUBLE_WITH_REST : DOUBLE;
-                case COMPENSATED -> rest ? COMPENSATED_WITH_REST : COMPENSATED;
-                case EXACT -> rest ? EXACT_WITH_REST : EXACT;
+                case OFFICIAL -> rest ? OFFICIAL_WITH_REST : forces ? OFFICIAL_WITH_FORCES : OFFICIAL;
+                case DOUBLE -> rest ? DOUBLE_WITH_REST : forces ? DOUBLE_WITH_FORCES : DOUBLE;
+                case COMPENSATED -> rest ? COMPENSATED_WITH_REST : forces ? COMPENSATED_WITH_FORCES : COMPENSATED;
+                case EXACT -> rest ? EXACT_WITH_REST : forces ? EXACT_WITH_FORCES : EXACT;
             };
         };
     }
@@ -106,9 +118,9 @@ public enum RungLaw {
      * @param computed gives the fingerprint of what this program computes by a law
      */
     static boolean holds(String measured, Accuracy rung, boolean mayRest, Function<RungLaw, String> computed) {
-        Stream<RungLaw> laws = Stream.of(of(rung, false), of(rung, true));
+        Stream<RungLaw> laws = Stream.of(of(rung, false, false), of(rung, true, false), of(rung, false, true));
         return measured.equals(WHOLE_LADDER)
-            ? laws.limit(mayRest ? 2 : 1).allMatch(law -> law.isFirst(computed.apply(law)))
+            ? laws.limit(mayRest ? 3 : 1).allMatch(law -> law.isFirst(computed.apply(law)))
             : laws.map(computed).anyMatch(measured::equals);
     }
 }

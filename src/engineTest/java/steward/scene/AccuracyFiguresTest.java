@@ -80,7 +80,7 @@ class AccuracyFiguresTest {
     private static String ofPresentLaw(String rung) {
         Matcher name = Pattern.compile("\"rung\": \"([a-z/0-9]+)\"").matcher(rung);
         assertTrue(name.find());
-        RungLaw law = RungLaw.of(Accuracy.parse(name.group(1)), ImpactLaw.PHYSICS);
+        RungLaw law = RungLaw.of(Accuracy.parse(name.group(1)), ImpactLaw.PHYSICS, false);
         return rung.replace("\"cost\"", "\"physics\": \"" + law.fingerprint() + "\", \"cost\"");
     }
 

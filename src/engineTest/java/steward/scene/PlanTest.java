@@ -56,7 +56,7 @@ class PlanTest {
         assertEquals("""
             in   pair impacts       bodies meet, scanOrder descending
             in   walls              4 walls
-            in   restitution        restitution as low as 0.8
+            in   restitution        restitution as low as 0.8, nothing rests: minimumImpulse
             in   minimum impulse    minimumImpulse 30, at walls too, deadZone 1.5
             in   push-out           pushOut 1e-5
             in   batch window       separatingPairs react, batchWindow 1e-5
@@ -89,7 +89,7 @@ class PlanTest {
         assertEquals(List.of(), ghosts.physics(null).walls());
 
         Plan solid = Plan.of(scene, ALL, 1, false, List.of());
-        assertEquals(new Part("restitution", true, "restitution as low as 0.5"), solid.parts().get(2));
+        assertEquals(new Part("restitution", true, "restitution as low as 0.5, rest below 2^-40 of the energy: no forces act"), solid.parts().get(2));
         assertEquals(Restitution.MINIMUM, solid.physics(null).law().restitution());
     }
 

@@ -42,15 +42,16 @@ class RungLawTest {
         Accuracy rung = Accuracy.parse(name);
         for (ImpactLaw impacts : List.of(ImpactLaw.OFFICIAL_POD_RACE,
             ImpactLaw.PHYSICS.withRestitution(ImpactLaw.Restitution.MINIMUM))) {
-            RungLaw law = RungLaw.of(rung, impacts);
+            RungLaw law = RungLaw.of(rung, impacts, false);
             assertTrue(RungLaw.holds(law.fingerprint(), rung, true, RungLaw::fingerprint));
             assertFalse(RungLaw.holds(law.fingerprint(), rung, true, any -> "of another law"));
-            RungLaw withoutRest = RungLaw.of(rung, ImpactLaw.PHYSICS);
+            RungLaw withoutRest = RungLaw.of(rung, ImpactLaw.PHYSICS, false);
             assertFalse(RungLaw.holds(RungLaw.WHOLE_LADDER, rung, false, any -> any == withoutRest ? "another"
                 : any.fingerprint()));
             assertEquals(withoutRest.version() == 1,
                 RungLaw.holds(RungLaw.WHOLE_LADDER, rung, false, RungLaw::fingerprint));
-            RungLaw withRest = RungLaw.of(rung, ImpactLaw.PHYSICS.withRestitution(ImpactLaw.Restitution.MINIMUM));
+            RungLaw withRest = RungLaw.of(rung, ImpactLaw.PHYSICS.withRestitution(ImpactLaw.Restitution.MINIMUM),
+                false);
             assertEquals(withoutRest.version() == 1 && withRest.version() == 1,
                 RungLaw.holds(RungLaw.WHOLE_LADDER, rung, true, RungLaw::fingerprint));
         }

@@ -31,36 +31,50 @@ addLook('bodies', {
   },
 
   strip(match, series) {
-    const [energy, x, y] = sumsOfTurns(match, series);
+    const [energy, , x, y] = sumsOfTurns(match, series);
     return [{ name: 'kinetic energy', list: energy },
       { name: 'momentum', list: x.map((value, turn) => (value === null ? null : Math.hypot(value, y[turn]))) }];
   },
 
   charts(match, series) {
     const sums = () => sumsOfTurns(match, series);
+    const act = forcesOf(match).some(part => part !== 0);
+    const limited = match.turns.filter(turn => turn.impactLimit).length;
     return [
-      { title: 'Kinetic energy', unit: 'm·(u/turn)²', names: ['energy'], lists: () => sums().slice(0, 1) },
-      { title: 'Momentum', unit: 'm·u/turn', names: ['x', 'y'], lists: () => sums().slice(1) },
-      { title: 'Impacts', unit: 'in a turn', names: ['impacts'],
+      { title: 'Kinetic energy', unit: 'm·(u/turn)²', names: act ? ['energy', 'potential'] : ['energy'],
+        lists: () => sums().slice(0, act ? 2 : 1) },
+      { title: 'Momentum', unit: 'm·u/turn', names: ['x', 'y'], lists: () => sums().slice(2) },
+      { title: limited ? `Impacts (${limited} turns at the bound)` : 'Impacts', unit: 'in a turn', names: ['impacts'],
         isWithin: true, lists: () => series.ofTurns('impacts', 1, turn => [turn.impactsInAll ?? 0]) },
     ];
   },
 });
 
 function sumsOfTurns(match, series) {
-  return series.ofTurns('sums', 3, turn => (turn.isKept === false ? [] : sumsOf(match, turn)));
+  const forces = forcesOf(match);
+  return series.ofTurns('sums', 4, turn => (turn.isKept === false ? [] : sumsOf(match, turn, forces)));
 }
 
-function sumsOf(match, turn) {
-  let [energy, x, y] = [0, 0, 0];
+/** Force and gravity of the scene: x and y of each. */
+function forcesOf(match) {
+  const play = match.header.scene.play ?? {};
+  return [play.force?.x ?? 0, play.force?.y ?? 0, play.gravity?.x ?? 0, play.gravity?.y ?? 0];
+}
+
+/** The speed at the end of a turn is v + a/2: v is that of the middle of a parabola. */
+function sumsOf(match, turn, [forceX, forceY, gravityX, gravityY]) {
+  let [energy, potential, x, y] = [0, 0, 0, 0];
   for (const body of turn.bodies.values()) {
     const mass = match.descriptions.get(body.id)?.mass;
     if (mass === undefined) continue;                                   // infinite
-    energy += mass * (body.vx * body.vx + body.vy * body.vy) / 2;
+    const [ax, ay] = [forceX / mass + gravityX, forceY / mass + gravityY];
+    const start = match.start.bodies.get(body.id);
+    energy += mass * ((body.vx + ax / 2) ** 2 + (body.vy + ay / 2) ** 2) / 2;
+    potential -= mass * (ax * (body.x - start.x) + ay * (body.y - start.y));
     x += mass * body.vx;
     y += mass * body.vy;
   }
-  return [energy, x, y];
+  return [energy, potential, x, y];
 }
 
 /** The colour of a speed, as a share of the fastest of the match. */

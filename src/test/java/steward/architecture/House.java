@@ -41,7 +41,8 @@ final class House {
         "cli.streams", "cli.shared", "cli.options", "cli.explain", "cli.replay", "cli.play", "cli.sequential",
         "cli.check", "cli.league.view", "cli.league.run", "cli.league", "cli.tournament", "cli.resident",
         "cli.machines", "cli.setup", "cli",
-        "lab.chart", "lab.oracle", "lab.trial", "lab.stability.pairs", "lab.stability.crowds", "lab.stability",
+        "lab.chart", "lab.oracle", "lab.trial", "lab.stability.pairs", "lab.stability.crowds", "lab.stability.bodies",
+        "lab.stability",
         "lab.timing", "lab.calibration", "lab.tradeoff", "lab.tradeoff.report",
         "lab.bench", "lab.bench.textbook", "lab.bench.section", "lab.statistics", "lab.capacity",
         "lab.cli.bench", "lab.cli");

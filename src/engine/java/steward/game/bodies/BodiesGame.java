@@ -9,6 +9,8 @@ import steward.physics.Advance;
 import steward.physics.Bodies;
 import steward.physics.TeeSink;
 import steward.physics.TurnSink;
+import steward.physics.Wall;
+import steward.physics.impulse.Rest;
 import steward.scene.Bumper;
 import steward.scene.Plan;
 
@@ -25,6 +27,7 @@ public final class BodiesGame extends AbstractGame {
     private final Zone[] zones;
     private final Bodies bodies;
     private final Advance advance;
+    private final Wall[] walls;
     private final TurnSink sink;
     /** Per player the ids of its discs. */
     private final int[][] owned;
@@ -70,6 +73,7 @@ public final class BodiesGame extends AbstractGame {
         thrusts = new Thrust[discs.size()];
         points = other.points.clone();
         advance = plan.advance(null);
+        walls = other.walls;
         sink = sink();
     }
 
@@ -84,6 +88,7 @@ public final class BodiesGame extends AbstractGame {
         thrusts = new Thrust[discs.size()];
         points = new long[owned.length];
         advance = plan.advance(null);
+        walls = plan.physics(null).walls().toArray(Wall[]::new);
         sink = sink();
     }
 
@@ -157,13 +162,8 @@ public final class BodiesGame extends AbstractGame {
     /** Impulses at the start of the turn: forces, gravity, thrust. */
     private void push() {
         for (int k = 0; k < discs.size(); k++) {
-            if (bodies.inverseMass[k] > 0) {
-                boolean pushed = thrusts[k] != null && isIn(owner(k));
-                double x = rules.forceX() + (pushed ? thrusts[k].x() : 0);
-                double y = rules.forceY() + (pushed ? thrusts[k].y() : 0);
-                bodies.vx[k] += x * bodies.inverseMass[k] + rules.gravityX();
-                bodies.vy[k] += y * bodies.inverseMass[k] + rules.gravityY();
-            }
+            boolean pushed = thrusts[k] != null && isIn(owner(k));
+            rules.forces().accelerate(bodies, k, pushed ? thrusts[k].x() : 0, pushed ? thrusts[k].y() : 0);
         }
     }
 
@@ -189,11 +189,35 @@ public final class BodiesGame extends AbstractGame {
             return false;
         }
         for (int k = 0; k < discs.size(); k++) {
-            if (bodies.inverseMass[k] > 0 && !(bodies.vx[k] * bodies.vx[k] + bodies.vy[k] * bodies.vy[k] < bound)) {
+            if (bodies.inverseMass[k] > 0 && !(bodies.vx[k] * bodies.vx[k] + bodies.vy[k] * bodies.vy[k] < bound
+                && (!rules.forces().act() || isCarried(k)))) {
                 return false;
             }
         }
         return true;
+    }
+
+    /** True if a disc touches something against the force on it: at the top of a bounce it is slow, but not at rest. */
+    private boolean isCarried(int k) {
+        double forceX = rules.forces().x(bodies, k);
+        double forceY = rules.forces().y(bodies, k);
+        double x = bodies.x[k];
+        double y = bodies.y[k];
+        for (Wall wall : walls) {
+            if (wall.normalX(x, y) * forceX + wall.normalY(x, y) * forceY > 0
+                && wall.gap(x, y, bodies.radius[k]) * Rest.NEAR <= bodies.radius[k]) {
+                return true;
+            }
+        }
+        for (int i = 0; i < bodies.size(); i++) {
+            double dx = bodies.x[i] - x;
+            double dy = bodies.y[i] - y;
+            double radii = bodies.radius[i] + bodies.radius[k];
+            if (dx * forceX + dy * forceY > 0 && (Math.sqrt(dx * dx + dy * dy) - radii) * Rest.NEAR <= radii) {
+                return true;
+            }
+        }
+        return forceX == 0 && forceY == 0;
     }
 
     @Override

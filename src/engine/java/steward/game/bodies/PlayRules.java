@@ -1,22 +1,19 @@
 package steward.game.bodies;
 
 import java.util.List;
+import steward.physics.Forces;
 
 /**
  * The block {@code play} of a scene.
  *
  * @param maximumTurns  after this many turns the game ends
  * @param restBelow     the game ends when every body of finite mass is slower, in u per turn; 0 for never
- * @param forceX        an impulse on every body of finite mass at the start of each turn
- * @param forceY        its part downwards
- * @param gravityX      what the speed of every body of finite mass changes by at the start of each turn, in u per turn
- * @param gravityY      its part downwards
+ * @param forces        on every body of finite mass
  * @param maximumThrust the longest thrust of a command, an impulse; 0 where there are no players
  * @param contactPoints for each impact of a player's body with one that is not the player's
  * @param zones         in the order of the file
  */
-public record PlayRules(int maximumTurns, double restBelow, double forceX, double forceY, double gravityX,
-                        double gravityY, double maximumThrust, int contactPoints, List<Zone> zones) {
+public record PlayRules(int maximumTurns, double restBelow, Forces forces, double maximumThrust, int contactPoints, List<Zone> zones) {
 
     public PlayRules {
         zones = List.copyOf(zones);

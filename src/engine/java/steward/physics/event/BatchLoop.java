@@ -37,12 +37,12 @@ final class BatchLoop {
             scans = Scan.of(parts, pairs, wallTimes);
             queue = refining;
             flight = new ExactFlight(refining, lows);
-            collision = Collision.ofExact(law, walls, pairs, wallTimes, lows);
+            collision = Collision.ofExact(law, walls, pairs, wallTimes, lows, null);
         } else {
             scans = Scan.of(parts, PairTime.of(law, parts.arithmetic()));
             queue = ImpactQueue.of(law);
             flight = new Flight.Plain();
-            collision = Collision.of(law, parts.arithmetic(), walls);
+            collision = Collision.of(law, parts.arithmetic(), walls, null);
         }
         response = ContactResponse.of(parts, collision, walls);
         standstill = new Standstill(parts);

@@ -5,6 +5,7 @@ import steward.physics.ImpactLaw;
 import steward.physics.PhysicsParts;
 import steward.physics.TurnSink;
 import steward.physics.Wall;
+import steward.physics.impulse.Accelerations;
 import steward.physics.impulse.Collision;
 import steward.physics.impulse.ContactResponse;
 import steward.physics.impulse.Rest;
@@ -26,6 +27,8 @@ final class FlightLoop {
     private final FlightSearch search;
     private final ContactResponse response;
     private final Rest rest;
+    /** {@code null} where no force acts. */
+    private final Accelerations accelerations;
     private final Standstill standstill;
     /** Impacts that the last reaction recorded beyond the first: one for each contact of a heap at rest. */
     private int more;
@@ -37,6 +40,7 @@ final class FlightLoop {
         Wall[] walls = parts.walls().toArray(new Wall[0]);
         law = parts.law();
         descending = law.scanOrder() == ImpactLaw.ScanOrder.DESCENDING;
+        accelerations = Accelerations.of(parts);
         if (parts.arithmetic().isExact()) {
             ExactPairs pairs = new ExactPairs(law);
             ExactWalls wallTimes = new ExactWalls(walls);
@@ -44,13 +48,15 @@ final class FlightLoop {
             Flights.Precise precise = new Flights.Precise(lows);
             flights = precise;
             search = new PreciseFlightSearch(parts, precise, walls, pairs, wallTimes);
-            response = ContactResponse.of(parts, Collision.ofExact(law, walls, pairs, wallTimes, lows), walls);
+            response = ContactResponse.of(parts, Collision.ofExact(law, walls, pairs, wallTimes, lows, accelerations),
+                walls);
         } else {
             flights = new Flights();
             search = new FlightSearch(parts, flights, walls);
-            response = ContactResponse.of(parts, Collision.of(law, parts.arithmetic(), walls), walls);
+            response = ContactResponse.of(parts, Collision.of(law, parts.arithmetic(), walls, accelerations),
+                walls);
         }
-        rest = Rest.of(parts, walls);
+        rest = Rest.of(parts, walls, accelerations);
         standstill = new Standstill(parts);
     }
 
@@ -60,6 +66,9 @@ final class FlightLoop {
         double lastLow = 0;
         flights.setNowLow(0);
         flights.startAll(bodies, 0);
+        if (accelerations != null) {
+            accelerations.begin(bodies);
+        }
         if (rest != null) {
             rest.begin(bodies);
         }
@@ -149,7 +158,7 @@ final class FlightLoop {
         int a = swapped ? partner : row;
         int b = swapped ? row : partner;
         more = 0;
-        if (rest != null && rest.isAbout(bodies, a, b) && rest.mayRest(bodies, a, b) && settle(bodies, a, b, now,
+        if (rest != null && rest.isAbout(bodies, a, b) && rest.mayRest(bodies, a, b, now) && settle(bodies, a, b, now,
             sink)) {
             return false;
         }

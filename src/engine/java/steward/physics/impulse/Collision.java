@@ -20,7 +20,12 @@ public final class Collision {
      */
     static final double ROUNDING = 0x1p-46;
 
+    /** Takes what is left of an approach. */
+    private static final Impulse INELASTIC = new Impulse.Restituted();
+
     private final ImpulseSolver solver;
+    /** {@code null} where no force acts. */
+    private final Accelerations accelerations;
     private final SolvedImpulse solved = new SolvedImpulse();
     private final Impulse pairImpulse;
     private final Impulse wallImpulse;
@@ -35,8 +40,9 @@ public final class Collision {
     /** True if the contacts of a slide are impacts: where bodies rest they are not, as on a straight wall. */
     private final boolean recordsSlides;
 
-    private Collision(ImpactLaw law, Wall[] walls, ImpulseSolver solver) {
+    private Collision(ImpactLaw law, Wall[] walls, ImpulseSolver solver, Accelerations accelerations) {
         this.solver = solver;
+        this.accelerations = accelerations;
         pairImpulse = Impulse.of(law, true);
         wallImpulse = Impulse.of(law, law.minimumImpulseAtWalls());
         restitutionRule = RestitutionRule.of(law);
@@ -50,23 +56,27 @@ public final class Collision {
 
     /** With the expressions of the published official referee in their order, but for its change of velocity. */
     public Collision(ImpactLaw law, Wall[] walls) {
-        this(law, walls, new PlainSolver());
+        this(law, walls, new PlainSolver(), null);
     }
 
-    /** The reactions of an arithmetic other than {@code EXACT}. */
-    public static Collision of(ImpactLaw law, Arithmetic arithmetic, Wall[] walls) {
+    /**
+     * The reactions of an arithmetic other than {@code EXACT}.
+     *
+     * @param accelerations of the turn, or {@code null}
+     */
+    public static Collision of(ImpactLaw law, Arithmetic arithmetic, Wall[] walls, Accelerations accelerations) {
         return new Collision(law, walls, switch (arithmetic) {
             case OFFICIAL -> new PlainSolver.Official();
             case DOUBLE -> law.minimumImpulse() > 0 ? new PlainSolver() : new CompensatedSolver(false);
             case COMPENSATED -> law.minimumImpulse() > 0 ? new PlainSolver() : new CompensatedSolver(true);
             case EXACT -> throw new IllegalArgumentException("exact reactions need exact times: ofExact");
-        });
+        }, accelerations);
     }
 
     /** The reactions of the arithmetic {@code EXACT}. */
     public static Collision ofExact(ImpactLaw law, Wall[] walls, ExactPairs pairs, ExactWalls wallTimes,
-                                    LowParts lows) {
-        return new Collision(law, walls, new ExactSolver(law, pairs, wallTimes, lows));
+                                    LowParts lows, Accelerations accelerations) {
+        return new Collision(law, walls, new ExactSolver(law, pairs, wallTimes, lows), accelerations);
     }
 
     /** @param b an index, or {@code ~wall} */
@@ -84,25 +94,89 @@ public final class Collision {
         double ay = bodies.y[a];
         double bx = bodies.x[b];
         double by = bodies.y[b];
+        double half = toInstant(bodies, a, b, time);
         double vax = bodies.vx[a];
         double vay = bodies.vy[a];
         double vbx = bodies.vx[b];
         double vby = bodies.vy[b];
         double massA = bodies.mass[a];
         double massB = bodies.mass[b];
-        solver.exchange(bodies, a, b, restitutionRule.betweenBodies(bodies, a, b), pairImpulse, solved);
+        double restitution = restitutionRule.betweenBodies(bodies, a, b);
+        if (accelerations == null) {
+            solver.exchange(bodies, a, b, restitution, pairImpulse, solved);
+        } else {
+            exchangeUnderForces(bodies, a, b, restitution, half);
+        }
         if (separates) {
             solver.separate(bodies, a, b, solved.normalX, solved.normalY,
                 Math.abs(vax) + Math.abs(vay) + Math.abs(vbx) + Math.abs(vby));
         }
         sink.impact(time, bodies.id(a), bodies.id(b), ax, ay, bx, by, solved.normalX, solved.normalY, solved.impulse,
-            solved.energy, massA, massB, vax, vay, bodies.vx[a], bodies.vy[a], vbx, vby,
-            bodies.vx[b], bodies.vy[b]);
+            solved.energy, massA, massB, vax, vay, instantX(bodies, a, half), instantY(bodies, a, half), vbx, vby,
+            instantX(bodies, b, half), instantY(bodies, b, half));
         sink.knot(bodies.id(a), time, ax, ay);
         sink.knot(bodies.id(b), time, bx, by);
         if (corrects) {
             correctPair(bodies, a, b, time, sink);
         }
+    }
+
+    /** Gives the two the velocities of an instant. @return its fraction of the turn, less a half */
+    private double toInstant(Bodies bodies, int a, int b, double time) {
+        double half = time - 0.5;
+        if (accelerations != null) {
+            accelerations.add(bodies, a, half);
+            if (b >= 0) {
+                accelerations.add(bodies, b, half);
+            }
+        }
+        return half;
+    }
+
+    private double instantX(Bodies bodies, int i, double half) {
+        return accelerations == null ? bodies.vx[i] : bodies.vx[i] + accelerations.x[i] * half;
+    }
+
+    private double instantY(Bodies bodies, int i, double half) {
+        return accelerations == null ? bodies.vy[i] : bodies.vy[i] + accelerations.y[i] * half;
+    }
+
+    /**
+     * An impact from the velocities of its instant; if the flights after it approach, the hop ends in this turn, and
+     * what is left of the approach is taken, too.
+     */
+    private void exchangeUnderForces(Bodies bodies, int a, int b, double restitution, double half) {
+        double vax = bodies.vx[a];
+        double vay = bodies.vy[a];
+        double vbx = bodies.vx[b];
+        double vby = bodies.vy[b];
+        double impulse = 0;
+        if (solver.areApproaching(bodies, a, b)) {
+            solver.exchange(bodies, a, b, restitution, pairImpulse, solved);
+            impulse = solved.impulse;
+        }
+        accelerations.leave(bodies, a, half, vax, vay);
+        accelerations.leave(bodies, b, half, vbx, vby);
+        if (impulse == 0 || separates && solver.areApproaching(bodies, a, b)) {
+            solver.exchange(bodies, a, b, 0, INELASTIC, solved);
+            impulse += solved.impulse;
+        }
+        double approach = solved.normalX * (vax - vbx) + solved.normalY * (vay - vby);
+        solved.set(impulse, impulse * (impulse * (bodies.inverseMass[a] + bodies.inverseMass[b]) / 2 - approach));
+    }
+
+    /** As {@link #exchangeUnderForces}, at a wall. */
+    private void exchangeWithWallUnderForces(Bodies bodies, int a, int w, Wall wall, double half) {
+        double vx = bodies.vx[a];
+        double vy = bodies.vy[a];
+        double impulse = solver.exchangeWithWall(bodies, a, w, wall, restitutionRule.atWall(bodies, a, wall),
+            wallImpulse, solved) ? solved.impulse : 0;
+        accelerations.leave(bodies, a, half, vx, vy);
+        if (solver.isPressed(bodies, a, w, wall) && solver.exchangeWithWall(bodies, a, w, wall, 0, INELASTIC, solved)) {
+            impulse += solved.impulse;
+        }
+        double approach = solved.normalX * vx + solved.normalY * vy;
+        solved.set(impulse, impulse * (impulse * bodies.inverseMass[a] / 2 - approach));
     }
 
     /**
@@ -133,10 +207,16 @@ public final class Collision {
         }
         double ax = bodies.x[a];
         double ay = bodies.y[a];
+        double half = toInstant(bodies, a, ~w, time);
         double vax = bodies.vx[a];
         double vay = bodies.vy[a];
-        boolean approaches = solver.exchangeWithWall(bodies, a, w, wall, restitutionRule.atWall(bodies, a, wall),
-            wallImpulse, solved);
+        boolean approaches = true;
+        if (accelerations == null) {
+            approaches = solver.exchangeWithWall(bodies, a, w, wall, restitutionRule.atWall(bodies, a, wall),
+                wallImpulse, solved);
+        } else {
+            exchangeWithWallUnderForces(bodies, a, w, wall, half);
+        }
         removeResidualApproachToWall(bodies, a, w, wall);
         if (!approaches) {                            // an earlier impact of the same batch has reversed it
             return;
@@ -146,7 +226,8 @@ public final class Collision {
         double gap = wall.gap(ax, ay, bodies.radius[a]);
         double reach = gap + bodies.radius[a];
         sink.impact(time, bodies.id(a), ~w, ax, ay, ax + nx * reach, ay + ny * reach, nx, ny, solved.impulse,
-            solved.energy, bodies.mass[a], Double.POSITIVE_INFINITY, vax, vay, bodies.vx[a], bodies.vy[a], 0, 0, 0, 0);
+            solved.energy, bodies.mass[a], Double.POSITIVE_INFINITY, vax, vay, instantX(bodies, a, half),
+            instantY(bodies, a, half), 0, 0, 0, 0);
         sink.knot(bodies.id(a), time, ax, ay);
         correctFromWall(bodies, a, gap, time, sink);
     }

@@ -21,7 +21,7 @@ import steward.physics.Bodies;
 
 /**
  * The least impulses after which no contact of a system approaches faster than it may. The order of the contacts
- * decides ties. Bounds: {@value #MOST} contacts, {@value #ROUNDS} entries per contact.
+ * decides ties. A contact that is held does not open either. Bounds: {@value #MOST} contacts, {@value #ROUNDS} entries per contact.
  */
 final class InelasticSystem {
 
@@ -50,6 +50,11 @@ final class InelasticSystem {
     private double[] approach = new double[0];
     private double[] trial = new double[0];
     private boolean[] blocked = new boolean[0];
+    /** True for a contact that may not open either: its impulse may be negative. */
+    private boolean[] held = new boolean[0];
+    /** Velocities before the impulses. */
+    private double[] fromX = new double[0];
+    private double[] fromY = new double[0];
     private int[] set = new int[0];
     /** Columns of the Cholesky factor of the set, each {@link #stride} long: row i of column k at k * stride + i. */
     private double[] factor = new double[0];
@@ -60,15 +65,26 @@ final class InelasticSystem {
     private double parting;
     private int entries;
 
-    /** Begins an empty system of bodies; contacts that may keep no approach have to part at a speed of at least 0. */
-    void begin(Bodies bodies, double at) {
+    /**
+     * Begins an empty system of bodies; contacts that may keep no approach have to part at a speed of at least 0.
+     *
+     * @param x with y, velocities before the impulses; read until the next begin
+     */
+    void begin(Bodies bodies, double[] x, double[] y, double at) {
+        size = 0;
+        beginFrom(bodies, x, y, at);
+    }
+
+    /** Begins again with the same contacts and other velocities. */
+    void beginFrom(Bodies bodies, double[] x, double[] y, double at) {
         if (vx.length < bodies.size()) {
             vx = new double[bodies.capacity()];
             vy = new double[bodies.capacity()];
         }
-        System.arraycopy(bodies.vx, 0, vx, 0, bodies.size());
-        System.arraycopy(bodies.vy, 0, vy, 0, bodies.size());
-        size = 0;
+        fromX = x;
+        fromY = y;
+        System.arraycopy(x, 0, vx, 0, bodies.size());
+        System.arraycopy(y, 0, vy, 0, bodies.size());
         restart(bodies, at);
     }
 
@@ -82,11 +98,12 @@ final class InelasticSystem {
         normalX[size] = nx;
         normalY[size] = ny;
         allowed[size] = may;
+        held[size] = false;
         enter(bodies, size++);
     }
 
     private void enter(Bodies bodies, int k) {
-        approach[k] = approach(bodies, k) + (allowed[k] > 0 ? -allowed[k] : parting);
+        approach[k] = approach(k, fromX, fromY) + (allowed[k] > 0 ? -allowed[k] : parting);
         impulse[k] = 0;
         blocked[k] = false;
         entries += ROUNDS;
@@ -102,6 +119,7 @@ final class InelasticSystem {
         approach = Arrays.copyOf(approach, capacity);
         trial = Arrays.copyOf(trial, capacity);
         blocked = Arrays.copyOf(blocked, capacity);
+        held = Arrays.copyOf(held, capacity);
         set = Arrays.copyOf(set, capacity);
     }
 
@@ -112,6 +130,12 @@ final class InelasticSystem {
         double nx = normalX[k];
         double ny = normalY[k];
         double j = impulse[k];
+        double may = allowed[k];
+        allowed[k] = allowed[l];
+        allowed[l] = may;
+        boolean isHeld = held[k];
+        held[k] = held[l];
+        held[l] = isHeld;
         a[k] = a[l];
         b[k] = b[l];
         normalX[k] = normalX[l];
@@ -124,21 +148,32 @@ final class InelasticSystem {
         impulse[l] = j;
     }
 
-    /** True if a contact of these two is in the system. */
-    boolean has(int body, int other) {
+    /** Returns the contact of these two, or -1. */
+    int find(int body, int other) {
         for (int k = 0; k < size; k++) {
             if (a[k] == body && b[k] == other) {
+                return k;
+            }
+        }
+        return -1;
+    }
+
+    /** True if a contact of these two has this normal, to a share of it. */
+    boolean has(int body, int other, double nx, double ny, double share) {
+        for (int k = 0; k < size; k++) {
+            if (a[k] == body && b[k] == other && Math.abs(normalX[k] * ny - normalY[k] * nx) < share) {
                 return true;
             }
         }
         return false;
     }
 
-    double approach(Bodies bodies, int k) {
-        return approach(k, bodies.vx, bodies.vy);
+    /** Returns the approach speed of a contact after the impulses. */
+    double approach(int k) {
+        return approach(k, vx, vy);
     }
 
-    private double approach(int k, double[] ofX, double[] ofY) {
+    double approach(int k, double[] ofX, double[] ofY) {
         double x = ofX[a[k]];
         double y = ofY[a[k]];
         if (b[k] >= 0) {
@@ -146,6 +181,44 @@ final class InelasticSystem {
             y -= ofY[b[k]];
         }
         return normalX[k] * x + normalY[k] * y;
+    }
+
+    /** True if a contact has no gap and has taken an impulse. */
+    boolean carries(int k) {
+        return allowed[k] == 0 && (impulse[k] > 0 || held[k]);
+    }
+
+    /** Adds a contact without a gap that does not open, or lets one not open; solved from the next restart on. */
+    void hold(Bodies bodies, int body, int other, double nx, double ny) {
+        int k = 0;
+        while (k < size && !(a[k] == body && b[k] == other && normalX[k] == nx && normalY[k] == ny)) {
+            k++;
+        }
+        if (k == size) {
+            add(bodies, body, other, nx, ny, 0);
+        }
+        allowed[k] = 0;
+        held[k] = true;
+    }
+
+    /** Removes the contacts of these two but the first of the system; solved from the next restart on. */
+    void removeAfterFirst(int body, int other) {
+        for (int k = size - 1; k > 0; k--) {
+            if (a[k] == body && b[k] == other) {
+                swap(k, --size);
+            }
+        }
+    }
+
+    /** Removes all contacts but those that {@link #carries}. */
+    void keepCarrying() {
+        int kept = 0;
+        for (int k = 0; k < size; k++) {
+            if (carries(k)) {
+                swap(kept++, k);
+            }
+        }
+        size = kept;
     }
 
     /** Forgets all impulses; contacts have to part at another speed. */
@@ -177,6 +250,7 @@ final class InelasticSystem {
                 from = exchange();
                 if (from < 0) {
                     active--;
+                    impulse[next] = 0;
                     blocked[next] = true;
                     parts = false;
                     break;
@@ -195,7 +269,8 @@ final class InelasticSystem {
         double speed = tolerance;
         for (int k = 0; k < size; k++) {
             if (impulse[k] == 0 && !blocked[k]) {
-                double left = approach(k, vx, vy) + (allowed[k] > 0 ? -allowed[k] : parting);
+                double left = approach(k) + (allowed[k] > 0 ? -allowed[k] : parting);
+                left = held[k] ? Math.abs(left) : left;
                 if (left > speed) {
                     speed = left;
                     most = k;
@@ -208,9 +283,9 @@ final class InelasticSystem {
     /** Computes the velocities after the impulses. */
     private void move(Bodies bodies) {
         for (int k = 0; k < size; k++) {
-            reset(bodies, a[k]);
+            reset(a[k]);
             if (b[k] >= 0) {
-                reset(bodies, b[k]);
+                reset(b[k]);
             }
         }
         for (int l = 0; l < active; l++) {
@@ -222,9 +297,9 @@ final class InelasticSystem {
         }
     }
 
-    private void reset(Bodies bodies, int i) {
-        vx[i] = bodies.vx[i];
-        vy[i] = bodies.vy[i];
+    private void reset(int i) {
+        vx[i] = fromX[i];
+        vy[i] = fromY[i];
     }
 
     private void change(Bodies bodies, int i, double by, int k) {
@@ -252,7 +327,7 @@ final class InelasticSystem {
         double least = 0;
         for (int l = 0; l < last; l++) {
             double until = impulse[set[l]] / trial[l];
-            if (trial[l] > DEPENDENT && (leaves < 0 || until < least)) {
+            if (trial[l] > DEPENDENT && !held[set[l]] && (leaves < 0 || until < least)) {
                 least = until;
                 leaves = l;
             }
@@ -261,7 +336,8 @@ final class InelasticSystem {
             return leaves;
         }
         for (int l = 0; l < last; l++) {
-            impulse[set[l]] = Math.max(0, impulse[set[l]] - least * trial[l]);
+            double j = impulse[set[l]] - least * trial[l];
+            impulse[set[l]] = held[set[l]] ? j : Math.max(0, j);
         }
         impulse[set[last]] += least;
         leave(leaves);
@@ -282,7 +358,7 @@ final class InelasticSystem {
             int leaves = -1;
             for (int l = 0; l < active; l++) {
                 int k = set[l];
-                if (!(trial[l] > 0)) {
+                if (!(trial[l] > 0) && !held[k]) {
                     double until = impulse[k] / (impulse[k] - trial[l]);
                     if (leaves < 0 || until < share) {
                         share = until;

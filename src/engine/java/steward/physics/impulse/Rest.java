@@ -10,11 +10,21 @@ import steward.physics.TurnSink;
 import steward.physics.Wall;
 
 /*
- * Nothing accelerates within a turn, so paths are straight until the next impact. Of two bodies with the gap g, the
- * normal n and the relative velocity v the distance is at least its part along n, so they do not meet in a time tau if
- * n.v tau <= g; the same holds for a straight wall. The places inside an arena are convex, so a body on a straight path
- * stays inside if its end is inside, and that holds if n'.(x + v tau) <= room for the normal n' there. All of these are
- * linear conditions on the velocities, and those of rest satisfy them.
+ * Flights of a turn are straight until the next impact. Of two bodies with the gap g, the normal n and the relative
+ * velocity v the distance is at least its part along n, so they do not meet in a time tau if n.v tau <= g; the same
+ * holds for a straight wall. The places inside an arena are convex, so a body on a straight path stays inside if its end
+ * is inside, and that holds if n'.(x + v tau) <= room for the normal n' there. All of these are linear conditions on the
+ * velocities, and those of rest satisfy them.
+ *
+ * On level ground with the acceleration a, a rebound at the speed r is back after 2 r / a turns: r = e u <= a / 2 is
+ * less than a turn. A body that lies on it is accelerated by a at the start of each turn, so u* = a - a / 2, and 2 e u*
+ * = e a <= a: it stays. With a lower threshold some bounces of n turns would repeat for ever.
+ *
+ * In a heap at the fraction s of a turn, w = v + a (s - 1/2) are the velocities, and w + a / 2 = v + a s those of half a
+ * turn later, were nothing in the way. A contact along which they approach is one to which the bodies would come back
+ * within a turn: w.n + a.n / 2 >= 0. So the contacts that carry an impulse in the projection of v + a s are closed, and
+ * the flights of the rest of the turn are v, projected where closed contacts may not open either: they then take the
+ * same part of the accelerations and of the velocities. At the start of a turn the two are one.
  */
 
 /**
@@ -22,21 +32,22 @@ import steward.physics.Wall;
  * against a wall bounce infinitely often in a finite time.
  *
  * <ol>
- * <li>A heap is what hangs together by gaps of at most 1/{@value #NEAR} of the sum of the radii, with two contacts or
- * more.
- * <li>In a heap an impact without restitution, or of a body that has had {@value #PATIENCE} others in this turn, is
- * rest; all other impacts bounce.
+ * <li>An impact is rest if it has no restitution; if its rebound e u is at most half of the larger acceleration of its
+ * bodies by forces, so that on level ground it would fly for less than a turn; or if its energy along the normal is
+ * below 2^-40 of the largest kinetic energy that each of its bodies has had in this turn. One contact is enough. A law
+ * may name the rebound instead ({@link ImpactLaw#restSpeed}).
+ * <li>A heap is what hangs together by gaps of at most 1/{@value #NEAR} of the sum of the radii. A contact that
+ * approaches faster than rest is no part of it: it bounces.
  * <li>At rest the bodies of the heap take the velocities that are nearest to theirs, measured by the kinetic energy,
  * among those with which none of them meets another, a wall or an infinite mass before the turn ends
- * ({@link InelasticSystem}).
- * <li>Each contact that this takes an impulse is recorded as an impact, ascending by ids, at one time.
+ * ({@link InelasticSystem}). Contacts to which forces would bring them back within a turn are closed.
+ * <li>Each contact that this takes an impulse is recorded as an impact, ascending by ids, at one time, with the
+ * velocities of flights. The impulse of a contact that is kept closed is negative.
  * <li>Only other bodies can disturb a heap in the same turn; so that few do, gaps up to the sum of the radii belong to
  * a heap that has come to rest before.
  * </ol>
  *
- * <p>Nothing depends on bodies elsewhere. A law may set the speed up to which a rebound in a heap is rest
- * ({@link ImpactLaw#restSpeed}), in place of the second sentence. If something approaches even so, the turn has its
- * named ending.
+ * <p>Nothing depends on bodies elsewhere. If something approaches even so, the turn has its named ending.
  */
 public final class Rest {
 
@@ -45,30 +56,34 @@ public final class Rest {
      * rounding leaves between bodies that rest. With a larger share bodies would rest at a distance that shows.
      */
     public static final int NEAR = 2048;
-    /**
-     * Impacts of a body in a turn before its heap rests. So n bodies bounce at most 2 n times before; the rest takes an
-     * impulse for each contact, at most 3 n in the plane. More patience would keep more bounces, and cost as many more.
-     */
-    public static final int PATIENCE = 4;
+    /** Speeds along the normal below this share of those that a body has had: 2^-40 of the energy. */
+    private static final double FEEBLE = 0x1p-20;
+    /** Room for rounding in the threshold by forces. */
+    private static final double ROUNDING = 0x1p-30;
     /** The share of a gap that is used up until the end of the turn: the rest is room for rounding. */
     private static final double USED = 0.99;
     /** Gaps below this share of the radii are closed: rounding may be as large as what is left of them. */
     private static final double CLOSED = 0x1p-30;
     /** A path that ends this share of the room outside an arena ends on its rim. */
     private static final double RIM = 0x1p-40;
+    /** Tangents at a smaller angle depend on each other: pivots of a system vanish. */
+    private static final double TANGENT = 0x1p-16;
     /** The shortest rest of a turn that is divided by. */
     private static final double LEAST_LEFT = 0x1p-20;
 
     private final Wall[] walls;
     private final Contacts contacts;
     private final RestitutionRule restitutionRule;
+    /** {@code null} where no force acts. */
+    private final Accelerations accelerations;
     /** Of the law; NaN for the default. */
     private final double restSpeed;
     private final InelasticSystem system = new InelasticSystem();
     private final RestImpulses impulses;
     /** True if a body's heap has come to rest in this turn. */
     private boolean[] rested = new boolean[0];
-    private int[] impacts = new int[0];
+    /** The root of the largest m v.v that a body has had in this turn. */
+    private double[] most = new double[0];
     private int[] heap = new int[0];
     /** Of a body in the heap; -1 outside. */
     private int[] place = new int[0];
@@ -76,33 +91,65 @@ public final class Rest {
     private int touching;
     private boolean squeezed;
     private int size;
+    /** The velocities of all bodies at the instant of the impact. */
+    private double[] instantX = new double[0];
+    private double[] instantY = new double[0];
+    /** The velocities with which they came. */
+    private double[] flightX = new double[0];
+    private double[] flightY = new double[0];
+    /** Velocities ahead of the instant, then accelerations. */
+    private double[] aheadX = new double[0];
+    private double[] aheadY = new double[0];
+    /** The contacts that are closed. */
+    private int[] closedA = new int[0];
+    private int[] closedB = new int[0];
+    private int closed;
+    /** What of the accelerations leads from the velocities of the system to those of the instant, in turns. */
+    private double toInstant;
+    /** True if the impact is no faster than what forces do to bodies at rest in half a turn. */
+    private boolean calm;
+    /** From one to the other, as {@link #look} has seen it last. */
+    private double normalX;
+    private double normalY;
+    private double gap;
 
-    private Rest(PhysicsParts parts, Wall[] walls) {
+    private Rest(PhysicsParts parts, Wall[] walls, Accelerations accelerations) {
         this.walls = walls;
+        this.accelerations = accelerations;
         impulses = new RestImpulses(system, walls);
         contacts = parts.contacts();
         restSpeed = parts.law().restSpeed();
         restitutionRule = RestitutionRule.of(parts.law());
     }
 
-    /** @return {@code null} for laws without rest: elastic, with a minimum impulse, or in batches */
-    public static Rest of(PhysicsParts parts, Wall[] walls) {
-        return parts.law().bodiesRest() && !parts.law().separatingPairsReact() ? new Rest(parts, walls) : null;
+    /**
+     * @param accelerations of the turn, or {@code null}
+     * @return {@code null} for laws without rest: elastic, with a minimum impulse, or in batches
+     */
+    public static Rest of(PhysicsParts parts, Wall[] walls, Accelerations accelerations) {
+        return parts.law().bodiesRest() && !parts.law().separatingPairsReact()
+            ? new Rest(parts, walls, accelerations) : null;
     }
 
     public void begin(Bodies bodies) {
         size = bodies.size();
-        if (impacts.length < size) {
+        if (most.length < size) {
             int capacity = bodies.capacity();
-            impacts = new int[capacity];
+            most = new double[capacity];
             rested = new boolean[capacity];
             heap = new int[capacity];
             place = new int[capacity];
+            instantX = new double[capacity];
+            instantY = new double[capacity];
+            flightX = new double[capacity];
+            flightY = new double[capacity];
+            aheadX = new double[capacity];
+            aheadY = new double[capacity];
             Arrays.fill(place, -1);
         }
         squeezed = false;
         for (int i = 0; i < size; i++) {
-            impacts[i] = 0;
+            most[i] = 0;
             rested[i] = false;
         }
     }
@@ -122,29 +169,85 @@ public final class Rest {
     }
 
     /**
-     * Counts an impact of two that are where they are now.
+     * True if an impact of two that are where they are now is rest. Called for every impact: the kinetic energies are
+     * those of the flights that end here.
      *
      * @param b another body, or {@code ~wall}
-     * @return whether it is rest if it belongs to a heap
      */
-    public boolean mayRest(Bodies bodies, int a, int b) {
-        int count = Math.max(impacts[a]++, b >= 0 ? impacts[b]++ : 0);
-        double restitution = b < 0 ? restitutionRule.atWall(bodies, a, walls[~b])
-            : restitutionRule.betweenBodies(bodies, a, b);
-        return restitution < 1 && (Double.isNaN(restSpeed) ? restitution == 0 || count >= PATIENCE
-            : restitution * approach(bodies, a, b) <= restSpeed);
+    public boolean mayRest(Bodies bodies, int a, int b, double time) {
+        see(bodies, a, time - 0.5);
+        if (b >= 0) {
+            see(bodies, b, time - 0.5);
+        }
+        return isRest(bodies, a, b, approach(bodies, a, b));
     }
 
-    private double approach(Bodies bodies, int a, int b) {
-        double x = bodies.vx[a];
-        double y = bodies.vy[a];
-        if (b < 0) {
-            return walls[~b].normalX(bodies.x[a], bodies.y[a]) * x + walls[~b].normalY(bodies.x[a], bodies.y[a]) * y;
+    /** True if an impact has no restitution, and nothing but its two bodies can have a part in it. */
+    public boolean isPlain(Bodies bodies, int a, int b) {
+        return accelerations == null && restitution(bodies, a, b) == 0;
+    }
+
+    /** Takes note of the velocity and the energy of a body. */
+    private void see(Bodies bodies, int i, double half) {
+        boolean forced = accelerations != null;
+        instantX[i] = forced ? bodies.vx[i] + accelerations.x[i] * half : bodies.vx[i];
+        instantY[i] = forced ? bodies.vy[i] + accelerations.y[i] * half : bodies.vy[i];
+        most[i] = bodies.inverseMass[i] > 0
+            ? Math.max(most[i], Math.sqrt(bodies.mass[i]) * length(bodies.vx[i], bodies.vy[i]))
+            : Double.POSITIVE_INFINITY;
+    }
+
+    /** The length of a vector, without overflow. */
+    private static double length(double x, double y) {
+        double large = Math.max(Math.abs(x), Math.abs(y));
+        double share = Math.min(Math.abs(x), Math.abs(y)) / large;
+        return large == 0 ? 0 : large * Math.sqrt(1 + share * share);
+    }
+
+    private double restitution(Bodies bodies, int a, int b) {
+        return b < 0 ? restitutionRule.atWall(bodies, a, walls[~b]) : restitutionRule.betweenBodies(bodies, a, b);
+    }
+
+    /** True if an impact at this approach speed gives nothing back; also if two do not approach, and could rest. */
+    private boolean isRest(Bodies bodies, int a, int b, double approach) {
+        double restitution = restitution(bodies, a, b);
+        if (restitution == 0 || restitution == 1) {
+            return restitution == 0;
         }
-        double dx = bodies.x[b] - bodies.x[a];
-        double dy = bodies.y[b] - bodies.y[a];
-        double distance = Math.sqrt(dx * dx + dy * dy);
-        return distance == 0 ? 0 : (dx * (x - bodies.vx[b]) + dy * (y - bodies.vy[b])) / distance;
+        if (!Double.isNaN(restSpeed)) {
+            return restitution * approach <= restSpeed;
+        }
+        double force = accelerations == null ? 0 : accelerations.largest(bodies, a, b);
+        return 2 * restitution * approach <= force * (1 + ROUNDING) || isFeeble(bodies, a, b, approach);
+    }
+
+    private boolean isFeeble(Bodies bodies, int a, int b, double approach) {
+        double inverse = bodies.inverseMass[a] + (b < 0 ? 0 : bodies.inverseMass[b]);
+        return approach < FEEBLE * Math.min(most[a], b < 0 ? most[a] : most[b]) * Math.sqrt(inverse);
+    }
+
+    /** The approach speed of two that have been seen. */
+    private double approach(Bodies bodies, int a, int b) {
+        look(bodies, a, b);
+        return normalX * (instantX[a] - (b < 0 ? 0 : instantX[b]))
+            + normalY * (instantY[a] - (b < 0 ? 0 : instantY[b]));
+    }
+
+    private void look(Bodies bodies, int a, int b) {
+        double x = bodies.x[a];
+        double y = bodies.y[a];
+        if (b < 0) {
+            normalX = walls[~b].normalX(x, y);
+            normalY = walls[~b].normalY(x, y);
+            gap = walls[~b].gap(x, y, bodies.radius[a]);
+            return;
+        }
+        double dx = bodies.x[b] - x;
+        double dy = bodies.y[b] - y;
+        double distance = length(dx, dy);
+        normalX = distance == 0 ? 1 : dx / distance;
+        normalY = distance == 0 ? 0 : dy / distance;
+        gap = distance - bodies.radius[a] - bodies.radius[b];
     }
 
     /**
@@ -153,25 +256,60 @@ public final class Rest {
      * @return how many impacts that has taken; 0 if it is an ordinary impact, and nothing was altered
      */
     public int settle(Bodies bodies, int a, int b, double time, TurnSink sink) {
+        for (int i = 0; i < size; i++) {
+            see(bodies, i, time - 0.5);
+            flightX[i] = bodies.vx[i];
+            flightY[i] = bodies.vy[i];
+        }
         gather(bodies, a, b);
+        boolean rests = touching > 1 || !isPlain(bodies, a, b);
         int exchanged = 0;
-        if (touching > 1) {
-            double left = Math.max(1 - time, LEAST_LEFT);
-            solve(bodies, a, b, left);
+        if (rests) {
+            solve(bodies, b < 0 ? a : Math.min(a, b), b < 0 ? b : Math.max(a, b), time);
+            rests = !(system.impulse[0] == 0 && system.approach(0) > 0);
+            squeezed = !rests && system.approach(0) > impulses.tolerance();
+        }
+        if (rests) {
             exchanged = impulses.exchange(bodies, time, sink);
-            squeezed = exchanged == 0;
+            if (accelerations != null) {
+                carry(bodies);
+            }
+        }
+        if (!rests) {
+            restore(bodies);
         }
         for (int k = 0; k < heapSize; k++) {
             place[heap[k]] = -1;
-            rested[heap[k]] |= touching > 1;
+            rested[heap[k]] |= rests;
         }
-        return touching > 1 ? Math.max(1, exchanged) : 0;
+        return rests ? Math.max(1, exchanged) : 0;
     }
 
     /** Solves the contacts that the heap would meet in the rest of the turn, until it meets none. */
-    private void solve(Bodies bodies, int a, int b, double left) {
-        impulses.begin(bodies, heap, heapSize);
-        addContact(bodies, b < 0 ? a : Math.min(a, b), b < 0 ? b : Math.max(a, b), left);
+    private void solve(Bodies bodies, int a, int b, double time) {
+        double left = Math.max(1 - time, LEAST_LEFT);
+        closed = 0;
+        toInstant = 0;
+        calm = false;
+        if (accelerations != null) {
+            calm = approach(bodies, a, b) <= 0.5 * accelerations.largest(bodies, a, b) * (1 + ROUNDING);
+            close(bodies, a, b, time);
+            toInstant = time - 0.5;
+        }
+        impulses.begin(bodies, heap, heapSize, bodies.vx, bodies.vy);
+        addContact(bodies, a, b, left);
+        do {
+            meetAll(bodies, left);
+        } while (holdsMore(bodies, left));
+        if (!impulses.isNearer(bodies, heap, heapSize)) {
+            restore(bodies);
+            impulses.begin(bodies, heap, heapSize, bodies.vx, bodies.vy);
+            addContact(bodies, a, b, 0);
+            impulses.solve(bodies);
+        }
+    }
+
+    private void meetAll(Bodies bodies, double left) {
         int before;
         do {
             before = system.size;
@@ -180,6 +318,100 @@ public final class Rest {
         } while (system.size > before);
     }
 
+    /** Finds the contacts that are closed, and gives the heap the velocities of whole flights by all forces. */
+    private void close(Bodies bodies, int a, int b, double time) {
+        for (int i = 0; i < size; i++) {
+            double x = accelerations.forces.x(bodies, i);
+            double y = accelerations.forces.y(bodies, i);
+            aheadX[i] = instantX[i] + x * 0.5;
+            aheadY[i] = instantY[i] + y * 0.5;
+            if (place[i] >= 0) {
+                bodies.vx[i] = instantX[i] - x * (time - 0.5);
+                bodies.vy[i] = instantY[i] - y * (time - 0.5);
+            }
+        }
+        if (time == 0) {
+            return;
+        }
+        toInstant = -0.5;
+        impulses.begin(bodies, heap, heapSize, aheadX, aheadY);
+        addContact(bodies, a, b, 0);
+        meetAll(bodies, 0);
+        if (closedA.length < system.size) {
+            closedA = new int[2 * system.size];
+            closedB = new int[2 * system.size];
+        }
+        for (int k = 0; k < system.size; k++) {
+            if (system.carries(k)) {
+                closedA[closed] = system.a[k];
+                closedB[closed++] = system.b[k];
+            }
+        }
+    }
+
+    /** Holds the closed contacts that would open. @return whether there are more of them */
+    private boolean holdsMore(Bodies bodies, double left) {
+        int before = closed;
+        for (int k = closed - 1; k >= 0; k--) {
+            int a = closedA[k];
+            int b = closedB[k];
+            look(bodies, a, b);
+            double x = system.vx[a] - (b < 0 ? 0 : system.vx[b]);
+            double y = system.vy[a] - (b < 0 ? 0 : system.vy[b]);
+            if (impulses.opens(normalX * x + normalY * y) && system.size < InelasticSystem.MOST) {
+                if (b < 0 && walls[~b] instanceof Arena arena) {
+                    turnToChord(arena.radius() - bodies.radius[a], (normalX * y - normalY * x) * left);
+                    if (!impulses.opens(normalX * x + normalY * y)) {
+                        continue;
+                    }
+                    system.removeAfterFirst(a, b);
+                }
+                system.hold(bodies, a, b, normalX, normalY);
+                closed--;
+                closedA[k] = closedA[closed];
+                closedB[k] = closedB[closed];
+            }
+        }
+        if (closed < before) {
+            impulses.restart(bodies);
+        }
+        return closed < before;
+    }
+
+    /** Turns the normal at a rim to the one of the chord of a length that begins there. */
+    private void turnToChord(double room, double length) {
+        double sin = Math.max(-0.5, Math.min(0.5, length / (2 * room)));
+        double cos = Math.sqrt(1 - sin * sin);
+        double x = normalX * cos - normalY * sin;
+        normalY = normalY * cos + normalX * sin;
+        normalX = x;
+    }
+
+    private void restore(Bodies bodies) {
+        for (int k = 0; k < heapSize; k++) {
+            bodies.vx[heap[k]] = flightX[heap[k]];
+            bodies.vy[heap[k]] = flightY[heap[k]];
+        }
+    }
+
+    /** Gives the bodies of the heap the accelerations that its closed contacts leave. */
+    private void carry(Bodies bodies) {
+        double largest = 0;
+        for (int i = 0; i < size; i++) {
+            aheadX[i] = accelerations.forces.x(bodies, i);
+            aheadY[i] = accelerations.forces.y(bodies, i);
+            largest = Math.max(largest, Math.abs(aheadX[i]) + Math.abs(aheadY[i]));
+        }
+        system.keepCarrying();
+        system.beginFrom(bodies, aheadX, aheadY, 0);
+        system.solve(bodies, ROUNDING * largest);
+        for (int k = 0; k < heapSize; k++) {
+            accelerations.x[heap[k]] = system.vx[heap[k]];
+            accelerations.y[heap[k]] = system.vy[heap[k]];
+        }
+    }
+
+    /** Adds the contacts that would meet within a time; at 0, those that touch and approach. */
     private void addMet(Bodies bodies, double left) {
         for (int k = 0; k < heapSize && system.size < InelasticSystem.MOST; k++) {
             int i = heap[k];
@@ -193,7 +425,7 @@ public final class Rest {
                 if (contacts.withWall(bodies.kind[i]) != Contacts.Meaning.BOUNCE) {
                     continue;
                 }
-                if (walls[w] instanceof Arena arena) {
+                if (walls[w] instanceof Arena arena && left > 0) {
                     addRim(bodies, i, w, arena, left);
                 } else if (reachesWall(bodies, i, walls[w], left)) {
                     addOnce(bodies, i, ~w, left);
@@ -203,9 +435,32 @@ public final class Rest {
     }
 
     private void addOnce(Bodies bodies, int i, int j, double left) {
-        if (!system.has(i, j)) {
-            addContact(bodies, i, j, left);
+        if (system.find(i, j) < 0) {
+            look(bodies, i, j);
+            if (joins(bodies, i, j, normalX, normalY)) {
+                addContact(bodies, i, j, left);
+            }
         }
+    }
+
+    /**
+     * True if a contact that the velocities of the system approach along a normal is rest: it was before, and still is,
+     * or its bodies touch and forces alone have brought them together.
+     */
+    private boolean joins(Bodies bodies, int i, int j, double nx, double ny) {
+        return isRest(bodies, i, j, approach(bodies, i, j)) && (calm && gap * NEAR <= radii(bodies, i, j)
+            || isRest(bodies, i, j, nx * (system.vx[i] - (j < 0 ? 0 : system.vx[j])) + ny * (system.vy[i] - (j < 0 ? 0 : system.vy[j]))
+            + (toInstant == 0 ? 0 : toInstant * accelerated(bodies, i, j, nx, ny))));
+    }
+
+    private static double radii(Bodies bodies, int a, int b) {
+        return bodies.radius[a] + (b < 0 ? 0 : bodies.radius[b]);
+    }
+
+    private double accelerated(Bodies bodies, int i, int j, double nx, double ny) {
+        double x = accelerations.forces.x(bodies, i) - (j < 0 ? 0 : accelerations.forces.x(bodies, j));
+        double y = accelerations.forces.y(bodies, i) - (j < 0 ? 0 : accelerations.forces.y(bodies, j));
+        return nx * x + ny * y;
     }
 
     /** True if two bodies would meet in a time, on straight paths. */
@@ -217,38 +472,34 @@ public final class Rest {
         double closing = -(dx * ux + dy * uy);
         double reach = bodies.radius[i] + bodies.radius[j];
         double distance = Math.sqrt(dx * dx + dy * dy);
-        double gap = distance - reach;
-        if (!(closing > impulses.tolerance() * distance) || closing * left <= gap * distance) {
+        double apart = distance - reach;
+        if (left == 0) {
+            return apart <= CLOSED * reach && closing > impulses.tolerance() * distance;
+        }
+        if (!(closing > impulses.tolerance() * distance) || closing * left <= apart * distance) {
             return false;
         }
         double nearest = Math.min(left, closing / (ux * ux + uy * uy));
         double x = dx + ux * nearest;
         double y = dy + uy * nearest;
-        return gap <= 0 || x * x + y * y < reach * reach;
+        return apart <= 0 || x * x + y * y < reach * reach;
     }
 
     private boolean reachesWall(Bodies bodies, int i, Wall wall, double left) {
         double x = bodies.x[i];
         double y = bodies.y[i];
         double closing = wall.normalX(x, y) * system.vx[i] + wall.normalY(x, y) * system.vy[i];
-        double gap = wall.gap(x, y, bodies.radius[i]);
-        return closing > impulses.tolerance() && closing * left > gap
-            && (gap <= 0 || wall.gap(x + system.vx[i] * left, y + system.vy[i] * left, bodies.radius[i]) < 0);
+        double apart = wall.gap(x, y, bodies.radius[i]);
+        if (left == 0) {
+            return apart <= CLOSED * bodies.radius[i] && closing > impulses.tolerance();
+        }
+        return closing > impulses.tolerance() && closing * left > apart
+            && (apart <= 0 || wall.gap(x + system.vx[i] * left, y + system.vy[i] * left, bodies.radius[i]) < 0);
     }
 
     private void addContact(Bodies bodies, int a, int b, double left) {
-        double x = bodies.x[a];
-        double y = bodies.y[a];
-        if (b < 0) {
-            add(bodies, a, b, walls[~b].normalX(x, y), walls[~b].normalY(x, y),
-                walls[~b].gap(x, y, bodies.radius[a]), left);
-            return;
-        }
-        double dx = bodies.x[b] - x;
-        double dy = bodies.y[b] - y;
-        double distance = Math.sqrt(dx * dx + dy * dy);
-        add(bodies, a, b, distance == 0 ? 1 : dx / distance, distance == 0 ? 0 : dy / distance,
-            distance - bodies.radius[a] - bodies.radius[b], left);
+        look(bodies, a, b);
+        add(bodies, a, b, normalX, normalY, gap, left);
     }
 
     /** Adds the tangent of the rim that a body would leave, where it would be at the end of the turn. */
@@ -262,18 +513,20 @@ public final class Rest {
         if (room > 0 && distance > room * (1 + RIM)) {
             double nx = endX / distance;
             double ny = endY / distance;
-            add(bodies, i, ~w, nx, ny, room - (nx * x + ny * y), left);
+            look(bodies, i, ~w);
+            if (!system.has(i, ~w, nx, ny, TANGENT) && joins(bodies, i, ~w, nx, ny)) {
+                add(bodies, i, ~w, nx, ny, room - (nx * x + ny * y), left);
+            }
         }
     }
 
-    private void add(Bodies bodies, int a, int b, double nx, double ny, double gap, double left) {
-        double radii = bodies.radius[a] + (b < 0 ? 0 : bodies.radius[b]);
+    private void add(Bodies bodies, int a, int b, double nx, double ny, double apart, double left) {
         if (system.size < InelasticSystem.MOST) {
-            system.add(bodies, a, b, nx, ny, gap > CLOSED * radii ? USED * gap / left : 0);
+            system.add(bodies, a, b, nx, ny, left > 0 && apart > CLOSED * radii(bodies, a, b) ? USED * apart / left : 0);
         }
     }
 
-    /** True if the last heap had nothing to exchange although it approaches: there is no room, and no way out. */
+    /** True if the last heap still approaches: there is no room, and no way out. */
     public boolean isSqueezed() {
         return squeezed;
     }
@@ -297,8 +550,7 @@ public final class Rest {
         for (int k = 0; k < heapSize; k++) {
             int i = heap[k];
             for (int j = 0; j < size; j++) {
-                if (j != i && !isPair(i, j, a, b) && meet(bodies, i, j) && gap(bodies, i, j)
-                    <= gapShare * (bodies.radius[i] + bodies.radius[j]) + rounding(bodies, i) + rounding(bodies, j)) {
+                if (j != i && !isPair(i, j, a, b) && meet(bodies, i, j) && isNear(bodies, i, j, gapShare)) {
                     touching++;
                     enter(bodies, j);
                 }
@@ -306,7 +558,8 @@ public final class Rest {
             for (int w = 0; w < walls.length; w++) {
                 if (!(i == a && b == ~w) && contacts.withWall(bodies.kind[i]) == Contacts.Meaning.BOUNCE
                     && walls[w].gap(bodies.x[i], bodies.y[i], bodies.radius[i])
-                    <= gapShare * bodies.radius[i] + rounding(bodies, i)) {
+                    <= gapShare * bodies.radius[i] + rounding(bodies, i)
+                    && isRest(bodies, i, ~w, approach(bodies, i, ~w))) {
                     touching++;
                 }
             }
@@ -329,10 +582,13 @@ public final class Rest {
         return contacts.between(bodies.kind[i], bodies.kind[j]) == Contacts.Meaning.BOUNCE;
     }
 
-    private static double gap(Bodies bodies, int i, int j) {
+    /** True if a contact belongs to a heap: a small gap, and no approach that bounces. */
+    private boolean isNear(Bodies bodies, int i, int j, double gapShare) {
         double dx = bodies.x[i] - bodies.x[j];
         double dy = bodies.y[i] - bodies.y[j];
-        return Math.sqrt(dx * dx + dy * dy) - bodies.radius[i] - bodies.radius[j];
+        return Math.sqrt(dx * dx + dy * dy) - bodies.radius[i] - bodies.radius[j]
+            <= gapShare * (bodies.radius[i] + bodies.radius[j]) + rounding(bodies, i) + rounding(bodies, j)
+            && isRest(bodies, i, j, approach(bodies, i, j));
     }
 
     private static double rounding(Bodies bodies, int i) {

@@ -28,19 +28,29 @@ final class RestImpulses {
         this.walls = walls;
     }
 
-    /** Begins an empty system of bodies. */
-    void begin(Bodies bodies, int[] heap, int heapSize) {
+    /** Begins an empty system of bodies with these velocities. */
+    void begin(Bodies bodies, int[] heap, int heapSize, double[] x, double[] y) {
         speed = 0;
         for (int k = 0; k < heapSize; k++) {
-            speed = Math.max(speed, Math.abs(bodies.vx[heap[k]]) + Math.abs(bodies.vy[heap[k]]));
+            speed = Math.max(speed, Math.abs(x[heap[k]]) + Math.abs(y[heap[k]]));
         }
         parts = true;
-        system.begin(bodies, PARTING * speed);
+        system.begin(bodies, x, y, PARTING * speed);
     }
 
     /** An approach up to this speed remains. */
     double tolerance() {
         return (parts ? 0.75 : 1) * PARTING * speed;
+    }
+
+    /** True if an approach speed is that of a contact that opens by more than contacts part. */
+    boolean opens(double approach) {
+        return approach < -4 * PARTING * speed;
+    }
+
+    /** Solves the system anew, with what is held now. */
+    void restart(Bodies bodies) {
+        system.restart(bodies, parts ? PARTING * speed : 0);
     }
 
     /** Solves the system; contacts do not part if they cannot. */
@@ -50,6 +60,21 @@ final class RestImpulses {
             system.restart(bodies, 0);
             system.solve(bodies, tolerance());
         }
+    }
+
+    /**
+     * True if the solved system has no more energy than the bodies of the heap: that is so for every projection, but not
+     * for what rounding makes of nearly parallel contacts without a way out.
+     */
+    boolean isNearer(Bodies bodies, int[] heap, int heapSize) {
+        double before = 0;
+        double after = 0;
+        for (int k = 0; k < heapSize; k++) {
+            int i = heap[k];
+            before += bodies.mass[i] * (bodies.vx[i] * bodies.vx[i] + bodies.vy[i] * bodies.vy[i]);
+            after += bodies.mass[i] * (system.vx[i] * system.vx[i] + system.vy[i] * system.vy[i]);
+        }
+        return after <= before * (1 + STILL);
     }
 
     /** Insertion sort by the lower id, then the other; walls last. Ids ascend with indices. */
@@ -76,7 +101,7 @@ final class RestImpulses {
         double still = parts ? 0 : STILL * speed;
         int exchanged = 0;
         for (int k = 0; k < system.size; k++) {
-            if (system.impulse[k] > 0) {
+            if (system.impulse[k] != 0) {
                 exchanged++;
                 int a = system.a[k];
                 int b = system.b[k];
@@ -89,7 +114,7 @@ final class RestImpulses {
                 double vbx = b < 0 ? 0 : bodies.vx[b];
                 double vby = b < 0 ? 0 : bodies.vy[b];
                 double inverse = bodies.inverseMass[a] + (b < 0 ? 0 : bodies.inverseMass[b]);
-                double energy = j * (j * inverse / 2 - system.approach(bodies, k));
+                double energy = j * (j * inverse / 2 - system.approach(k, bodies.vx, bodies.vy));
                 accelerate(bodies, a, -j * bodies.inverseMass[a], nx, ny, last ? still : 0);
                 if (b >= 0) {
                     accelerate(bodies, b, j * bodies.inverseMass[b], nx, ny, still > 0 && isLastOf(b, k) ? still : 0);
@@ -113,7 +138,7 @@ final class RestImpulses {
 
     private boolean isLastOf(int body, int k) {
         for (int l = k + 1; l < system.size; l++) {
-            if (system.impulse[l] > 0 && (system.a[l] == body || system.b[l] == body)) {
+            if (system.impulse[l] != 0 && (system.a[l] == body || system.b[l] == body)) {
                 return false;
             }
         }

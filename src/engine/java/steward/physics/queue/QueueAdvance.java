@@ -13,6 +13,7 @@ import steward.physics.TurnSink;
 import steward.physics.Wall;
 import steward.physics.event.EventAdvance;
 import steward.physics.event.Standstill;
+import steward.physics.impulse.Accelerations;
 import steward.physics.impulse.Collision;
 import steward.physics.impulse.ContactResponse;
 import steward.physics.impulse.Rest;
@@ -60,6 +61,8 @@ public final class QueueAdvance implements Advance {
     private final QueueContactResponse response;
     private final ContactResponse passing;
     private final Rest rest;
+    /** {@code null} where no force acts. */
+    private final Accelerations accelerations;
     /** Impacts that the last reaction recorded beyond the first: one for each contact of a heap at rest. */
     private int more;
     /** Bodies whose impacts are near one time. */
@@ -81,7 +84,8 @@ public final class QueueAdvance implements Advance {
         law = parts.law();
         descending = law.scanOrder() == ImpactLaw.ScanOrder.DESCENDING;
         boolean exact = parts.arithmetic().isExact();
-        rest = Rest.of(parts, walls);
+        accelerations = Accelerations.of(parts);
+        rest = Rest.of(parts, walls, accelerations);
         crowd = new Crowd(exact, rest == null ? Cells.SLACK : Math.max(Cells.SLACK, 1 + 2 * ROOM / Rest.NEAR));
         events = new EventBuckets(new EventOrder(crowd));
         lookAhead = new LookAhead(crowd, events, readingFrom);
@@ -92,11 +96,11 @@ public final class QueueAdvance implements Advance {
             ExactWalls exactWalls = new ExactWalls(walls);
             LowParts rounded = new LowParts();
             search = new ExactQueueSearch(crowd, events, walls, pairs, exactPairs, exactWalls);
-            collision = Collision.ofExact(law, walls, exactPairs, exactWalls, rounded);
+            collision = Collision.ofExact(law, walls, exactPairs, exactWalls, rounded, accelerations);
             response = QueueContactResponse.of(crowd, parts, collision, rounded, walls);
         } else {
             search = new QueueSearch(crowd, events, parts.arithmetic(), walls, pairs);
-            collision = Collision.of(law, parts.arithmetic(), walls);
+            collision = Collision.of(law, parts.arithmetic(), walls, accelerations);
             response = QueueContactResponse.of(crowd, parts, collision, null, walls);
         }
         passing = ContactResponse.of(parts, collision, walls);
@@ -122,6 +126,9 @@ public final class QueueAdvance implements Advance {
         }
         if (bodies.size() > 0) {
             response.begin(bodies, sink);
+            if (accelerations != null) {
+                accelerations.begin(bodies);
+            }
             if (rest != null) {
                 rest.begin(bodies);
             }
@@ -322,11 +329,11 @@ public final class QueueAdvance implements Advance {
         if (b >= 0) {
             crowd.store(b, bodies, now);
         }
-        if (!rest.isAbout(bodies, i, j) || !rest.mayRest(bodies, i, j)) {
+        if (!rest.isAbout(bodies, i, j) || !rest.mayRest(bodies, i, j, now)) {
             return false;
         }
         double near = rest.near(i, j);
-        if (near < 1 && !search.hasNear(a, b, ROOM * near, now)
+        if (near < 1 && rest.isPlain(bodies, i, j) && !search.hasNear(a, b, ROOM * near, now)
             && (b < 0 || !search.hasNear(b, a, ROOM * near, now))) {
             return false;
         }

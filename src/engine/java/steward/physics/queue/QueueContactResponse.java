@@ -41,7 +41,7 @@ abstract class QueueContactResponse {
     /** @param rounded receives the low parts of coordinates, or {@code null} where there are none */
     static QueueContactResponse of(Crowd crowd, PhysicsParts parts, Collision collision, LowParts rounded,
                          Wall[] walls) {
-        return parts.reaction() == null
+        return parts.reaction() == null && !parts.forces().act()
             ? new Bounce(crowd, collision, rounded, parts.law().restitution() == ImpactLaw.Restitution.MINIMUM)
             : new Ask(crowd, ContactResponse.of(parts, collision, walls), rounded);
     }

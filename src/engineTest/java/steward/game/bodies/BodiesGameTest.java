@@ -50,6 +50,22 @@ class BodiesGameTest {
         assertEquals("all bodies are slower than the scene's restBelow", game.ending());
     }
 
+    /** A disc of radius 10 falls on a bumper: slow at the top of each bounce, at rest where it lies. */
+    @Test
+    void aBodyUnderGravityRestsInContact() {
+        for (double restitution : new double[] {0.8, 1}) {
+            Game game = open(0, "{\"x\": 500, \"y\": 100, \"radius\": 10, \"restitution\": " + restitution + "}, "
+                + "{\"x\": 500, \"y\": 400, \"radius\": 90, \"mass\": \"infinite\"}",
+                "\"maximumTurns\": 500, \"restBelow\": 0.9, \"gravity\": {\"x\": 0, \"y\": 2}").create(0);
+            while (!game.isOver()) {
+                game.play();
+            }
+            assertEquals(restitution == 1 ? "at most 500 turns are played"
+                : "all bodies are slower than the scene's restBelow", game.ending());
+            assertEquals(300, game.bodies().y[0], restitution == 1 ? 201 : 0.05);
+        }
+    }
+
     /**
      * Player 0 pushes its body onto that of player 1, and from there into the zone.
      * <pre>

@@ -16,6 +16,7 @@ import steward.physics.Advance;
 import steward.physics.Arithmetic;
 import steward.physics.Bodies;
 import steward.physics.Contacts;
+import steward.physics.Forces;
 import steward.physics.ImpactLaw;
 import steward.physics.PhysicsParts;
 import steward.physics.TurnLog;
@@ -156,7 +157,7 @@ class OfficialLoopTest {
         for (Accuracy rung : Accuracy.ladder()) {
             PhysicsParts parts = new PhysicsParts(ImpactLaw.PHYSICS, rung.arithmetic(), new Contacts(1), List.of(),
                 null,
-                false, of -> own);
+                false, of -> own, Forces.NONE);
             boolean official = rung.equals(Accuracy.event(Arithmetic.OFFICIAL));
             for (int bodies : new int[] {0, 4, 100}) {
                 assertEquals(official, rung.advance(parts, bodies) == own, rung.text());

@@ -243,7 +243,8 @@ public final class Calibration {
                 work += block.work[r];
             }
             figures.add(new AccuracyFigures.OfRung(rungs.get(r),
-                PhysicsFingerprint.of(RungLaw.of(rungs.get(r), parts.law())), timed.ratio(r, rungs.indexOf(UNIT)),
+                PhysicsFingerprint.of(RungLaw.of(rungs.get(r), parts.law(),
+                    parts.forces().act())), timed.ratio(r, rungs.indexOf(UNIT)),
                 work / count,
                 AccuracyFigures.SHARES.stream().map(share -> atShare(errors, share)).toList(),
                 errors[errors.length - 1]));

@@ -5,10 +5,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import steward.physics.Bodies;
+import steward.physics.Forces;
 import steward.physics.ImpactLaw;
 import steward.physics.PhysicsParts;
 import steward.physics.Wall;
-import steward.physics.impulse.Rest;
 
 /**
  * A turn computed from the definitions in {@link Decimals#COUNT} decimal digits: find the earliest touch of all pairs
@@ -20,8 +20,8 @@ import steward.physics.impulse.Rest;
  * <p>Where the physics has to decide whether two rounded distances are equal, the oracle treats numbers that agree to
  * {@code COUNT - 16} digits as equal: a body moved to a touch does touch, and a body that slides does not approach.
  *
- * <p>Caveat: a turn that reaches the limit on impacts stops there, and so does one in which a heap comes to rest
- * ({@link Rest}): the oracle computes impacts only. What contacts may mean is said in {@link OracleContacts}.
+ * <p>Caveat: a turn that reaches the limit on impacts stops there, and so does one in which more than one contact comes
+ * to rest at a time, or a body in an arena: {@link OracleRest}. What contacts may mean is said in {@link OracleContacts}.
  */
 public final class Oracle {
 
@@ -31,6 +31,7 @@ public final class Oracle {
     private final ImpactLaw law;
     private final List<Wall> walls;
     private final OracleReaction reaction;
+    private final Forces forces;
     /** {@code null} where everything bounces. */
     private final OracleContacts contacts;
     private boolean limited;
@@ -40,21 +41,22 @@ public final class Oracle {
 
     /** Everything bounces. */
     public Oracle(ImpactLaw law, List<Wall> walls) {
-        this(law, walls, null);
+        this(law, walls, null, Forces.NONE);
     }
 
     /** With the law, walls and contacts of a scene, for turns that begin with these bodies. */
     public static Oracle of(PhysicsParts parts, Bodies start) {
         return new Oracle(parts.law(), parts.walls(),
-            parts.contacts().allBounce() ? null : new OracleContacts(parts, start));
+            parts.contacts().allBounce() ? null : new OracleContacts(parts, start), parts.forces());
     }
 
     /** @param contacts what contacts mean; for one turn, from the bodies that they were made for */
-    Oracle(ImpactLaw law, List<Wall> walls, OracleContacts contacts) {
+    Oracle(ImpactLaw law, List<Wall> walls, OracleContacts contacts, Forces forces) {
         this.law = law;
+        this.forces = forces;
         this.contacts = contacts;
         this.walls = List.copyOf(walls);
-        reaction = new OracleReaction(law, this.walls);
+        reaction = new OracleReaction(law, this.walls, forces);
     }
 
     /** A future touch; b is an index or {@code ~wall}. */
@@ -113,7 +115,7 @@ public final class Oracle {
         int bound = law.maximumImpacts() > 0 ? law.maximumImpacts() : 10_000 + 1_000 * bodies.size();
         int left = bound;
         limited = false;
-        bodies.forEach(body -> body.impacts = 0);
+        bodies.forEach(this::begin);
         resting = false;
         for (;;) {
             List<Touch> next = together(touches(bodies, duration.subtract(now)));
@@ -142,19 +144,29 @@ public final class Oracle {
         }
     }
 
+    private void begin(OracleBody body) {
+        boolean moved = body.mass != null;
+        BigDecimal inverse = body.inverseMass();
+        body.most = BigDecimal.ZERO;
+        body.ax = moved ? Decimals.of(forces.forceX()).multiply(inverse).add(Decimals.of(forces.gravityX()))
+            : BigDecimal.ZERO;
+        body.ay = moved ? Decimals.of(forces.forceY()).multiply(inverse).add(Decimals.of(forces.gravityY()))
+            : BigDecimal.ZERO;
+    }
+
     /** An impact, told with the indices of the start, or what the game's reaction does instead: {@code null}. */
     private OracleImpact react(List<OracleBody> bodies, Touch touch, BigDecimal now) {
         BigDecimal time = now.add(touch.until);
         if (contacts == null) {
             OracleImpact impact = reaction.react(bodies, touch.a, touch.b, time);
-            resting |= reaction.wasRest(bodies, touch.a, touch.b);
+            resting |= reaction.stopped();
             return impact;
         }
         if (!contacts.bounces(bodies, touch.a, touch.b, time)) {
             return null;
         }
         OracleImpact impact = reaction.react(bodies, touch.a, touch.b, time);
-        resting |= reaction.wasRest(bodies, touch.a, touch.b);
+        resting |= reaction.stopped();
         contacts.after(bodies, touch.a, touch.b, time);
         return impact == null ? null : impact.between(contacts.startIndex(touch.a),
             touch.b < 0 ? touch.b : contacts.startIndex(touch.b));

@@ -18,8 +18,11 @@ public final class OracleBody {
     /** {@code null} for an infinite mass. */
     final BigDecimal mass;
     final BigDecimal restitution;
-    /** So far in the turn. */
-    int impacts;
+    /** The acceleration in this turn: by forces, less what carries a body at rest. */
+    BigDecimal ax = BigDecimal.ZERO;
+    BigDecimal ay = BigDecimal.ZERO;
+    /** The largest m v.v in this turn. */
+    BigDecimal most = BigDecimal.ZERO;
 
     private OracleBody(Bodies from, int k) {
         x = Decimals.of(from.x[k]);
@@ -58,6 +61,12 @@ public final class OracleBody {
             vx = Decimals.round(vx.add(change.multiply(nx)));
             vy = Decimals.round(vy.add(change.multiply(ny)));
         }
+    }
+
+    /** Adds the acceleration during a part of a turn to the velocity. */
+    void accelerate(BigDecimal turns) {
+        vx = Decimals.round(vx.add(ax.multiply(turns)));
+        vy = Decimals.round(vy.add(ay.multiply(turns)));
     }
 
     void reverse() {

@@ -17,6 +17,12 @@ import java.math.BigDecimal;
 public record OracleImpact(BigDecimal time, int a, int b, BigDecimal impulse, BigDecimal ax, BigDecimal ay,
                     BigDecimal bx, BigDecimal by, BigDecimal vax, BigDecimal vay, BigDecimal vbx, BigDecimal vby) {
 
+    /** With more impulse, and the velocities that the bodies have by that. */
+    OracleImpact with(BigDecimal more, OracleBody p, OracleBody q) {
+        return new OracleImpact(time, a, b, impulse.add(more), ax, ay, bx, by, p.vx, p.vy, q == null ? vbx : q.vx,
+            q == null ? vby : q.vy);
+    }
+
     OracleImpact between(int one, int other) {
         return new OracleImpact(time, one, other, impulse, ax, ay, bx, by, vax, vay, vbx, vby);
     }

@@ -2,9 +2,9 @@ package steward.lab.oracle;
 
 import java.math.BigDecimal;
 import java.util.List;
+import steward.physics.Forces;
 import steward.physics.ImpactLaw;
 import steward.physics.Wall;
-import steward.physics.impulse.Rest;
 
 /**
  * Impact in the oracle's arithmetic: the first step of the impulse stops the approach, the second gives back the share
@@ -13,44 +13,55 @@ import steward.physics.impulse.Rest;
  */
 final class OracleReaction {
 
-    private static final BigDecimal NEAR = Decimals.of(2.0 / Rest.NEAR);
+    private static final BigDecimal HALF = new BigDecimal("0.5");
 
     private final ImpactLaw law;
     private final List<Wall> walls;
-    /** True if the last impact is rest if its bodies belong to a heap. */
-    private boolean rests;
+    private final boolean forced;
+    private final OracleRest rest;
 
-    OracleReaction(ImpactLaw law, List<Wall> walls) {
+    OracleReaction(ImpactLaw law, List<Wall> walls, Forces forces) {
         this.law = law;
         this.walls = walls;
+        forced = forces.act() && !law.separatingPairsReact();
+        rest = new OracleRest(law, walls, forces);
     }
 
     /** Bodies a and b react, b being {@code ~w} for a wall. @return {@code null} if there was nothing to react to */
     OracleImpact react(List<OracleBody> bodies, int a, int b, BigDecimal time) {
-        return b < 0 ? withWall(bodies.get(a), a, b, time) : pair(bodies.get(a), bodies.get(b), a, b, time);
+        OracleBody p = bodies.get(a);
+        OracleBody q = b < 0 ? null : bodies.get(b);
+        BigDecimal half = time.subtract(HALF);
+        rest.look(bodies, a, b, half);
+        if (rest.isRest() && rest.rests(bodies, a, b)) {
+            return rest.settle(p, q, a, b, time);
+        }
+        accelerate(p, q, half);
+        BigDecimal[] before = {p.vx, p.vy, q == null ? BigDecimal.ZERO : q.vx, q == null ? BigDecimal.ZERO : q.vy};
+        OracleImpact impact = b < 0 ? withWall(p, a, b, time) : pair(p, q, a, b, time);
+        if (forced) {
+            rest.leave(p, before[0], before[1], half);
+            if (q != null) {
+                rest.leave(q, before[2], before[3], half);
+            }
+            BigDecimal more = rest.stop();
+            impact = impact == null ? null : impact.with(more, p, q);
+        }
+        return impact;
     }
 
-    /** True if the impact that has just reacted is rest by the law: something else touches its bodies, or nearly. */
-    boolean wasRest(List<OracleBody> bodies, int a, int b) {
-        return rests && (touches(bodies, a, b) || b >= 0 && touches(bodies, b, a));
+    private void accelerate(OracleBody p, OracleBody q, BigDecimal turns) {
+        if (forced) {
+            p.accelerate(turns);
+            if (q != null) {
+                q.accelerate(turns);
+            }
+        }
     }
 
-    /** True if a body touches anything but its partner, by twice the gap that {@link Rest} takes for none. */
-    private boolean touches(List<OracleBody> bodies, int i, int partner) {
-        OracleBody body = bodies.get(i);
-        for (int k = 0; k < bodies.size(); k++) {
-            OracleBody other = bodies.get(k);
-            if (k != i && k != partner && OracleTimeOfImpact.within(body.x.subtract(other.x), body.y.subtract(other.y),
-                body.radius.add(other.radius).multiply(NEAR.add(BigDecimal.ONE)))) {
-                return true;
-            }
-        }
-        for (int w = 0; w < walls.size() && body.mass != null; w++) {
-            if (~w != partner && OracleWallGeometry.gap(body, walls.get(w)).compareTo(body.radius.multiply(NEAR)) < 0) {
-                return true;
-            }
-        }
-        return false;
+    /** True if the last impact is rest of more than one contact, which the oracle does not compute. */
+    boolean stopped() {
+        return rest.stopped();
     }
 
     private OracleImpact pair(OracleBody p, OracleBody q, int a, int b, BigDecimal time) {
@@ -63,8 +74,8 @@ final class OracleReaction {
         BigDecimal approach = Decimals.dot(nx, ny, p.vx.subtract(q.vx), p.vy.subtract(q.vy));
         BigDecimal first = Decimals.divide(approach, p.inverseMass().add(q.inverseMass()));
         BigDecimal restitution = p.restitution.min(q.restitution);
-        rests = mayRest(Math.max(p.impacts++, q.impacts++), restitution, approach);
-        BigDecimal impulse = first.add(second(first, restitution, true));
+        BigDecimal impulse = approach.signum() <= 0 && forced ? BigDecimal.ZERO
+            : first.add(second(first, restitution, true));
         BigDecimal ax = p.x;
         BigDecimal ay = p.y;
         BigDecimal bx = q.x;
@@ -85,13 +96,11 @@ final class OracleReaction {
         Wall wall = walls.get(~b);
         BigDecimal[] n = OracleWallGeometry.normal(body, wall);
         BigDecimal approach = Decimals.dot(n[0], n[1], body.vx, body.vy);
-        rests = false;
-        if (approach.signum() <= 0) {
+        if (approach.signum() <= 0 && !forced) {
             return null;
         }
-        BigDecimal first = approach.multiply(body.mass);
+        BigDecimal first = approach.max(BigDecimal.ZERO).multiply(body.mass);
         BigDecimal restitution = body.restitution.min(Decimals.of(wall.restitution()));
-        rests = mayRest(body.impacts++, restitution, approach);
         BigDecimal impulse = first.add(second(first, restitution, law.minimumImpulseAtWalls()));
         BigDecimal ax = body.x;
         BigDecimal ay = body.y;
@@ -102,13 +111,6 @@ final class OracleReaction {
         }
         return new OracleImpact(time, a, b, impulse, ax, ay, ax, ay, body.vx, body.vy, BigDecimal.ZERO,
             BigDecimal.ZERO);
-    }
-
-    /** The rule of {@link Rest} for a body in a heap. */
-    private boolean mayRest(int impacts, BigDecimal restitution, BigDecimal approach) {
-        return law.bodiesRest() && restitution.compareTo(BigDecimal.ONE) < 0 && (Double.isNaN(law.restSpeed())
-            ? restitution.signum() == 0 || impacts >= Rest.PATIENCE
-            : restitution.multiply(approach).compareTo(Decimals.of(law.restSpeed())) <= 0);
     }
 
     /** e times the first step, raised to the minimum; or only in magnitude when it exceeds the dead zone. */

@@ -64,8 +64,8 @@ public final class TurnTruth {
     }
 
     /**
-     * Plays the turn; the bodies are not changed. If a heap comes to rest in it, it is played on {@code exact}: the
-     * oracle knows impacts only.
+     * Plays the turn; the bodies are not changed. If more than one contact comes to rest at a time in it, it is
+     * played on {@code exact}.
      *
      * @param parts their law, walls, contacts and reaction are used; the arithmetic is not
      * @throws IllegalArgumentException if the reaction lets bodies bounce at a distance of their own
@@ -73,7 +73,7 @@ public final class TurnTruth {
     public static TurnTruth of(Bodies start, PhysicsParts parts) {
         List<OracleBody> bodies = OracleBody.of(start);
         OracleContacts contacts = parts.contacts().allBounce() ? null : new OracleContacts(parts, start);
-        Oracle oracle = new Oracle(parts.law(), parts.walls(), contacts);
+        Oracle oracle = new Oracle(parts.law(), parts.walls(), contacts, parts.forces());
         List<OracleImpact> impacts = oracle.turn(bodies);
         if (oracle.rested()) {
             return ofExact(start, parts);

@@ -1,6 +1,11 @@
 package steward.lab.stability;
 
 import java.util.List;
+import steward.lab.stability.bodies.ColumnsCase;
+import steward.lab.stability.bodies.ElasticFallCase;
+import steward.lab.stability.bodies.FallenPilesCase;
+import steward.lab.stability.bodies.SingleRestCase;
+import steward.lab.stability.bodies.SqueezesCase;
 import steward.lab.stability.crowds.BulletCase;
 import steward.lab.stability.crowds.CrowdCase;
 import steward.lab.stability.crowds.DensePackingCase;
@@ -62,6 +67,11 @@ public final class StabilityCases {
             new MirrorCase(),
             new RestCase(),
             new PilesCase(),
+            new SqueezesCase(),
+            new SingleRestCase(),
+            new ElasticFallCase(),
+            new ColumnsCase(),
+            new FallenPilesCase(),
             new InelasticCollapseCase(),
             new LatticeCase(),
             new TiesCase(),

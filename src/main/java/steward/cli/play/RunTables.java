@@ -21,6 +21,7 @@ import steward.json.JsonObject;
 import steward.match.MatchListener;
 import steward.match.Turn;
 import steward.physics.Bodies;
+import steward.physics.Forces;
 import steward.physics.TeeSink;
 import steward.physics.TurnSink;
 import tools.jackson.core.JsonGenerator;
@@ -39,6 +40,11 @@ final class RunTables implements MatchListener, AutoCloseable {
     private Game game;
     private Runnable step = () -> { };
     private int impactsOfTurn;
+    /** When the turn reached the bound on impacts; NaN if it did not. */
+    private double limitTime = Double.NaN;
+    private Forces forces = Forces.NONE;
+    /** Of all bodies by the forces, before the first turn. */
+    private double start;
 
     private RunTables(BufferedWriter turns, BufferedWriter states, BufferedWriter impacts) {
         this.turns = turns;
@@ -55,7 +61,7 @@ final class RunTables implements MatchListener, AutoCloseable {
         List.of("turns.csv", "states.csv", "impacts.csv")
             .forEach(name -> OutputFiles.check(folder.resolve(name), overwrite));
         try {
-            return new RunTables(file(folder, "turns.csv", "turn,energy,momentumX,momentumY,impacts"),
+            return new RunTables(file(folder, "turns.csv", "turn,energy,momentumX,momentumY,impacts,potential,limitTime"),
                 file(folder, "states.csv", "turn,id,x,y,vx,vy"),
                 file(folder, "impacts.csv", "turn,time,a,b,wall,ax,ay,bx,by,impulse,energy"));
         } catch (IOException problem) {
@@ -83,9 +89,16 @@ final class RunTables implements MatchListener, AutoCloseable {
                         + cells(ax, ay, bx, by, impulse, energy));
                 }
             }
+
+            @Override
+            public void impactLimit(double time, int[] bodyIds) {
+                limitTime = time;
+            }
         };
-        return Games.types().open(setup.scene().withObserver((parts, advance) ->
-            (bodies, sink) -> advance.turn(bodies, new TeeSink(sink, watcher))));
+        return Games.types().open(setup.scene().withObserver((parts, advance) -> {
+            forces = parts.forces();
+            return (bodies, sink) -> advance.turn(bodies, new TeeSink(sink, watcher));
+        }));
     }
 
     /** @param everyTurn is called after each turn */
@@ -97,6 +110,7 @@ final class RunTables implements MatchListener, AutoCloseable {
     @Override
     public void start(Game started, FrameCodec codec) {
         game = started;
+        start = potential(started.bodies());
         add();
     }
 
@@ -106,13 +120,28 @@ final class RunTables implements MatchListener, AutoCloseable {
         step.run();
     }
 
+    /** The energy that the forces give: minus the force times the place. */
+    private double potential(Bodies bodies) {
+        double sum = 0;
+        for (int k = 0; k < bodies.size() && forces.act(); k++) {
+            if (bodies.inverseMass[k] > 0) {
+                sum -= bodies.mass[k] * (forces.x(bodies, k) * bodies.x[k] + forces.y(bodies, k) * bodies.y[k]);
+            }
+        }
+        return sum;
+    }
+
+    /** Adds a row. The speed at the end of a turn is v + a / 2, since v is that of the middle of a parabola. */
     private void add() {
         Bodies bodies = game.bodies();
-        double[] row = {game.turn(), 0, 0, 0, impactsOfTurn};
+        double[] row = {game.turn(), 0, 0, 0, impactsOfTurn, potential(bodies) - start, limitTime};
         impactsOfTurn = 0;
+        limitTime = Double.NaN;
         for (int k = 0; k < bodies.size(); k++) {
             if (bodies.inverseMass[k] > 0) {
-                row[1] += bodies.mass[k] * (bodies.vx[k] * bodies.vx[k] + bodies.vy[k] * bodies.vy[k]) / 2;
+                double vx = bodies.vx[k] + forces.x(bodies, k) / 2;
+                double vy = bodies.vy[k] + forces.y(bodies, k) / 2;
+                row[1] += bodies.mass[k] * (vx * vx + vy * vy) / 2;
                 row[2] += bodies.mass[k] * bodies.vx[k];
                 row[3] += bodies.mass[k] * bodies.vy[k];
             }
@@ -123,15 +152,16 @@ final class RunTables implements MatchListener, AutoCloseable {
         }
         rows.add(row);
         if (turns != null) {
-            write(turns, (int) row[0] + cells(row[1], row[2], row[3]).stripTrailing() + "," + (int) row[4] + "\n");
+            write(turns, (int) row[0] + cells(row[1], row[2], row[3]).stripTrailing() + "," + (int) row[4]
+                + cells(row[5]).stripTrailing() + "," + (Double.isNaN(row[6]) ? "" : number(row[6])) + "\n");
         }
     }
 
     /** The table for people: some turns, evenly, the first and the last among them. */
     List<String> lines() {
         List<String> lines = new ArrayList<>();
-        lines.add(String.format(Locale.ROOT, "%7s  %14s  %14s  %14s  %9s", "turn", "energy", "momentum x", "momentum y",
-            "impacts"));
+        lines.add(String.format(Locale.ROOT, "%7s  %14s%s  %14s  %14s  %9s", "turn", "energy",
+            forces.act() ? String.format("  %14s", "potential") : "", "momentum x", "momentum y", "impacts"));
         int shown = Math.min(MOST_ROWS, rows.size());
         int from = 0;
         for (int k = 0; k < shown; k++) {
@@ -141,12 +171,18 @@ final class RunTables implements MatchListener, AutoCloseable {
                 sum += (long) rows.get(turn)[4];
             }
             double[] row = rows.get(to);
-            lines.add(String.format(Locale.ROOT, "%7d  %14.7g  %14.7g  %14.7g  %9d", (int) row[0], row[1], row[2],
-                row[3], sum));
+            lines.add(String.format(Locale.ROOT, "%7d  %14.7g%s  %14.7g  %14.7g  %9d", (int) row[0], row[1],
+                forces.act() ? String.format(Locale.ROOT, "  %14.7g", row[5]) : "", row[2], row[3], sum));
             from = to + 1;
         }
         if (rows.size() > shown) {
             lines.add("Impacts are those since the row before. All turns: --csv.");
+        }
+        List<double[]> limited = rows.stream().filter(row -> !Double.isNaN(row[6])).toList();
+        if (!limited.isEmpty()) {
+            lines.add(String.format(Locale.ROOT, "%d of %d turns reached the bound on impacts, the first of them turn %d: "
+                + "there bodies in contact kept their places.", limited.size(), rows.size() - 1,
+                (int) limited.get(0)[0]));
         }
         return lines;
     }
@@ -158,6 +194,8 @@ final class RunTables implements MatchListener, AutoCloseable {
             JsonNumbers.writeOrNull(out, "momentumX", row[2]);
             JsonNumbers.writeOrNull(out, "momentumY", row[3]);
             out.writeNumberProperty("impacts", (int) row[4]);
+            JsonNumbers.writeOrNull(out, "potential", row[5]);
+            JsonNumbers.writeOrNull(out, "limitTime", row[6]);
         });
     }
 

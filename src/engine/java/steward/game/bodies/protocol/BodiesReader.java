@@ -3,11 +3,13 @@ package steward.game.bodies.protocol;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.TreeMap;
 import steward.game.bodies.Body;
 import steward.game.bodies.Fill;
 import steward.game.bodies.Layout;
 import steward.game.bodies.PlayRules;
 import steward.game.bodies.Zone;
+import steward.physics.Forces;
 import steward.scene.Field;
 import steward.scene.Scene;
 import steward.scene.json.Block;
@@ -28,6 +30,8 @@ final class BodiesReader {
     /** Where errors about each listed disc are located. */
     private final List<Block> places = new ArrayList<>();
     private final List<Block> fillBlocks = new ArrayList<>();
+    /** Places in the file of listed discs with infinite mass, by index. */
+    private final Map<Integer, String> unstoppable = new TreeMap<>();
 
     BodiesReader(Scene scene) {
         this.scene = scene;
@@ -87,14 +91,42 @@ final class BodiesReader {
         return layout;
     }
 
+    /** Warnings about bodies of infinite mass, which no wall holds, that leave the field before the last turn. */
+    List<String> warnings(Layout layout, PlayRules rules) {
+        List<String> warnings = new ArrayList<>();
+        unstoppable.forEach((index, place) -> {
+            Body body = layout.listed().get(index);
+            double path = 0;
+            double share = 1;
+            for (int turn = 1; turn <= rules.maximumTurns(); turn++) {
+                path += share;
+                share *= 1 - body.drag();
+                if (isOutside(body.x() + path * body.vx(), field.x(), field.width())
+                    || isOutside(body.y() + path * body.vy(), field.y(), field.height())) {
+                    warnings.add(place + ": found a body of infinite mass that leaves the field in turn " + turn + " of "
+                        + rules.maximumTurns() + ", expected one that stays in it: no wall holds it");
+                    return;
+                }
+            }
+        });
+        return warnings;
+    }
+
+    private static boolean isOutside(double at, double from, double size) {
+        return at < from || at > from + size;
+    }
+
     /** A body as its file names it: with its label, and where it stands. */
     private static String named(Block block, Body body) {
         return "the body " + (body.label().isEmpty() ? "" : "\"" + body.label() + "\" ") + "at " + block.place();
     }
 
     private Body listed(Block block) {
-        places.add(block);
         Body like = like(block);
+        if (like.mass() == Double.POSITIVE_INFINITY) {
+            unstoppable.put(places.size(), block.place());
+        }
+        places.add(block);
         return new Body(finite(block, "x"), finite(block, "y"), speed(block, "vx"), speed(block, "vy"),
             block.positive("radius"), like.mass(), like.restitution(), like.drag(), like.owner(), like.label(),
             like.colour());
@@ -171,7 +203,8 @@ final class BodiesReader {
         }
         boolean players = scene.players() > 0;
         return new PlayRules(play.integer("maximumTurns", 1, MOST_TURNS), play.number("restBelow", 0, Block.MAXIMUM, 0),
-            component(force, "x"), component(force, "y"), component(gravity, "x"), component(gravity, "y"),
+            new Forces(component(force, "x"), component(force, "y"), component(gravity, "x"),
+                component(gravity, "y")),
             players ? play.positive("maximumThrust") : 0,
             players ? play.integer("contactPoints", 0, MOST_POINTS, 0) : 0, zones);
     }

@@ -76,12 +76,12 @@ public final class BodiesType implements GameType {
             infinite |= body.mass() == Double.POSITIVE_INFINITY;
         }
         Plan plan = Plan.of(scene, new Contacts(1), restitution, infinite,
-            layout.count() + layout.field().bumpers().size(), parts(rules), own(scene, drag));
+            layout.count() + layout.field().bumpers().size(), parts(rules), own(scene, drag, rules));
         return new Setup(scene, reader, layout, rules, plan);
     }
 
     private static List<Part> parts(PlayRules rules) {
-        boolean pushed = rules.forceX() != 0 || rules.forceY() != 0 || rules.gravityX() != 0 || rules.gravityY() != 0;
+        boolean pushed = rules.forces().act();
         int zones = rules.zones().size();
         return List.of(
             new Part("forces", pushed, pushed ? "an impulse on every body at the start of a turn"
@@ -94,13 +94,13 @@ public final class BodiesType implements GameType {
     }
 
     /** Drag at the end of turns, also where only bodies have it and the scene's motion does not. */
-    private static GameOwn own(Scene scene, double drag) {
+    private static GameOwn own(Scene scene, double drag, PlayRules rules) {
         if (drag == 0 || scene.motion().drag()) {
-            return GameOwn.NOTHING;
+            return new GameOwn(null, null, "", rules.forces());
         }
         List<Motion.Step> steps = new ArrayList<>(scene.motion().steps());
         steps.add(!steps.isEmpty() && steps.get(0).about() == Motion.Of.POSITION ? 1 : 0, Motion.Step.DRAG);
-        return new GameOwn(null, new Motion(steps), "drag up to " + Wording.number(drag) + " by body");
+        return new GameOwn(null, new Motion(steps), "drag up to " + Wording.number(drag) + " by body", rules.forces());
     }
 
     /** Bodies with the settings of one scene. */
@@ -126,7 +126,7 @@ public final class BodiesType implements GameType {
         @Override
         public List<String> check() {
             create(0);
-            return List.of();
+            return reader.warnings(layout, rules);
         }
 
         @Override

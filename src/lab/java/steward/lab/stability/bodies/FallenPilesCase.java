@@ -1,0 +1,107 @@
+package steward.lab.stability.bodies;
+
+import java.util.Locale;
+import steward.lab.trial.Finding;
+import steward.lab.trial.Probe;
+import steward.lab.trial.Progress;
+import steward.lab.trial.RunLength;
+import steward.lab.trial.Rung;
+import steward.lab.trial.StabilityCase;
+import steward.numerics.SplitMix64;
+import steward.physics.Bodies;
+import steward.physics.TurnLog;
+import steward.physics.Wall;
+
+/** Random piles that fall into a wedge by their weight. */
+public final class FallenPilesCase extends StabilityCase {
+
+    private static final long SEED = 58;
+    private static final int TURNS = 600;
+    private static final int AFTERWARDS = 20;
+    private static final int MOST_IMPACTS = 500;
+    private static final double MOST_OVERLAP = 1e-12;
+    private static final Wall[] WEDGE = {Falls.slope(35, 1), Falls.slope(40, -1)};
+
+    public FallenPilesCase() {
+        super("fallen piles", "random piles of 3 to 60 discs fall into a wedge of 35 and 40 degrees, gravity 2, e = 0, "
+            + "0.3, 0.6: they lie still (1e-6 u a turn) within 600 turns, then have at most 500 impacts a turn, none overlap by "
+            + "more than 1e-12 of a radius, no turn reaches its limit, one by one and as a crowd are the same to the "
+            + "bit; on event rungs of ours");
+    }
+
+    @Override
+    public Finding run(Rung rung, RunLength size, Progress progress) {
+        SplitMix64 random = new SplitMix64(SEED);
+        int piles = size.pick(3, 9, 60);
+        int moving = 0;
+        int most = 0;
+        int before = 0;
+        int limited = 0;
+        int different = 0;
+        double overlap = 0;
+        for (int n = 0; n < piles; n++) {
+            int count = n == 3 ? 60 : 3 + random.nextInt(size.pick(15, 58, 58));
+            Bodies bodies = bodies(random, count, new double[] {0, 0.3, 0.6}[n % 3]);
+            Bodies copy = new Bodies(count);
+            Falls falls = new Falls(bodies, rung, false, Falls.SOFT, 2, WEDGE);
+            Falls crowd = new Falls(copy, rung, true, Falls.SOFT, 2, WEDGE);
+            TurnLog log = new TurnLog();
+            int still = 0;
+            for (int turn = 1; turn <= TURNS && still < AFTERWARDS; turn++) {
+                copy.copyFrom(bodies);
+                int impacts = falls.impacts(log);
+                limited += log.limited() ? 1 : 0;
+                crowd.turn();
+                boolean same = true;
+                for (int k = 0; k < count; k++) {
+                    same &= Probe.same(bodies, k, copy, k);
+                }
+                different += same ? 0 : 1;
+                before = Math.max(before, impacts);
+                most = still > 0 ? Math.max(most, impacts) : most;
+                still = falls.fastest() < Falls.STILL ? still + 1 : 0;
+            }
+            moving += still < AFTERWARDS ? 1 : 0;
+            overlap = Math.max(overlap, overlap(bodies));
+        }
+        boolean met = moving == 0 && most <= MOST_IMPACTS && limited == 0 && different == 0 && overlap <= MOST_OVERLAP;
+        return Finding.of(rung.isOurs(), met, String.format(Locale.ROOT, "%d piles, %d never still: at most %d impacts "
+            + "in a turn, %d at rest, %d limited, overlap %.1e of a radius, %d turns differ as a crowd", piles, moving,
+            before, most, limited, overlap, different));
+    }
+
+    private static Bodies bodies(SplitMix64 random, int count, double restitution) {
+        Bodies bodies = new Bodies(count);
+        double height = 60;
+        while (bodies.size() < count) {
+            height += 0.3;
+            double radius = 5 + 9 * random.nextDouble();
+            int k = bodies.add(-86 + 172 * random.nextDouble(), -90 - height * random.nextDouble(), 1.01 * radius,
+                radius * radius / 50);
+            if (overlap(bodies) > 0) {
+                bodies.remove(k);
+                continue;
+            }
+            bodies.setRadius(k, radius);
+            bodies.setRestitution(k, restitution);
+        }
+        return bodies;
+    }
+
+    /** The deepest overlap, as a share of a radius. */
+    private static double overlap(Bodies bodies) {
+        double deepest = 0;
+        for (int i = 0; i < bodies.size(); i++) {
+            for (int j = 0; j < i; j++) {
+                double dx = bodies.x[i] - bodies.x[j];
+                double dy = bodies.y[i] - bodies.y[j];
+                deepest = Math.max(deepest,
+                    (bodies.radius[i] + bodies.radius[j] - Math.sqrt(dx * dx + dy * dy)) / bodies.radius[i]);
+            }
+            for (Wall wall : WEDGE) {
+                deepest = Math.max(deepest, -wall.gap(bodies.x[i], bodies.y[i], bodies.radius[i]) / bodies.radius[i]);
+            }
+        }
+        return deepest;
+    }
+}
