@@ -48,8 +48,8 @@ public final class StabilityPage {
 
         The case `inelastic collapse` is played under a law without rest (`"restSpeed": 0`), because
         [rest](scenes.md#rest-and-sliding) would end the collapse: it looks at the bound on impacts, which has to end
-        such a turn and be named. The cases `rest` and `piles` look at the law with rest, under which no turn may reach
-        that bound.
+        such a turn and be named. The cases from `rest` to `fallen piles` look at the law with rest, under which no turn
+        may reach that bound.
 
         ## The same bits everywhere
 
@@ -107,7 +107,8 @@ public final class StabilityPage {
             what is demanded, what was seen and the verdict; one failed demand makes the exit status 1. Of %s
             %,d are met and %,d %s not, in the %s version.
 
-            Written by `steward stability` %s on %s: %s.
+            Written by `steward stability` %s on %s: %s. Date and version of each row
+            stand in [the table](stability.csv).
             """, TextFormat.count(verdicts(Finding.Verdict.HOLDS) + failed, "demand"),
             verdicts(Finding.Verdict.HOLDS), failed, failed == 1 ? "is" : "are", length(), run.version(), run.date(),
             run.machine()));

@@ -272,7 +272,7 @@ class OracleTest {
         }
         bodies.setVelocity(1, 2000, 0);
         Oracle oracle = new Oracle(SOFT, List.of());
-        assertEquals(20, oracle.turn(OracleBody.of(bodies)).size());
+        assertEquals(12, oracle.turn(OracleBody.of(bodies)).size());
         assertFalse(oracle.limited());
     }
 

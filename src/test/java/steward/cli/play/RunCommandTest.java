@@ -61,7 +61,7 @@ class RunCommandTest {
         Path tables = temp.resolve("piston");
         Cli run = Cli.run("run", scene.toString(), "--csv", tables.toString());
         assertEquals(ExitStatus.DONE, run.status(), run.err());
-        assertTrue(run.out().contains("3 of 20 turns reached the bound on impacts, the first of them turn 18: "),
+        assertTrue(run.out().contains("4 of 20 turns reached the bound on impacts, the first of them turn 17: "),
             run.out());
         assertTrue(run.err().contains("piston.json:5:5: found a body of infinite mass that leaves the field in turn 19 of "
             + "20, expected one that stays in it: no wall holds it"), run.err());

@@ -27,7 +27,7 @@ public final class ColumnsCase extends StabilityCase {
     @Override
     public Finding run(Rung rung, RunLength size, Progress progress) {
         SplitMix64 random = new SplitMix64(SEED);
-        int columns = size.pick(10, 100, 500);
+        int columns = size.pick(10, 40, 500);
         int played = 0;
         int moving = 0;
         double late = Double.NEGATIVE_INFINITY;
@@ -135,9 +135,11 @@ public final class ColumnsCase extends StabilityCase {
             }
             now = now.add(until, DIGITS);
             if (lower < 0) {
+                height[0] = BigDecimal.ZERO;
                 speed[0] = speed[0].subtract(speed[0].multiply(back), DIGITS);
                 return;
             }
+            height[lower + 1] = height[lower];
             BigDecimal impulse = speed[lower].subtract(speed[lower + 1]).multiply(back).multiply(mass[lower])
                 .multiply(mass[lower + 1]).divide(mass[lower].add(mass[lower + 1]), DIGITS);
             speed[lower] = speed[lower].subtract(impulse.divide(mass[lower], DIGITS), DIGITS);

@@ -32,7 +32,7 @@ public final class FallenPilesCase extends StabilityCase {
     @Override
     public Finding run(Rung rung, RunLength size, Progress progress) {
         SplitMix64 random = new SplitMix64(SEED);
-        int piles = size.pick(3, 9, 60);
+        int piles = size.pick(3, 6, 60);
         int moving = 0;
         int most = 0;
         int before = 0;

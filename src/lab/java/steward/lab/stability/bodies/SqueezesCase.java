@@ -24,12 +24,14 @@ public final class SqueezesCase extends StabilityCase {
     private static final long SEED = 55;
     private static final MathContext DIGITS = new MathContext(50);
     private static final double MOST_ERROR = 1e-9;
+    /** A squeeze with more than these collapses, and is left out. */
+    private static final int MOST_IMPACTS = 4_000;
     /** Mass, restitution, places, turns. */
     private static final double[][] NAMED = {{30, 0.99, 10, 60, 1}, {3, 0.95, 10, 60, 1}, {1e6, 0.99999, 15, 100, 20}};
 
     public SqueezesCase() {
         super("squeezes", "a light body between a wall and a heavy one that comes at 50, mass ratios 3 to 1e6, e = 0.9 "
-            + "to 0.99999, up to 3,141 impacts; and a body that flies into a corner, e = 0.99 and 0.999999: impacts, "
+            + "to 0.99999, where the impacts do not collapse; and a body that flies into a corner, e = 0.99 and 0.999999: impacts, "
             + "velocities and energy are those of the sequence in 50 digits, to 1e-9; on event rungs of ours");
     }
 
@@ -38,6 +40,7 @@ public final class SqueezesCase extends StabilityCase {
         double worst = 0;
         int wrong = 0;
         int most = 0;
+        int played = 0;
         SplitMix64 random = new SplitMix64(SEED);
         int count = size.pick(10, 100, 1_000);
         for (int n = 0; n < NAMED.length + count; n++) {
@@ -45,6 +48,10 @@ public final class SqueezesCase extends StabilityCase {
                 .nextDouble()), 1 - StrictMath.pow(10, -1 - 3 * random.nextDouble()), 10 + 5 * random.nextDouble(),
                 50 + 40 * random.nextDouble(), 1 + random.nextInt(3)};
             Truth truth = new Truth(squeeze);
+            if (truth.impacts == MOST_IMPACTS) {
+                continue;
+            }
+            played++;
             Bodies bodies = new Bodies(2);
             Falls.add(bodies, squeeze[2], 0, 1, squeeze[1]);
             Falls.add(bodies, squeeze[3], 0, squeeze[0], squeeze[1]);
@@ -64,8 +71,8 @@ public final class SqueezesCase extends StabilityCase {
         for (double restitution : new double[] {0.99, 0.999999}) {
             worst = Math.max(worst, corner(rung, restitution));
         }
-        return Finding.of(rung.isOurs(), worst <= MOST_ERROR && wrong == 0, String.format(Locale.ROOT,
-            "%d squeezes of up to %d impacts: %d with other counts, off by %.1e", NAMED.length + count, most, wrong,
+        return Finding.of(rung.isOurs(), worst <= MOST_ERROR && wrong == 0 && played > count / 2, String.format(Locale.ROOT,
+            "%d squeezes of up to %d impacts: %d with other counts, off by %.1e", played, most, wrong,
             worst));
     }
 
@@ -101,16 +108,18 @@ public final class SqueezesCase extends StabilityCase {
                 BigDecimal meet = closing.signum() > 0 ? between.divide(closing, DIGITS) : left.add(BigDecimal.ONE);
                 BigDecimal hit = light.signum() < 0 ? wall.divide(light.negate(), DIGITS) : left.add(BigDecimal.ONE);
                 BigDecimal next = meet.min(hit);
-                if (next.compareTo(left) > 0) {
+                if (next.compareTo(left) > 0 || impacts == MOST_IMPACTS) {
                     return;
                 }
-                left = left.subtract(next);
+                left = left.subtract(next, DIGITS);
                 wall = wall.add(light.multiply(next), DIGITS);
                 between = between.subtract(closing.multiply(next), DIGITS);
                 impacts++;
                 if (hit.compareTo(meet) < 0) {
+                    wall = BigDecimal.ZERO;
                     light = light.subtract(light.multiply(back), DIGITS);
                 } else {
+                    between = BigDecimal.ZERO;
                     BigDecimal impulse = closing.multiply(back).multiply(mass).divide(mass.add(BigDecimal.ONE), DIGITS);
                     light = light.subtract(impulse, DIGITS);
                     heavy = heavy.add(impulse.divide(mass, DIGITS), DIGITS);
