@@ -24,8 +24,9 @@ public final class SqueezesCase extends StabilityCase {
     private static final long SEED = 55;
     private static final MathContext DIGITS = new MathContext(50);
     private static final double MOST_ERROR = 1e-9;
-    /** A squeeze with more than these collapses, and is left out. */
+    /** A squeeze with more impacts than these, or that leaves less than this speed of 50, collapses and is left out. */
     private static final int MOST_IMPACTS = 4_000;
+    private static final double LEAST_SPEED = 1e-3;
     /** Mass, restitution, places, turns. */
     private static final double[][] NAMED = {{30, 0.99, 10, 60, 1}, {3, 0.95, 10, 60, 1}, {1e6, 0.99999, 15, 100, 20}};
 
@@ -48,7 +49,7 @@ public final class SqueezesCase extends StabilityCase {
                 .nextDouble()), 1 - StrictMath.pow(10, -1 - 3 * random.nextDouble()), 10 + 5 * random.nextDouble(),
                 50 + 40 * random.nextDouble(), 1 + random.nextInt(3)};
             Truth truth = new Truth(squeeze);
-            if (truth.impacts == MOST_IMPACTS) {
+            if (truth.collapses()) {
                 continue;
             }
             played++;
@@ -125,6 +126,11 @@ public final class SqueezesCase extends StabilityCase {
                     heavy = heavy.add(impulse.divide(mass, DIGITS), DIGITS);
                 }
             }
+        }
+
+        /** True if the heavy body has lost nearly all of its speed: then the law lets it rest. */
+        boolean collapses() {
+            return impacts == MOST_IMPACTS || heavy.abs().doubleValue() < LEAST_SPEED;
         }
 
         /** The larger error of a velocity, relative to the faster one, and of the energy. */
