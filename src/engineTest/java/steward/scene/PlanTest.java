@@ -89,7 +89,8 @@ class PlanTest {
         assertEquals(List.of(), ghosts.physics(null).walls());
 
         Plan solid = Plan.of(scene, ALL, 1, false, List.of());
-        assertEquals(new Part("restitution", true, "restitution as low as 0.5, rest below 2^-40 of the energy: no forces act"), solid.parts().get(2));
+        assertEquals(new Part("restitution", true, "restitution as low as 0.5, rest below 2^-40 of the energy: "
+            + "no forces act"), solid.parts().get(2));
         assertEquals(Restitution.MINIMUM, solid.physics(null).law().restitution());
     }
 

@@ -13,7 +13,8 @@ import steward.physics.Forces;
  * @param contactPoints for each impact of a player's body with one that is not the player's
  * @param zones         in the order of the file
  */
-public record PlayRules(int maximumTurns, double restBelow, Forces forces, double maximumThrust, int contactPoints, List<Zone> zones) {
+public record PlayRules(int maximumTurns, double restBelow, Forces forces, double maximumThrust, int contactPoints,
+                        List<Zone> zones) {
 
     public PlayRules {
         zones = List.copyOf(zones);

@@ -21,7 +21,8 @@ import steward.physics.Bodies;
 
 /**
  * The least impulses after which no contact of a system approaches faster than it may. The order of the contacts
- * decides ties. A contact that is held does not open either. Bounds: {@value #MOST} contacts, {@value #ROUNDS} entries per contact.
+ * decides ties. A contact that is held does not open either. Bounds: {@value #MOST} contacts, {@value #ROUNDS} entries
+ * per contact.
  */
 final class InelasticSystem {
 

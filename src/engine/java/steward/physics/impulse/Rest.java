@@ -12,16 +12,16 @@ import steward.physics.Wall;
 /*
  * Flights of a turn are straight until the next impact. Of two bodies with the gap g, the normal n and the relative
  * velocity v the distance is at least its part along n, so they do not meet in a time tau if n.v tau <= g; the same
- * holds for a straight wall. The places inside an arena are convex, so a body on a straight path stays inside if its end
- * is inside, and that holds if n'.(x + v tau) <= room for the normal n' there. All of these are linear conditions on the
- * velocities, and those of rest satisfy them.
+ * holds for a straight wall. The places inside an arena are convex, so a body on a straight path stays inside if its
+ * end is inside, and that holds if n'.(x + v tau) <= room for the normal n' there. All of these are linear conditions
+ * on the velocities, and those of rest satisfy them.
  *
  * On level ground with the acceleration a, a rebound at the speed r is back after 2 r / a turns: r = e u <= a / 2 is
  * less than a turn. A body that lies on it is accelerated by a at the start of each turn, so u* = a - a / 2, and 2 e u*
  * = e a <= a: it stays. With a lower threshold some bounces of n turns would repeat for ever.
  *
- * In a heap at the fraction s of a turn, w = v + a (s - 1/2) are the velocities, and w + a / 2 = v + a s those of half a
- * turn later, were nothing in the way. A contact along which they approach is one to which the bodies would come back
+ * In a heap at the fraction s of a turn, w = v + a (s - 1/2) are the velocities, and w + a / 2 = v + a s those of half
+ * a turn later, were nothing in the way. A contact along which they approach is one to which the bodies would come back
  * within a turn: w.n + a.n / 2 >= 0. So the contacts that carry an impulse in the projection of v + a s are closed, and
  * the flights of the rest of the turn are v, projected where closed contacts may not open either: they then take the
  * same part of the accelerations and of the velocities. At the start of a turn the two are one.
@@ -43,11 +43,10 @@ import steward.physics.Wall;
  * ({@link InelasticSystem}). Contacts to which forces would bring them back within a turn are closed.
  * <li>Each contact that this takes an impulse is recorded as an impact, ascending by ids, at one time, with the
  * velocities of flights. The impulse of a contact that is kept closed is negative.
- * <li>Only other bodies can disturb a heap in the same turn; so that few do, gaps up to the sum of the radii belong to
- * a heap that has come to rest before.
+ * <li>Gaps up to the sum of the radii belong to a heap that has come to rest before in the turn: so few disturb it.
  * </ol>
  *
- * <p>Nothing depends on bodies elsewhere. If something approaches even so, the turn has its named ending.
+ * <p>If something approaches even so, the turn has its named ending. The file is long: all shares the heap's arrays.
  */
 public final class Rest {
 
@@ -56,10 +55,6 @@ public final class Rest {
      * rounding leaves between bodies that rest. With a larger share bodies would rest at a distance that shows.
      */
     public static final int NEAR = 2048;
-    /** Speeds along the normal below this share of those that a body has had: 2^-40 of the energy. */
-    private static final double FEEBLE = 0x1p-20;
-    /** Room for rounding in the threshold by forces. */
-    private static final double ROUNDING = 0x1p-30;
     /** The share of a gap that is used up until the end of the turn: the rest is room for rounding. */
     private static final double USED = 0.99;
     /** Gaps below this share of the radii are closed: rounding may be as large as what is left of them. */
@@ -70,20 +65,15 @@ public final class Rest {
     private static final double TANGENT = 0x1p-16;
     /** The shortest rest of a turn that is divided by. */
     private static final double LEAST_LEFT = 0x1p-20;
-
     private final Wall[] walls;
     private final Contacts contacts;
-    private final RestitutionRule restitutionRule;
+    private final RestLaw law;
     /** {@code null} where no force acts. */
     private final Accelerations accelerations;
-    /** Of the law; NaN for the default. */
-    private final double restSpeed;
     private final InelasticSystem system = new InelasticSystem();
     private final RestImpulses impulses;
     /** True if a body's heap has come to rest in this turn. */
     private boolean[] rested = new boolean[0];
-    /** The root of the largest m v.v that a body has had in this turn. */
-    private double[] most = new double[0];
     private int[] heap = new int[0];
     /** Of a body in the heap; -1 outside. */
     private int[] place = new int[0];
@@ -91,16 +81,12 @@ public final class Rest {
     private int touching;
     private boolean squeezed;
     private int size;
-    /** The velocities of all bodies at the instant of the impact. */
-    private double[] instantX = new double[0];
-    private double[] instantY = new double[0];
     /** The velocities with which they came. */
     private double[] flightX = new double[0];
     private double[] flightY = new double[0];
     /** Velocities ahead of the instant, then accelerations. */
     private double[] aheadX = new double[0];
     private double[] aheadY = new double[0];
-    /** The contacts that are closed. */
     private int[] closedA = new int[0];
     private int[] closedB = new int[0];
     private int closed;
@@ -108,18 +94,13 @@ public final class Rest {
     private double toInstant;
     /** True if the impact is no faster than what forces do to bodies at rest in half a turn. */
     private boolean calm;
-    /** From one to the other, as {@link #look} has seen it last. */
-    private double normalX;
-    private double normalY;
-    private double gap;
 
     private Rest(PhysicsParts parts, Wall[] walls, Accelerations accelerations) {
         this.walls = walls;
         this.accelerations = accelerations;
         impulses = new RestImpulses(system, walls);
         contacts = parts.contacts();
-        restSpeed = parts.law().restSpeed();
-        restitutionRule = RestitutionRule.of(parts.law());
+        law = new RestLaw(parts, walls, accelerations);
     }
 
     /**
@@ -133,14 +114,12 @@ public final class Rest {
 
     public void begin(Bodies bodies) {
         size = bodies.size();
-        if (most.length < size) {
+        law.begin(bodies);
+        if (rested.length < size) {
             int capacity = bodies.capacity();
-            most = new double[capacity];
             rested = new boolean[capacity];
             heap = new int[capacity];
             place = new int[capacity];
-            instantX = new double[capacity];
-            instantY = new double[capacity];
             flightX = new double[capacity];
             flightY = new double[capacity];
             aheadX = new double[capacity];
@@ -149,7 +128,6 @@ public final class Rest {
         }
         squeezed = false;
         for (int i = 0; i < size; i++) {
-            most[i] = 0;
             rested[i] = false;
         }
     }
@@ -175,79 +153,16 @@ public final class Rest {
      * @param b another body, or {@code ~wall}
      */
     public boolean mayRest(Bodies bodies, int a, int b, double time) {
-        see(bodies, a, time - 0.5);
+        law.see(bodies, a, time - 0.5);
         if (b >= 0) {
-            see(bodies, b, time - 0.5);
+            law.see(bodies, b, time - 0.5);
         }
-        return isRest(bodies, a, b, approach(bodies, a, b));
+        return law.isRest(bodies, a, b, law.approach(bodies, a, b));
     }
 
     /** True if an impact has no restitution, and nothing but its two bodies can have a part in it. */
     public boolean isPlain(Bodies bodies, int a, int b) {
-        return accelerations == null && restitution(bodies, a, b) == 0;
-    }
-
-    /** Takes note of the velocity and the energy of a body. */
-    private void see(Bodies bodies, int i, double half) {
-        boolean forced = accelerations != null;
-        instantX[i] = forced ? bodies.vx[i] + accelerations.x[i] * half : bodies.vx[i];
-        instantY[i] = forced ? bodies.vy[i] + accelerations.y[i] * half : bodies.vy[i];
-        most[i] = bodies.inverseMass[i] > 0
-            ? Math.max(most[i], Math.sqrt(bodies.mass[i]) * length(bodies.vx[i], bodies.vy[i]))
-            : Double.POSITIVE_INFINITY;
-    }
-
-    /** The length of a vector, without overflow. */
-    private static double length(double x, double y) {
-        double large = Math.max(Math.abs(x), Math.abs(y));
-        double share = Math.min(Math.abs(x), Math.abs(y)) / large;
-        return large == 0 ? 0 : large * Math.sqrt(1 + share * share);
-    }
-
-    private double restitution(Bodies bodies, int a, int b) {
-        return b < 0 ? restitutionRule.atWall(bodies, a, walls[~b]) : restitutionRule.betweenBodies(bodies, a, b);
-    }
-
-    /** True if an impact at this approach speed gives nothing back; also if two do not approach, and could rest. */
-    private boolean isRest(Bodies bodies, int a, int b, double approach) {
-        double restitution = restitution(bodies, a, b);
-        if (restitution == 0 || restitution == 1) {
-            return restitution == 0;
-        }
-        if (!Double.isNaN(restSpeed)) {
-            return restitution * approach <= restSpeed;
-        }
-        double force = accelerations == null ? 0 : accelerations.largest(bodies, a, b);
-        return 2 * restitution * approach <= force * (1 + ROUNDING) || isFeeble(bodies, a, b, approach);
-    }
-
-    private boolean isFeeble(Bodies bodies, int a, int b, double approach) {
-        double inverse = bodies.inverseMass[a] + (b < 0 ? 0 : bodies.inverseMass[b]);
-        return approach < FEEBLE * Math.min(most[a], b < 0 ? most[a] : most[b]) * Math.sqrt(inverse);
-    }
-
-    /** The approach speed of two that have been seen. */
-    private double approach(Bodies bodies, int a, int b) {
-        look(bodies, a, b);
-        return normalX * (instantX[a] - (b < 0 ? 0 : instantX[b]))
-            + normalY * (instantY[a] - (b < 0 ? 0 : instantY[b]));
-    }
-
-    private void look(Bodies bodies, int a, int b) {
-        double x = bodies.x[a];
-        double y = bodies.y[a];
-        if (b < 0) {
-            normalX = walls[~b].normalX(x, y);
-            normalY = walls[~b].normalY(x, y);
-            gap = walls[~b].gap(x, y, bodies.radius[a]);
-            return;
-        }
-        double dx = bodies.x[b] - x;
-        double dy = bodies.y[b] - y;
-        double distance = length(dx, dy);
-        normalX = distance == 0 ? 1 : dx / distance;
-        normalY = distance == 0 ? 0 : dy / distance;
-        gap = distance - bodies.radius[a] - bodies.radius[b];
+        return accelerations == null && law.restitution(bodies, a, b) == 0;
     }
 
     /**
@@ -257,7 +172,7 @@ public final class Rest {
      */
     public int settle(Bodies bodies, int a, int b, double time, TurnSink sink) {
         for (int i = 0; i < size; i++) {
-            see(bodies, i, time - 0.5);
+            law.see(bodies, i, time - 0.5);
             flightX[i] = bodies.vx[i];
             flightY[i] = bodies.vy[i];
         }
@@ -292,7 +207,7 @@ public final class Rest {
         toInstant = 0;
         calm = false;
         if (accelerations != null) {
-            calm = approach(bodies, a, b) <= 0.5 * accelerations.largest(bodies, a, b) * (1 + ROUNDING);
+            calm = law.approach(bodies, a, b) <= 0.5 * accelerations.largest(bodies, a, b) * (1 + RestLaw.ROUNDING);
             close(bodies, a, b, time);
             toInstant = time - 0.5;
         }
@@ -323,11 +238,11 @@ public final class Rest {
         for (int i = 0; i < size; i++) {
             double x = accelerations.forces.x(bodies, i);
             double y = accelerations.forces.y(bodies, i);
-            aheadX[i] = instantX[i] + x * 0.5;
-            aheadY[i] = instantY[i] + y * 0.5;
+            aheadX[i] = law.instantX[i] + x * 0.5;
+            aheadY[i] = law.instantY[i] + y * 0.5;
             if (place[i] >= 0) {
-                bodies.vx[i] = instantX[i] - x * (time - 0.5);
-                bodies.vy[i] = instantY[i] - y * (time - 0.5);
+                bodies.vx[i] = law.instantX[i] - x * (time - 0.5);
+                bodies.vy[i] = law.instantY[i] - y * (time - 0.5);
             }
         }
         if (time == 0) {
@@ -355,18 +270,18 @@ public final class Rest {
         for (int k = closed - 1; k >= 0; k--) {
             int a = closedA[k];
             int b = closedB[k];
-            look(bodies, a, b);
+            law.look(bodies, a, b);
             double x = system.vx[a] - (b < 0 ? 0 : system.vx[b]);
             double y = system.vy[a] - (b < 0 ? 0 : system.vy[b]);
-            if (impulses.opens(normalX * x + normalY * y) && system.size < InelasticSystem.MOST) {
+            if (impulses.opens(law.normalX * x + law.normalY * y) && system.size < InelasticSystem.MOST) {
                 if (b < 0 && walls[~b] instanceof Arena arena) {
-                    turnToChord(arena.radius() - bodies.radius[a], (normalX * y - normalY * x) * left);
-                    if (!impulses.opens(normalX * x + normalY * y)) {
+                    turnToChord(arena.radius() - bodies.radius[a], (law.normalX * y - law.normalY * x) * left);
+                    if (!impulses.opens(law.normalX * x + law.normalY * y)) {
                         continue;
                     }
                     system.removeAfterFirst(a, b);
                 }
-                system.hold(bodies, a, b, normalX, normalY);
+                system.hold(bodies, a, b, law.normalX, law.normalY);
                 closed--;
                 closedA[k] = closedA[closed];
                 closedB[k] = closedB[closed];
@@ -382,16 +297,14 @@ public final class Rest {
     private void turnToChord(double room, double length) {
         double sin = Math.max(-0.5, Math.min(0.5, length / (2 * room)));
         double cos = Math.sqrt(1 - sin * sin);
-        double x = normalX * cos - normalY * sin;
-        normalY = normalY * cos + normalX * sin;
-        normalX = x;
+        double x = law.normalX * cos - law.normalY * sin;
+        law.normalY = law.normalY * cos + law.normalX * sin;
+        law.normalX = x;
     }
 
     private void restore(Bodies bodies) {
-        for (int k = 0; k < heapSize; k++) {
-            bodies.vx[heap[k]] = flightX[heap[k]];
-            bodies.vy[heap[k]] = flightY[heap[k]];
-        }
+        System.arraycopy(flightX, 0, bodies.vx, 0, size);
+        System.arraycopy(flightY, 0, bodies.vy, 0, size);
     }
 
     /** Gives the bodies of the heap the accelerations that its closed contacts leave. */
@@ -404,7 +317,7 @@ public final class Rest {
         }
         system.keepCarrying();
         system.beginFrom(bodies, aheadX, aheadY, 0);
-        system.solve(bodies, ROUNDING * largest);
+        system.solve(bodies, RestLaw.ROUNDING * largest);
         for (int k = 0; k < heapSize; k++) {
             accelerations.x[heap[k]] = system.vx[heap[k]];
             accelerations.y[heap[k]] = system.vy[heap[k]];
@@ -436,8 +349,8 @@ public final class Rest {
 
     private void addOnce(Bodies bodies, int i, int j, double left) {
         if (system.find(i, j) < 0) {
-            look(bodies, i, j);
-            if (joins(bodies, i, j, normalX, normalY)) {
+            law.look(bodies, i, j);
+            if (joins(bodies, i, j, law.normalX, law.normalY)) {
                 addContact(bodies, i, j, left);
             }
         }
@@ -448,19 +361,11 @@ public final class Rest {
      * or its bodies touch and forces alone have brought them together.
      */
     private boolean joins(Bodies bodies, int i, int j, double nx, double ny) {
-        return isRest(bodies, i, j, approach(bodies, i, j)) && (calm && gap * NEAR <= radii(bodies, i, j)
-            || isRest(bodies, i, j, nx * (system.vx[i] - (j < 0 ? 0 : system.vx[j])) + ny * (system.vy[i] - (j < 0 ? 0 : system.vy[j]))
-            + (toInstant == 0 ? 0 : toInstant * accelerated(bodies, i, j, nx, ny))));
-    }
-
-    private static double radii(Bodies bodies, int a, int b) {
-        return bodies.radius[a] + (b < 0 ? 0 : bodies.radius[b]);
-    }
-
-    private double accelerated(Bodies bodies, int i, int j, double nx, double ny) {
-        double x = accelerations.forces.x(bodies, i) - (j < 0 ? 0 : accelerations.forces.x(bodies, j));
-        double y = accelerations.forces.y(bodies, i) - (j < 0 ? 0 : accelerations.forces.y(bodies, j));
-        return nx * x + ny * y;
+        return law.isRest(bodies, i, j, law.approach(bodies, i, j))
+            && (calm && law.gap * NEAR <= RestLaw.radii(bodies, i, j)
+            || law.isRest(bodies, i, j, nx * (system.vx[i] - (j < 0 ? 0 : system.vx[j]))
+            + ny * (system.vy[i] - (j < 0 ? 0 : system.vy[j]))
+            + (toInstant == 0 ? 0 : toInstant * law.accelerated(bodies, i, j, nx, ny))));
     }
 
     /** True if two bodies would meet in a time, on straight paths. */
@@ -498,8 +403,8 @@ public final class Rest {
     }
 
     private void addContact(Bodies bodies, int a, int b, double left) {
-        look(bodies, a, b);
-        add(bodies, a, b, normalX, normalY, gap, left);
+        law.look(bodies, a, b);
+        add(bodies, a, b, law.normalX, law.normalY, law.gap, left);
     }
 
     /** Adds the tangent of the rim that a body would leave, where it would be at the end of the turn. */
@@ -513,7 +418,7 @@ public final class Rest {
         if (room > 0 && distance > room * (1 + RIM)) {
             double nx = endX / distance;
             double ny = endY / distance;
-            look(bodies, i, ~w);
+            law.look(bodies, i, ~w);
             if (!system.has(i, ~w, nx, ny, TANGENT) && joins(bodies, i, ~w, nx, ny)) {
                 add(bodies, i, ~w, nx, ny, room - (nx * x + ny * y), left);
             }
@@ -522,7 +427,8 @@ public final class Rest {
 
     private void add(Bodies bodies, int a, int b, double nx, double ny, double apart, double left) {
         if (system.size < InelasticSystem.MOST) {
-            system.add(bodies, a, b, nx, ny, left > 0 && apart > CLOSED * radii(bodies, a, b) ? USED * apart / left : 0);
+            boolean open = left > 0 && apart > CLOSED * RestLaw.radii(bodies, a, b);
+            system.add(bodies, a, b, nx, ny, open ? USED * apart / left : 0);
         }
     }
 
@@ -550,7 +456,8 @@ public final class Rest {
         for (int k = 0; k < heapSize; k++) {
             int i = heap[k];
             for (int j = 0; j < size; j++) {
-                if (j != i && !isPair(i, j, a, b) && meet(bodies, i, j) && isNear(bodies, i, j, gapShare)) {
+                boolean isPair = i == a && j == b || i == b && j == a;
+                if (j != i && !isPair && meet(bodies, i, j) && isNear(bodies, i, j, gapShare)) {
                     touching++;
                     enter(bodies, j);
                 }
@@ -559,7 +466,7 @@ public final class Rest {
                 if (!(i == a && b == ~w) && contacts.withWall(bodies.kind[i]) == Contacts.Meaning.BOUNCE
                     && walls[w].gap(bodies.x[i], bodies.y[i], bodies.radius[i])
                     <= gapShare * bodies.radius[i] + rounding(bodies, i)
-                    && isRest(bodies, i, ~w, approach(bodies, i, ~w))) {
+                    && law.isRest(bodies, i, ~w, law.approach(bodies, i, ~w))) {
                     touching++;
                 }
             }
@@ -574,10 +481,6 @@ public final class Rest {
         }
     }
 
-    private static boolean isPair(int i, int j, int a, int b) {
-        return i == a && j == b || i == b && j == a;
-    }
-
     private boolean meet(Bodies bodies, int i, int j) {
         return contacts.between(bodies.kind[i], bodies.kind[j]) == Contacts.Meaning.BOUNCE;
     }
@@ -588,7 +491,7 @@ public final class Rest {
         double dy = bodies.y[i] - bodies.y[j];
         return Math.sqrt(dx * dx + dy * dy) - bodies.radius[i] - bodies.radius[j]
             <= gapShare * (bodies.radius[i] + bodies.radius[j]) + rounding(bodies, i) + rounding(bodies, j)
-            && isRest(bodies, i, j, approach(bodies, i, j));
+            && law.isRest(bodies, i, j, law.approach(bodies, i, j));
     }
 
     private static double rounding(Bodies bodies, int i) {

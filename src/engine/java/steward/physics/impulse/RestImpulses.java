@@ -63,8 +63,8 @@ final class RestImpulses {
     }
 
     /**
-     * True if the solved system has no more energy than the bodies of the heap: that is so for every projection, but not
-     * for what rounding makes of nearly parallel contacts without a way out.
+     * True if the solved system has no more energy than the bodies of the heap: that is so for every projection, but
+     * not for what rounding makes of nearly parallel contacts without a way out.
      */
     boolean isNearer(Bodies bodies, int[] heap, int heapSize) {
         double before = 0;

@@ -81,8 +81,8 @@ class ForcesTest {
     }
 
     /**
-     * On a slope of 3-4-5 a body that lies on it is accelerated by 3/5 of gravity, also in the turn in which it comes to
-     * rest: it was dropped 1/100 u above, without a bounce.
+     * On a slope of 3-4-5 a body that lies on it is accelerated by 3/5 of gravity, also in the turn in which it comes
+     * to rest: it was dropped 1/100 u above, without a bounce.
      */
     @ParameterizedTest
     @EnumSource

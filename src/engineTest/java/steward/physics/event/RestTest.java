@@ -177,7 +177,7 @@ class RestTest {
         }
     }
 
-    /** Three bodies with e = 0.3, pressed against a wall anew each turn: some hundred impacts leave 2^-40 of the energy. */
+    /** Three bodies with e = 0.3, pressed against a wall each turn: some hundred impacts leave 2^-40 of the energy. */
     @ParameterizedTest
     @MethodSource("rungs")
     void bodiesThatCollapseRestAtAShareOfTheirEnergy(Arithmetic arithmetic) {
@@ -262,7 +262,7 @@ class RestTest {
         assertTrue(impacts[1] <= 6 && impacts[0] > impacts[1], impacts[0] + " and " + impacts[1] + " impacts");
     }
 
-    /** Thirty without restitution in a corner, in rows of five or one above the other, pressed into it anew each turn. */
+    /** Thirty without restitution in a corner, in rows of five or one above the other, pressed into it each turn. */
     @ParameterizedTest
     @MethodSource("rungs")
     void pilesPressedIntoACornerTakeAtMost500ImpactsATurn(Arithmetic arithmetic) {

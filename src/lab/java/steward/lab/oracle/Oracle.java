@@ -21,7 +21,8 @@ import steward.physics.Wall;
  * {@code COUNT - 16} digits as equal: a body moved to a touch does touch, and a body that slides does not approach.
  *
  * <p>Caveat: a turn that reaches the limit on impacts stops there, and so does one in which more than one contact comes
- * to rest at a time, or a body in an arena: {@link OracleRest}. What contacts may mean is said in {@link OracleContacts}.
+ * to rest at a time, or a body in an arena: {@link OracleRest}. What contacts may mean is said in {@link
+ * OracleContacts}.
  */
 public final class Oracle {
 

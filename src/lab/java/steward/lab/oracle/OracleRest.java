@@ -108,7 +108,7 @@ final class OracleRest {
                 Decimals.of(forces.forceY()).multiply(inverse).add(Decimals.of(forces.gravityY()))};
     }
 
-    /** True if the rest of this contact is computed here; without forces and restitution it is an impact like others. */
+    /** True if the rest of this contact is computed here; without forces and restitution it is an ordinary impact. */
     boolean rests(List<OracleBody> bodies, int a, int b) {
         stopped = b < 0 && walls.get(~b) instanceof Arena || touches(bodies, a, b)
             || b >= 0 && bodies.get(b).mass != null && touches(bodies, b, a);

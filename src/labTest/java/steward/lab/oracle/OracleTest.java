@@ -276,7 +276,7 @@ class OracleTest {
         assertFalse(oracle.limited());
     }
 
-    /** One ball on a floor under gravity, 300 turns: bounces, the last of them rest, and then its weight in each turn. */
+    /** One ball on a floor under gravity, 300 turns: bounces, the last of them rest, then its weight in each turn. */
     @ParameterizedTest
     @ValueSource(doubles = {0.3, 0.8, 1})
     void aBallThatFallsIsThatOfTheExactRung(double restitution) {

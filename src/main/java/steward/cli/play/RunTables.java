@@ -61,7 +61,8 @@ final class RunTables implements MatchListener, AutoCloseable {
         List.of("turns.csv", "states.csv", "impacts.csv")
             .forEach(name -> OutputFiles.check(folder.resolve(name), overwrite));
         try {
-            return new RunTables(file(folder, "turns.csv", "turn,energy,momentumX,momentumY,impacts,potential,limitTime"),
+            return new RunTables(file(folder, "turns.csv",
+                "turn,energy,momentumX,momentumY,impacts,potential,limitTime"),
                 file(folder, "states.csv", "turn,id,x,y,vx,vy"),
                 file(folder, "impacts.csv", "turn,time,a,b,wall,ax,ay,bx,by,impulse,energy"));
         } catch (IOException problem) {
@@ -180,8 +181,8 @@ final class RunTables implements MatchListener, AutoCloseable {
         }
         List<double[]> limited = rows.stream().filter(row -> !Double.isNaN(row[6])).toList();
         if (!limited.isEmpty()) {
-            lines.add(String.format(Locale.ROOT, "%d of %d turns reached the bound on impacts, the first of them turn %d: "
-                + "there bodies in contact kept their places.", limited.size(), rows.size() - 1,
+            lines.add(String.format(Locale.ROOT, "%d of %d turns reached the bound on impacts, the first of them turn "
+                + "%d: there bodies in contact kept their places.", limited.size(), rows.size() - 1,
                 (int) limited.get(0)[0]));
         }
         return lines;

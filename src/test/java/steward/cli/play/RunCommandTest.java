@@ -46,7 +46,7 @@ class RunCommandTest {
         assertEquals(ExitStatus.DONE, Cli.run("replay", replay.toString(), "--verify").status());
     }
 
-    /** A disc of infinite mass presses another against the right side of the box, and leaves it after turn 18 itself. */
+    /** A disc of infinite mass presses another against the right side of the box, and leaves it in turn 19 itself. */
     @Test
     void turnsAtTheBoundAndBodiesThatLeaveAreNamed() throws IOException {
         Path scene = temp.resolve("piston.json");
@@ -63,8 +63,8 @@ class RunCommandTest {
         assertEquals(ExitStatus.DONE, run.status(), run.err());
         assertTrue(run.out().contains("4 of 20 turns reached the bound on impacts, the first of them turn 17: "),
             run.out());
-        assertTrue(run.err().contains("piston.json:5:5: found a body of infinite mass that leaves the field in turn 19 of "
-            + "20, expected one that stays in it: no wall holds it"), run.err());
+        assertTrue(run.err().contains("piston.json:5:5: found a body of infinite mass that leaves the field in turn 19 "
+            + "of 20, expected one that stays in it: no wall holds it"), run.err());
         List<String> turns = Files.readAllLines(tables.resolve("turns.csv"));
         assertTrue(turns.get(2).endsWith(",0.0,"), turns.get(2));
         assertTrue(Double.parseDouble(turns.get(20).replaceFirst(".*,", "")) < 1, turns.get(20));

@@ -103,8 +103,8 @@ final class BodiesReader {
                 share *= 1 - body.drag();
                 if (isOutside(body.x() + path * body.vx(), field.x(), field.width())
                     || isOutside(body.y() + path * body.vy(), field.y(), field.height())) {
-                    warnings.add(place + ": found a body of infinite mass that leaves the field in turn " + turn + " of "
-                        + rules.maximumTurns() + ", expected one that stays in it: no wall holds it");
+                    warnings.add(place + ": found a body of infinite mass that leaves the field in turn " + turn
+                        + " of " + rules.maximumTurns() + ", expected one that stays in it: no wall holds it");
                     return;
                 }
             }

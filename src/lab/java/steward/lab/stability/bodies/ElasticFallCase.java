@@ -50,7 +50,7 @@ public final class ElasticFallCase extends StabilityCase {
             }
         }
         boolean met = above <= 0.125 + 1e-9 && below <= 1e-9 && drift <= 1e-9;
-        return Finding.of(rung.isOurs(), met, String.format(Locale.ROOT, "%d turns each: peaks at most %.4f a above and "
-            + "%.1e a below, energy off by %.1e", turns, above, Math.max(0, below), drift));
+        return Finding.of(rung.isOurs(), met, String.format(Locale.ROOT, "%d turns each: peaks at most %.4f a above "
+            + "and %.1e a below, energy off by %.1e", turns, above, Math.max(0, below), drift));
     }
 }

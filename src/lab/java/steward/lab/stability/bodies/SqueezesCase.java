@@ -32,8 +32,8 @@ public final class SqueezesCase extends StabilityCase {
 
     public SqueezesCase() {
         super("squeezes", "a light body between a wall and a heavy one that comes at 50, mass ratios 3 to 1e6, e = 0.9 "
-            + "to 0.99999, where the impacts do not collapse; and a body that flies into a corner, e = 0.99 and 0.999999: impacts, "
-            + "velocities and energy are those of the sequence in 50 digits, to 1e-9; on event rungs of ours");
+            + "to 0.99999, where the impacts do not collapse; and a body that flies into a corner, e = 0.99 and "
+            + "0.999999: impacts, velocities and energy are those of the sequence in 50 digits, to 1e-9; on event rungs of ours");
     }
 
     @Override
@@ -72,8 +72,8 @@ public final class SqueezesCase extends StabilityCase {
         for (double restitution : new double[] {0.99, 0.999999}) {
             worst = Math.max(worst, corner(rung, restitution));
         }
-        return Finding.of(rung.isOurs(), worst <= MOST_ERROR && wrong == 0 && played > count / 2, String.format(Locale.ROOT,
-            "%d squeezes of up to %d impacts: %d with other counts, off by %.1e", played, most, wrong,
+        return Finding.of(rung.isOurs(), worst <= MOST_ERROR && wrong == 0 && played > count / 2, String.format(
+            Locale.ROOT, "%d squeezes of up to %d impacts: %d with other counts, off by %.1e", played, most, wrong,
             worst));
     }
 
