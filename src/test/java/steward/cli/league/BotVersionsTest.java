@@ -146,7 +146,7 @@ class BotVersionsTest {
         assertTrue(sprt.get(1).contains("not decided"), sprt.get(1));
         assertEquals("1", rebuilt(bots("match", "--games", "3", "--swap")).get(0));
         assertEquals("1", rebuilt("tune", "--bot", "codingame:sh new.sh {a:drive|stay} 0", "--in", folder.toString(),
-            "--against", "old=codingame:sh old.sh stay 0", "--in", folder.toString(), "--games", "8", "--seeds", "1")
+            "--against", "old=codingame:sh old.sh stay 0", "--in", folder.toString(), "--games", "16", "--seeds", "1")
             .get(0));
     }
 

@@ -126,7 +126,8 @@ class LeagueCommandTest {
         for (String field : List.of("command", "machine")) {
             Files.writeString(folder.resolve("games.jsonl"), games.replaceFirst("\"" + field + "\":\"",
                 "$0\\\\u001b"));
-            assertTrue(refused("import", "TMP/b", "TMP/games.jsonl").contains(":1: " + field + ": found '?"));
+            String refused = refused("import", "TMP/b", "TMP/games.jsonl");
+            assertTrue(refused.contains(":1: " + field + ": found '\\u001B"), refused);
         }
         assertTrue(refused("table", "TMP/b").contains("has been played"), "nothing was stored");
         Files.writeString(folder.resolve("games.jsonl"), games.replace("\"bot\":\"bot-1\"", "\"bot\":\"-x\""));

@@ -90,7 +90,7 @@ class MisbehavingBotsTest {
     @Test
     void aLineThatIsNone() {
         loses(BEFORE + "printf '9000 4000 50\\nno idea\\n'; sleep 60", TimeControl.UNLIMITED,
-            "line 2 of 2: X: found \"no\", expected a finite number; received: 9000 4000 50\\?no idea");
+            "line 2 of 2: X: found \"no\", expected a finite number; received: 9000 4000 50\\\\nno idea");
     }
 
     @Test

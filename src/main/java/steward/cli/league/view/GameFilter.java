@@ -3,6 +3,7 @@ package steward.cli.league.view;
 import java.util.List;
 import picocli.CommandLine.Option;
 import steward.cli.options.CallCheck;
+import steward.cli.options.OptionSection;
 import steward.files.InputException;
 import steward.league.StoredGame.StoredSeat;
 import steward.league.StoredGame;
@@ -10,6 +11,7 @@ import steward.league.rating.LeagueTable;
 import steward.text.NearestName;
 
 /** The options that pick games. */
+@OptionSection("Which games")
 final class GameFilter {
 
     private final CallCheck check = CallCheck.withHelp();
