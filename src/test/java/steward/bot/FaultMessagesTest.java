@@ -90,8 +90,8 @@ class FaultMessagesTest {
             FaultMessages.missed(used, TimeBasis.CPU, false, 0, 1, 0));
         TimeSpent slept = new TimeSpent(750 * MS, 751 * MS, 0, 0, 0, 751 * MS, 0, Shows.ALL, false);
         assertEquals("no answer within 750 ms, 10 times the limit of CPU time (waited 751 ms): computed for 0 ms, "
-            + "then waited, as for input that nobody had sent: does it read too much, or not flush? [computed 0, waited "
-            + "0 for a processor, 751 other]", FaultMessages.missed(slept, TimeBasis.CPU, false, 0, 1, 0));
+            + "then waited, as for input that nobody had sent: does it read too much, or not flush? [computed 0, "
+            + "waited 0 for a processor, 751 other]", FaultMessages.missed(slept, TimeBasis.CPU, false, 0, 1, 0));
         assertTrue(FaultMessages.isLate(FaultMessages.missed(used, TimeBasis.CPU, false, 0, 1, 0)));
     }
 

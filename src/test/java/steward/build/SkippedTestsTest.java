@@ -19,7 +19,7 @@ import org.junit.platform.launcher.core.LauncherFactory;
 
 class SkippedTestsTest {
 
-    /** Engine with two classes of three tests each; of the first, one test passes and two are skipped; all of the second. */
+    /** Engine with two classes of three tests each; of the first, one passes and two are skipped; all of the second. */
     private static final class Sample implements TestEngine {
 
         @Override

@@ -27,8 +27,8 @@ import steward.bot.command.ProgramFinder;
 @Tag("slow")
 class LocaleTest {
 
-    private static final String BOT = "#!/bin/sh\necho \"locale ${LC_ALL-none}\" >&2\nread -r setup\nwhile read -r l; do echo "
-        + "'{\"pods\":[{\"x\":1,\"y\":1,\"thrust\":0}]}'; done\n";
+    private static final String BOT = "#!/bin/sh\necho \"locale ${LC_ALL-none}\" >&2\nread -r setup\nwhile read -r l; "
+        + "do echo '{\"pods\":[{\"x\":1,\"y\":1,\"thrust\":0}]}'; done\n";
 
     @TempDir
     private Path folder;
@@ -107,7 +107,8 @@ class LocaleTest {
         call("new", "python", "Zoë");
         call(0, Map.of("LC_ALL", "POSIX"), "check", bot, "--scene", "dé.json");
         call("match", "--scene", "dé.json", "--bot", bot, "--bot", "builtin:racer", "--seed", "3", "--out", "é.jsonl");
-        for (String[] more : new String[][] {{"--verify"}, {"--view", "é.html"}, {"--turn", "2"}, {"--frames", "--player", "0"}}) {
+        for (String[] more : new String[][] {{"--verify"}, {"--view", "é.html"}, {"--turn", "2"},
+                {"--frames", "--player", "0"}}) {
             call(Stream.concat(Stream.of("replay", "é.jsonl"), Stream.of(more)).toArray(String[]::new));
         }
         assertTrue(Files.isRegularFile(place.resolve("é.html")));

@@ -41,7 +41,8 @@ class OutsideGameTest {
     static void buildJar() throws IOException, URISyntaxException {
         Path classes = Files.createDirectories(folder.resolve("classes"));
         List<String> call = Stream.concat(
-            Stream.of("-d", classes.toString(), "-proc:none", "-cp", source(GameTypes.class) + ":" + source(JsonGenerator.class)),
+            Stream.of("-d", classes.toString(), "-proc:none", "-cp",
+                source(GameTypes.class) + ":" + source(JsonGenerator.class)),
             sources(".java").map(Path::toString)).toList();
         assertEquals(0, ToolProvider.getSystemJavaCompiler().run(null, null, null, call.toArray(new String[0])));
         games = Files.createDirectories(folder.resolve("games"));

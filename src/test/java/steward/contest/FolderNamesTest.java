@@ -13,7 +13,7 @@ import org.junit.jupiter.api.io.TempDir;
 import steward.match.Protocol;
 import steward.match.TestScenes;
 
-/** Names of bots that are told apart by their folders; each alone has the name that 'check' and 'league add' give it. */
+/** Names of bots that are told apart by their folders; each alone is named as by 'check' and 'league add'. */
 class FolderNamesTest {
 
     @TempDir

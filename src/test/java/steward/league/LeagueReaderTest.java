@@ -25,7 +25,8 @@ class LeagueReaderTest {
           "replays": { "keep": "lost", "of": ["a"] },
           "bots": [ { "name": "a", "command": "python3 'b c.py'", "files": ["b c.py"], "random": true },
                     { "name": "b", "command": "codingame:./b", "folder": "/v1", "retired": true,
-                      "platforms": [{ "platform": "linux-aarch64", "command": "./b-arm", "folder": "arm", "files": ["b-arm"] }]},
+                      "platforms": [{ "platform": "linux-aarch64", "command": "./b-arm", "folder": "arm", \
+                    "files": ["b-arm"] }]},
                     { "name": "b@linux-arm", "command": "./b-a" } ] }
         """;
 

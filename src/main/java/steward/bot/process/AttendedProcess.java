@@ -17,7 +17,8 @@ import steward.bot.command.Program;
 /**
  * A bot program that a person attends to, perhaps with a debugger: no deadline, no watchdog, no session of its own. Its
  * input and output are connected to the referee; the terminal is left as it is, and so is stderr if it is to be.
- * Otherwise stderr is passed on, and of what comes after the end of the input only as much as {@link #showRest} is asked for.
+ * Otherwise stderr is passed on, and of what comes after the end of the input only as much as {@link #showRest} is
+ * asked for.
  *
  * <p>Caveat: it ends only by itself, by its user, or by {@link #kill}.
  */

@@ -56,7 +56,7 @@ final class TurnDetail {
         throw noSuchTurn(replay, number, last);
     }
 
-    /** The lines that each bot was sent for the turn that was found; {@code null} for none, or where they are unknown. */
+    /** The lines that each bot was sent for the turn that was found; {@code null} for none, or where unknown. */
     String[] sent(RecordedTurn turn) {
         String[] sent = new String[replay.header().names().size()];
         told(() -> Arrays.setAll(sent, player -> frames.text(player, turn)));

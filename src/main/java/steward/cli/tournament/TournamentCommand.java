@@ -30,7 +30,6 @@ import steward.cli.options.WatchOptions;
 import steward.cli.shared.FailedException;
 import steward.cli.shared.Games;
 import steward.cli.streams.Json;
-import steward.cli.streams.Streams;
 import steward.contest.Contest;
 import steward.contest.Hiccups;
 import steward.contest.KeptReplays;

@@ -15,7 +15,6 @@ import steward.cli.streams.Streams;
 import steward.contest.Contest;
 import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
-import steward.league.Schedule;
 import steward.league.Season;
 import steward.league.StoredGame;
 import steward.league.play.Roster;

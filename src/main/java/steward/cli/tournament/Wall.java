@@ -103,9 +103,10 @@ final class Wall implements AutoCloseable {
             + "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"><link rel=\"icon\" "
             + "href=\"data:,\"><style>" + style + "</style><title>Tournament</title></head><body><main>"
             + "<section aria-label=\"Table\"><h1>Tournament</h1><p id=\"says\" role=\"status\"></p><table><thead>"
-            + "<tr><th>#<th>Program<th>Points<th>Games<th>Won<th>Drawn<th>Lost</tr></thead><tbody id=\"rows\"></tbody></table>"
-            + "<p class=\"key\">F: full screen</p></section><section aria-label=\"Game\"><h2 id=\"title\"></h2><iframe "
-            + "id=\"game\" title=\"The game that is shown\" tabindex=\"-1\"></iframe></section></main>"
+            + "<tr><th>#<th>Program<th>Points<th>Games<th>Won<th>Drawn<th>Lost</tr></thead><tbody id=\"rows\">"
+            + "</tbody></table><p class=\"key\">F: full screen</p></section>"
+            + "<section aria-label=\"Game\"><h2 id=\"title\"></h2>"
+            + "<iframe id=\"game\" title=\"The game that is shown\" tabindex=\"-1\"></iframe></section></main>"
             + "<script type=\"application/json\" id=\"data\">" + data + "</script><script>" + script
             + "</script></body></html>\n").getBytes(StandardCharsets.UTF_8);
     }

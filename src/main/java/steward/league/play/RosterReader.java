@@ -176,7 +176,8 @@ public final class RosterReader {
             return before.get();
         }
         Version version = store.add(bot.name(), bot.command(), bot.random(), hash, clock.getAsLong());
-        if (version.number() > 2 && contest.sandbox().equals(SandboxLevel.OFF.word()) && gamesBefore(version) < STEADY) {
+        if (version.number() > 2 && contest.sandbox().equals(SandboxLevel.OFF.word())
+                && gamesBefore(version) < STEADY) {
             unsteady.put(bot.name(), new Unsteady(changed(bot), bot.resumed()));
         }
         before.ifPresent(old -> teller.accept(bot.name() + " changed after "

@@ -58,7 +58,8 @@ class StrictViewTest {
     void theInterpreterInTheFirstLineIsLetIn() throws IOException {
         Path ruby = program("ruby/bin/ruby", "");
         Path bot = program("mine/bot", "#!" + ruby + " -w\nputs 1\n");
-        assertEquals(Set.of(folder.resolve("mine"), folder.resolve("ruby")), OwnFiles.of(Program.here(List.of(bot.toString()))));
+        assertEquals(Set.of(folder.resolve("mine"), folder.resolve("ruby")),
+            OwnFiles.of(Program.here(List.of(bot.toString()))));
     }
 
     @Test
@@ -176,14 +177,15 @@ class StrictViewTest {
         Path base = program("python/bin/python3", "");
         Path copy = program("venv/bin/python3", "");
         Files.writeString(folder.resolve("venv/pyvenv.cfg"), "home = " + base.getParent() + "\nversion = 3.11\n");
-        assertEquals(Set.of(folder.resolve("venv"), folder.resolve("python")), OwnFiles.of(Program.here(List.of(copy.toString()))));
+        assertEquals(Set.of(folder.resolve("venv"), folder.resolve("python")),
+            OwnFiles.of(Program.here(List.of(copy.toString()))));
     }
 
     @Test
     void whatBelongsToTheMachineIsNeverHidden() throws IOException {
         Path mine = program("mine/bot", "");
-        StrictView view = StrictView.of(Program.here(List.of(mine.toString())), List.of(Program.here(List.of("/bin/sh", "/etc/passwd"))),
-            Isolation.at(SandboxLevel.STRICT));
+        StrictView view = StrictView.of(Program.here(List.of(mine.toString())),
+            List.of(Program.here(List.of("/bin/sh", "/etc/passwd"))), Isolation.at(SandboxLevel.STRICT));
         assertTrue(view.entries().values().stream().noneMatch(entry -> entry.treatment()
             == StrictView.Treatment.HIDE_FILE || entry.treatment() == StrictView.Treatment.HIDE_FOLDER));
         assertTrue(view.shows(Path.of("/usr/bin/env")) && view.shows(Path.of("/etc/passwd")));

@@ -27,7 +27,8 @@ class BotFilesTest {
     private static final List<String> ATTACKS = List.of(
         "echo >>\"$0\"", "echo >weights", "rm -f \"$0\"; echo >\"$0\"", "cp \"$0\" other && mv -f other \"$0\"",
         "ln \"$0\" same && echo >>same", "ln -sf weights \"$0\"", "chmod 777 \"$0\"; echo >>\"$0\"",
-        "mv weights gone; echo >weights", "mount -o remount,bind,rw \"$0\"; echo >>\"$0\"", "umount \"$0\"; echo >>\"$0\"");
+        "mv weights gone; echo >weights", "mount -o remount,bind,rw \"$0\"; echo >>\"$0\"",
+        "umount \"$0\"; echo >>\"$0\"");
 
     @TempDir
     private Path folder;
@@ -51,7 +52,8 @@ class BotFilesTest {
             String script = String.format(SCRIPT, attack);
             assertEquals("done", run(level, script, List.of()), attack);
             boolean same = Files.isRegularFile(folder.resolve("bot.sh"))
-                && Files.readString(folder.resolve("bot.sh")).equals(script) && Files.readString(weights).equals("1 2 3");
+                && Files.readString(folder.resolve("bot.sh")).equals(script)
+                && Files.readString(weights).equals("1 2 3");
             changed += same ? 0 : 1;
         }
         return changed;

@@ -90,7 +90,8 @@ class StrictFilesTest {
                 List<String> command = new ArrayList<>(List.of("sh", write(script, SPY).toString()));
                 Isolation isolation = Isolation.at(SandboxLevel.STRICT).hiding(List.of(league))
                     .hidingFilesOf(List.of(Program.here(List.of("sh", league.resolve("bots/third.sh").toString()))));
-                List<Program> others = List.of(Program.here(List.of("sh", league.resolve("bots/other/bot.sh").toString())));
+                List<Program> others = List.of(
+                    Program.here(List.of("sh", league.resolve("bots/other/bot.sh").toString())));
                 command.add("/" + files.stream().map(Path::toString).reduce((a, b) -> a + " /" + b).orElseThrow());
                 // In one word, so that no path of it belongs to the bot by being named.
                 Files.writeString(script, "set -f; set -- $1; " + SPY);
@@ -181,15 +182,15 @@ class StrictFilesTest {
         String bot = write(folder.resolve("project/dist/bot.js"), "").toString();
         Isolation strict = Isolation.at(SandboxLevel.STRICT);
         List<String> command = List.of("/bin/sh", bot);
-        assertEquals(List.of(data), MissingFiles.of(Program.here(command), List.of("cannot open '" + data + "': No such file"),
-            strict));
-        assertEquals(List.of(folder.resolve("jdk")), MissingFiles.of(Program.here(command), List.of("sh: 1: exec: " + program
-            + ": not found"), strict));
+        assertEquals(List.of(data), MissingFiles.of(Program.here(command),
+            List.of("cannot open '" + data + "': No such file"), strict));
+        assertEquals(List.of(folder.resolve("jdk")), MissingFiles.of(Program.here(command),
+            List.of("sh: 1: exec: " + program + ": not found"), strict));
         assertEquals(List.of(module.getParent().getParent()), MissingFiles.of(Program.here(command),
             List.of("Error: Cannot find module 'left-pad'"), strict));
-        assertEquals(List.of(), MissingFiles.of(Program.here(command), List.of("/usr: /tmp /bin/sh " + bot + " /no/such/file"),
-            strict));
-        assertEquals(List.of(data.getParent()), MissingFiles.of(Program.here(command), List.of("no luck in " + data.getParent()),
-            strict));
+        assertEquals(List.of(), MissingFiles.of(Program.here(command),
+            List.of("/usr: /tmp /bin/sh " + bot + " /no/such/file"), strict));
+        assertEquals(List.of(data.getParent()), MissingFiles.of(Program.here(command),
+            List.of("no luck in " + data.getParent()), strict));
     }
 }

@@ -75,8 +75,8 @@ class BotVersionsTest {
         setLevel("off");
         Cli run = Cli.league(folder, "run", "TMP/night", "--games", "8");
         assertEquals(1, run.status(), run.err());
-        assertTrue(run.err().contains("self#3 is paused: " + bots.resolve("self.sh") + " has made a third version of it "
-            + "within 20 games, and at --sandbox off a bot can write to its own files; 'steward league resume "),
+        assertTrue(run.err().contains("self#3 is paused: " + bots.resolve("self.sh") + " has made a third version of "
+            + "it within 20 games, and at --sandbox off a bot can write to its own files; 'steward league resume "),
             run.err());
         assertEquals(List.of("still 0", "self 0", "self#2 0", "self#3 0"), versions("night"));
     }

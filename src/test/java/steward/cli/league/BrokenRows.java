@@ -19,8 +19,8 @@ import steward.league.store.OlderForm;
  * Damages the rows of a league's database by SQL: another value, of any type, or a row that is not there. Every such
  * change has to be seen when the league is read, and told without a trace of the program.
  *
- * <p>The league is one that version 0.2.0 has played: two seasons, three bots of which one has a second version with two
- * identities, failures, a game that was played again, games outside of the schedule.
+ * <p>The league is one that version 0.2.0 has played: two seasons, three bots of which one has a second version with
+ * two identities, failures, a game that was played again, games outside of the schedule.
  */
 public final class BrokenRows {
 

@@ -28,7 +28,8 @@ class PageSizesTest extends GalleryTest {
 
     /** What is outside of the window at its sides, but for what is in a box that scrolls sideways. */
     private static final String CUT_OFF = """
-        const isScrolled = node => node && (/auto|scroll/.test(getComputedStyle(node).overflowX) || isScrolled(node.parentElement));
+        const isScrolled = node => node
+            && (/auto|scroll/.test(getComputedStyle(node).overflowX) || isScrolled(node.parentElement));
         return [...document.querySelectorAll('button, select, input, a, h1, th, td, summary, .name, .why')]
           .filter(node => node.checkVisibility() && !isScrolled(node.parentElement))
           .map(node => [node, node.getBoundingClientRect()])
@@ -70,14 +71,16 @@ class PageSizesTest extends GalleryTest {
         browser.prefer(true, true);
         browser.size(390, 844);
         gallery.show(browser, "undrawn");
-        browser.run("steward.addTurn(arguments[0])", "{\"type\":\"result\",\"turns\":2,\"ending\":\"over\",\"standing\":["
-            + "{\"rank\":0,\"score\":1},{\"rank\":1,\"score\":0}],\"players\":[{},{\"fault\":\"no answer\"}]}");
+        browser.run("steward.addTurn(arguments[0])", "{\"type\":\"result\",\"turns\":2,\"ending\":\"over\","
+            + "\"standing\":[{\"rank\":0,\"score\":1},{\"rank\":1,\"score\":0}],"
+            + "\"players\":[{},{\"fault\":\"no answer\"}]}");
         browser.run("steward.seek(2)");
         browser.settle();
         for (String part : List.of(".score .name", "#ending .headline", "#ending li .why")) {
-            assertTrue(browser.is("[...document.querySelectorAll('" + part + "')].every(node => { const box = "
-                + "node.getBoundingClientRect(); const parent = node.closest('#ending, #scores').getBoundingClientRect();"
-                + " return box.height === 0 && !node.textContent || box.height >= 12 && box.top >= parent.top"
+            assertTrue(browser.is("[...document.querySelectorAll('" + part + "')].every(node => { const box "
+                + "= node.getBoundingClientRect(); const parent = node.closest('#ending, #scores')"
+                + ".getBoundingClientRect(); return box.height === 0 && !node.textContent || box.height >= 12 "
+                + "&& box.top >= parent.top"
                 + " && box.bottom <= parent.bottom + 1; })"), part);
         }
     }

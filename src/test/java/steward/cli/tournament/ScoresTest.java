@@ -34,7 +34,8 @@ class ScoresTest {
 
     private static List<String> rows(Scores scores) {
         return scores.rows().stream().map(row -> row.place() + " " + row.name() + " "
-            + Scores.points(row.points()) + " " + row.games() + ": " + row.wins() + " " + row.draws() + " " + row.losses()).toList();
+            + Scores.points(row.points()) + " " + row.games() + ": " + row.wins() + " " + row.draws() + " "
+            + row.losses()).toList();
     }
 
     /** 1 and 2 have two points each of three games; 2 has beaten 1. */

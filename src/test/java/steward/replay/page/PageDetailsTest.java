@@ -25,7 +25,8 @@ class PageDetailsTest {
         {"block":"NEXT_PLAYER_INFO","lines":["1","1","50"]}]},"hash":"0000000000000001"},\
         "headerHash":"0000000000000001"}
         {"type":"turn","turn":1,"commands":[null,null],"faults":[null,"FAULT"],"outcome":{"state":{"bodies":[],\
-        "said":[{"block":"SCORES","lines":["0 0","1 1"]}]},"hash":"0000000000000002"},"stderr":[null,"STDERR"],"turnHash":"0000000000000002"}
+        "said":[{"block":"SCORES","lines":["0 0","1 1"]}]},"hash":"0000000000000002"},"stderr":[null,"STDERR"],\
+        "turnHash":"0000000000000002"}
         """;
 
     static Stream<Arguments> failures() {

@@ -168,8 +168,8 @@ class PageTestFaults {
     @Test
     void theEndSaysSinceWhenTheWinnerWasAhead() {
         browser.open(pages.live("Ends"), "");
-        addLine("{'type':'steward-replay','format':3,'game':'none','seed':'7','players':[{'name':'left'},{'name':'right'}],"
-            + "'scene':{},'drawing':{},'start':{'state':{'scores':[0,0]}}}");
+        addLine("{'type':'steward-replay','format':3,'game':'none','seed':'7','players':[{'name':'left'},"
+            + "{'name':'right'}],'scene':{},'drawing':{},'start':{'state':{'scores':[0,0]}}}");
         String[] scores = {"[1,0]", "[1,2]", "[3,2]", "[4,2]"};
         for (int turn = 1; turn <= scores.length; turn++) {
             addLine("{'type':'turn','turn':" + turn + ",'commands':[{},{}],'outcome':{'scores':" + scores[turn - 1]

@@ -24,9 +24,9 @@ public final class FallenPilesCase extends StabilityCase {
 
     public FallenPilesCase() {
         super("fallen piles", "random piles of 3 to 60 discs fall into a wedge of 35 and 40 degrees, gravity 2, e = 0, "
-            + "0.3, 0.6: they lie still (1e-6 u a turn) within 600 turns, then have at most 500 impacts a turn, none "
-            + "overlap by more than 1e-12 of a radius, no turn reaches its limit, one by one and as a crowd are the same "
-            + "to the bit; on event rungs of ours");
+            + "0.3, 0.6: they lie still (1e-6 u a turn) within 600 turns, then have at most 500 impacts a turn, "
+            + "none overlap by more than 1e-12 of a radius, no turn reaches its limit, one by one and as a crowd are "
+            + "the same to the bit; on event rungs of ours");
     }
 
     @Override

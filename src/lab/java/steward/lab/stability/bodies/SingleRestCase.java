@@ -26,8 +26,8 @@ public final class SingleRestCase extends StabilityCase {
     public SingleRestCase() {
         super("single bodies rest", "a ball dropped on a floor, beside a wall, on a bumper or to the lowest point of "
             + "an arena, from 10 to 800 u, e = 0.05 to 0.95, gravity 0.3 to 10: it lies still no later than its "
-            + "geometric series and 2 turns, and no earlier than that less 1.5/(1 - e) + 1; a disc in wedges of 30/30, 10/10 and "
-            + "45/5 degrees, e = 0 to 0.9, lies still within 2,000 turns; on event rungs of ours");
+            + "geometric series and 2 turns, and no earlier than that less 1.5/(1 - e) + 1; a disc in wedges of 30/30, "
+            + "10/10 and 45/5 degrees, e = 0 to 0.9, lies still within 2,000 turns; on event rungs of ours");
     }
 
     @Override

@@ -33,7 +33,8 @@ public final class SqueezesCase extends StabilityCase {
     public SqueezesCase() {
         super("squeezes", "a light body between a wall and a heavy one that comes at 50, mass ratios 3 to 1e6, e = 0.9 "
             + "to 0.99999, where the impacts do not collapse; and a body that flies into a corner, e = 0.99 and "
-            + "0.999999: impacts, velocities and energy are those of the sequence in 50 digits, to 1e-9; on event rungs of ours");
+            + "0.999999: impacts, velocities and energy are those of the sequence in 50 digits, to 1e-9; on "
+            + "event rungs of ours");
     }
 
     @Override

@@ -38,8 +38,8 @@ public final class RestCase extends StabilityCase {
     public RestCase() {
         super("rest",
             "columns, grids and staggered rows of 1 to 30 bodies without restitution, of random radii and masses, with "
-            + "gaps of 0 to 1e-1 radii and jitter, thrown once or pressed anew each turn against a wall or into a corner: no "
-            + "turn has more than 500 impacts or its limit, energy never "
+            + "gaps of 0 to 1e-1 radii and jitter, thrown once or pressed anew each turn against a wall or into a "
+            + "corner: no turn has more than 500 impacts or its limit, energy never "
             + "grows (but for 1e-15 of it, by rounding), momentum is booked, one by one and as a crowd are the same to "
             + "the bit; columns are then at rest; "
             + "on every event rung");
