@@ -3,11 +3,8 @@ package steward.league.play;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
-import java.util.HashMap;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
@@ -18,12 +15,10 @@ import steward.league.EarlierGames;
 import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
 import steward.league.Pairing;
-import steward.league.RepeatedGroups;
 import steward.league.Schedule;
 import steward.league.Season;
 import steward.league.StoredGame;
 import steward.league.pairing.AdaptivePairing;
-import steward.league.pairing.KnownResults;
 import steward.league.pairing.LeagueEnd;
 import steward.league.pairing.Looks;
 import steward.league.pairing.StopRule;
@@ -64,8 +59,7 @@ public final class LeagueRun {
     private Elsewhere elsewhere;
 
     /** Guarded by this, as is all below. */
-    private final RepeatedGroups repeated;
-    private KnownResults known;
+    private final RunResults results;
     private LeagueEnd leagueEnd;
     private StopRule rule = StopRule.NONE;
     private BiFunction<Roster, Map<List<Integer>, Integer>, Schedule.Plan> plan;
@@ -78,8 +72,7 @@ public final class LeagueRun {
     private long handed;
     private Pauses pauses;
     private final Standstill standstill;
-    /** Forgiven games that are played again, with the number of their first attempt now; others begin with 1. */
-    private final Map<Schedule.Task, Integer> further = new HashMap<>();
+    private final ForgivenGames forgiven = new ForgivenGames();
 
     /**
      * Limits of a run.
@@ -113,11 +106,10 @@ public final class LeagueRun {
         EarlierGames earlier = queries.earlier();
         settled = Looks.settled(earlier.firstOpen(), roster.settings().lag());
         schedule = new Schedule(roster.settings().seed(), key.players(), roster.settings().lag(), earlier);
-        repeated = new RepeatedGroups(key.players() == 1);
-        queries.addTo(repeated);
-        schedule.without(repeated);
+        results = new RunResults(key, queries, settled);
+        schedule.without(results.repeated());
         if (roster.settings().adaptive() && key.players() > 1) {
-            learn();
+            results.learn();
         }
         watch = new RosterWatch(folder, reader, roster.settings(), teller);
         pauses = new Pauses(0, roster.settings().lag(), settled, folder, store, queries, teller);
@@ -143,25 +135,17 @@ public final class LeagueRun {
         int players = play.season().players();
         if (settings.adaptive()) {
             return new AdaptivePairing(versions, players, settings.lag(), rule,
-                before -> Ratings.of(known.before(before), versions));
+                before -> Ratings.of(results.known().before(before), versions));
         }
         return settings.gauntlet() == null ? Pairing.roundRobin(versions, players)
             : Pairing.gauntlet(versions, players, next.versionOf(settings.gauntlet()).orElseThrow());
     }
 
-    /** From now on the results of the schedule are known. */
-    private void learn() {
-        if (known == null) {
-            known = new KnownResults(play.season(), queries.resultsBefore(settled));
-            queries.known(settled, known::add);
-        }
-    }
-
     /** Ends the run when enough is known; before {@link #play}. */
     public synchronized void until(StopRule stop) {
         rule = stop;
-        learn();
-        leagueEnd = new LeagueEnd(stop, known, roster.settings().lag(), schedule::active);
+        results.learn();
+        leagueEnd = new LeagueEnd(stop, results.known(), roster.settings().lag(), schedule::active);
         schedule.until(leagueEnd);
         use(roster);
     }
@@ -183,25 +167,6 @@ public final class LeagueRun {
         return leagueEnd != null && leagueEnd.met() != null ? leagueEnd : null;
     }
 
-    /** Tells what is to be learnt from a game. */
-    private void know(List<Member> members, List<StoredGame> attempts) {
-        for (StoredGame game : attempts) {
-            if (game.isRated()) {
-                know(members, game.decision(), game.seed(), game.lineup(), game.seats().get(0).score(),
-                    game.transcript(), game.seats().stream().mapToInt(StoredGame.StoredSeat::rank).toArray());
-            }
-        }
-    }
-
-    private void know(List<Member> members, int decision, long seed, int[] lineup, double score, long transcript,
-                      int... ranks) {
-        boolean random = members.stream().anyMatch(member -> member.version().random());
-        repeated.add(decision, random ? 0 : transcript, lineup);
-        if (known != null) {
-            known.add(decision, seed, lineup, score, random ? 0 : transcript, ranks);
-        }
-    }
-
     /** True if the run has ended since the bots only repeat games that were played before. */
     public synchronized boolean isRepeated() {
         return schedule.isRepeated();
@@ -221,7 +186,9 @@ public final class LeagueRun {
     /** Plays until an end is reached. Call once. */
     public void play() throws InterruptedException {
         int far = elsewhere == null ? 0 : 1;
-        playForgiven();
+        synchronized (this) {
+            forgiven.decide(store, season, play, this::members, schedule);
+        }
         writer.start();                                // not before: a run that is refused leaves no thread
         try {
             WorkerThreads.run("league", limits.threads() + far, thread -> thread < limits.threads() ? this::playHere
@@ -231,29 +198,6 @@ public final class LeagueRun {
         }
         if (writer.problem() != null) {
             stop(writer.problem().getMessage());
-        }
-    }
-
-    /** Puts the forgiven games first that are to be played again, if their bots still play. */
-    private synchronized void playForgiven() {
-        AsideGames aside = new AsideGames(store);
-        Set<List<Integer>> known = new HashSet<>();
-        for (GameStore.SetAside game : aside.again(season)) {
-            Schedule.Task task = new Schedule.Task(game.decision(), game.seed(), GameQueries.lineup(game.lineup()));
-            List<Integer> key = new ArrayList<>(List.of(game.decision()));
-            Arrays.stream(task.lineup()).forEach(key::add);
-            List<Member> seats = members(task);
-            if (seats.contains(null) || !known.add(key)) {
-                continue;
-            }
-            int attempt = 1;
-            while (aside.isReplaced(play.name(task, seats, attempt))) {
-                attempt++;
-            }
-            if (!store.has(play.name(task, seats, attempt))) {
-                further.put(task, attempt);
-                schedule.again(task);
-            }
         }
     }
 
@@ -359,7 +303,7 @@ public final class LeagueRun {
             }
             return List.of();
         }
-        know(game.members(), attempts);
+        results.add(game.members(), attempts);
         schedule.over(game.task(), attempts.get(attempts.size() - 1).failed());
         handed += attempts.size();
         if (!writer.add(attempts)) {
@@ -381,7 +325,7 @@ public final class LeagueRun {
         for (Schedule.Task task = take(fits); task != null; task = games.size() < most ? takeNow(fits) : null) {
             underWay++;
             bots.addAll(members(task));
-            games.add(new Elsewhere.Game(task, roster.settings(), members(task), further.getOrDefault(task, 1)));
+            games.add(new Elsewhere.Game(task, roster.settings(), members(task), forgiven.first(task)));
         }
         return games;
     }
@@ -434,37 +378,18 @@ public final class LeagueRun {
 
     /** The next game, or {@code null} if there is none before others are over. */
     private Schedule.Task takeNow(Predicate<Schedule.Task> can) {
-        watch.look(roster, known != null, this::use);
+        watch.look(roster, results.known() != null, this::use);
         Schedule.Task task = watch.isPaused() || isAtEnd() ? null : schedule.next(limits.games(), can);
         while (task != null) {
-            byte[] name = play.name(task, members(task), further.getOrDefault(task, 1));
+            byte[] name = play.name(task, members(task), forgiven.first(task));
             if (!store.has(name)) {
                 return task;
             }
             store.adopt(name, task.decision());
-            schedule.over(task, knowStored(task));
+            schedule.over(task, results.addStored(store, play, task, members(task)));
             task = schedule.next(limits.games(), can);
         }
         return null;
-    }
-
-    /** Knows a game that was stored before it was decided on; by seat, whether the bot failed. */
-    private boolean[] knowStored(Schedule.Task task) {
-        List<Member> seats = members(task);
-        boolean[][] failed = {new boolean[0]};
-        for (int attempt = 1; attempt <= 2; attempt++) {
-            store.outcome(play.name(task, seats, attempt)).ifPresent(found -> {
-                failed[0] = new boolean[seats.size()];
-                for (int seat = 0; seat < seats.size(); seat++) {
-                    failed[0][seat] = found.failed().get(seat);
-                }
-                if (!found.allFailed()) {
-                    know(seats, task.decision(), task.seed(), task.lineup(), found.scores().get(0), found.transcript(),
-                        found.ranks().stream().mapToInt(rank -> rank).toArray());
-                }
-            });
-        }
-        return failed[0];
     }
 
     /**
@@ -477,7 +402,7 @@ public final class LeagueRun {
     public synchronized int setAside(String machine, String why) throws InterruptedException {
         waitUntilStored();
         int games = 0;
-        for (GameStore.SetAside game : store.setAside(season, machine, why)) {
+        for (AsideGames.SetAside game : new AsideGames(store).setAside(season, machine, why)) {
             int[] lineup = GameQueries.lineup(game.lineup());
             games++;
             if (game.decision() >= 0) {

@@ -7,8 +7,9 @@ import java.util.List;
 import steward.league.StoredGame;
 
 /**
- * Games that do not count, and can count again: what they came to stays, {@code problem} says why. Those of a worker
- * are suspended until somebody decides; those of a bot are forgiven by an operator. Thread-safe.
+ * Games that do not count; {@code problem} says why. Those of a worker that was caught are set aside for good. Others
+ * can count again, what they came to stays: those of a worker are suspended until somebody decides; those of a bot are
+ * forgiven by an operator. Thread-safe.
  */
 public final class AsideGames {
 
@@ -22,14 +23,49 @@ public final class AsideGames {
     private static final String FAILED = " AND decision IS NOT NULL AND id IN (SELECT game FROM seat WHERE fault IS "
         + "NOT NULL AND version IN (SELECT id FROM version WHERE bot = ?))";
 
+    private static final String SUSPENDED = "problem LIKE '" + StoredGame.SUSPENDED + "%'";
+
     private final Database database;
 
     public AsideGames(GameStore store) {
         database = store.database();
     }
 
+    /**
+     * A game that counted and was set aside.
+     *
+     * @param decision or -1
+     * @param lineup   the versions by seat, apart by blanks
+     */
+    public record SetAside(int decision, long seed, String lineup) { }
+
     /** Numbers of games, from the first to the last. */
     public record Range(long first, long last) { }
+
+    /**
+     * Sets games of a machine aside: they stay, under other names, have no result, and belong to no decision.
+     *
+     * @param machine how its name begins
+     * @return those that counted, or were suspended
+     */
+    public List<SetAside> setAside(int season, String machine, String why) {
+        String of = " WHERE season = ? AND machine IN (SELECT id FROM machine WHERE substr(name, 1, length(?)) = ?)";
+        return database.inTransaction(() -> {
+            List<SetAside> games = new ArrayList<>();
+            try (ResultSet row = database.query("SELECT coalesce(decision, -1), seed, (SELECT versions FROM lineup l "
+                + "WHERE l.id = game.lineup) FROM game" + of + " AND (counts > 0 OR " + SUSPENDED + ")", season,
+                machine, machine)) {
+                while (row.next()) {
+                    games.add(new SetAside(row.getInt(1), row.getLong(2), row.getString(3)));
+                }
+            }
+            database.update("UPDATE game SET name = randomblob(16), decision = NULL, counts = 0, problem = ?" + of
+                + " AND (problem IS NULL OR " + SUSPENDED + ")", why, season, machine, machine);
+            RowDigest.seal(database, "game", of.substring(" WHERE ".length()) + " AND problem = ?", season, machine,
+                machine, why);
+            return games;
+        });
+    }
 
     /**
      * Games of a machine count no more, until {@link #restore}.
@@ -77,14 +113,14 @@ public final class AsideGames {
     }
 
     /** Returns the forgiven games of a season's schedule that are played again, each attempt. */
-    public List<GameStore.SetAside> again(int season) {
+    public List<SetAside> again(int season) {
         return database.with(() -> {
-            List<GameStore.SetAside> games = new ArrayList<>();
+            List<SetAside> games = new ArrayList<>();
             try (ResultSet row = database.query("SELECT decision, seed, (SELECT versions FROM lineup l WHERE l.id = "
                 + "game.lineup) FROM game WHERE " + BEGINS + "season = ? ORDER BY id", StoredGame.FORGIVEN_AGAIN,
                 StoredGame.FORGIVEN_AGAIN, season)) {
                 while (row.next()) {
-                    games.add(new GameStore.SetAside(row.getInt(1), row.getLong(2), row.getString(3)));
+                    games.add(new SetAside(row.getInt(1), row.getLong(2), row.getString(3)));
                 }
             }
             return games;

@@ -24,7 +24,6 @@ public final class GameStore implements AutoCloseable {
     private static final String VERSION = "version";
     private static final String GAME = "game";
     private static final String ID = "id = ?";
-    private static final String SUSPENDED = "problem LIKE '" + StoredGame.SUSPENDED + "%'";
 
     private final Database database;
     private final GameRows gameRows;
@@ -346,39 +345,6 @@ public final class GameStore implements AutoCloseable {
             gameRows.forget();
             throw failed;
         }
-    }
-
-    /**
-     * A game that counted and was set aside.
-     *
-     * @param decision or -1
-     * @param lineup   the versions by seat, apart by blanks
-     */
-    public record SetAside(int decision, long seed, String lineup) { }
-
-    /**
-     * Sets games of a machine aside: they stay, under other names, have no result, and belong to no decision.
-     *
-     * @param machine how its name begins
-     * @return those that counted, or were suspended
-     */
-    public List<SetAside> setAside(int season, String machine, String why) {
-        String of = " WHERE season = ? AND machine IN (SELECT id FROM machine WHERE substr(name, 1, length(?)) = ?)";
-        return database.inTransaction(() -> {
-            List<SetAside> games = new ArrayList<>();
-            try (ResultSet row = database.query("SELECT coalesce(decision, -1), seed, (SELECT versions FROM lineup l "
-                + "WHERE l.id = game.lineup) FROM game" + of + " AND (counts > 0 OR " + SUSPENDED + ")", season,
-                machine, machine)) {
-                while (row.next()) {
-                    games.add(new SetAside(row.getInt(1), row.getLong(2), row.getString(3)));
-                }
-            }
-            database.update("UPDATE game SET name = randomblob(16), decision = NULL, counts = 0, problem = ?" + of
-                + " AND (problem IS NULL OR " + SUSPENDED + ")", why, season, machine, machine);
-            RowDigest.seal(database, GAME, of.substring(" WHERE ".length()) + " AND problem = ?", season, machine,
-                machine, why);
-            return games;
-        });
     }
 
     /** Forgets where a replay was. */

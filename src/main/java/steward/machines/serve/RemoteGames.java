@@ -13,7 +13,6 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import steward.contest.Contest;
 import steward.files.InputException;
-import steward.files.JarFolder;
 import steward.game.GameTypes;
 import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
@@ -25,9 +24,6 @@ import steward.league.play.Roster.Member;
 import steward.machines.broker.LeagueBroker;
 import steward.machines.bundle.Bundle;
 import steward.machines.check.DisprovedException;
-import steward.machines.check.GameJar;
-import steward.machines.check.MachineSpeed;
-import steward.machines.check.RulesFingerprint;
 import steward.machines.check.WorkerBook;
 import steward.machines.token.BrokerKey;
 import steward.machines.token.KeptPauses;
@@ -54,7 +50,6 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
     /** More jobs than this are never under way on workers: as many as there can be connections, and some that wait. */
     public static final int MOST = 2500;
     private static final long POLL_MS = 200;
-    private static final int LONGEST_TEXT = 200;
 
     private final LeagueFolder folder;
     private final Contest contest;
@@ -62,9 +57,6 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
     private final LeagueBroker broker;
     private final ReportedGames reported;
     private final double share;
-    private final String version;
-    private final String rules;
-    private final String jar;
     private final Consumer<String> teller;
     private final SecureRandom random = new SecureRandom();
     private final OfferedJobs offered;
@@ -75,8 +67,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
     private final OfferedBundles bundles = new OfferedBundles();
     private final Thread listening = new Thread(this::listen, "what workers say");
     private final WorkerDoor door;
-    /** Speed of this machine, to scale time limits; 0 if they are not scaled. */
-    private final int speed;
+    private final LeagueTerms terms;
     private volatile boolean closed;
     /** Why no game can be kept any more, or {@code null}. */
     private volatile InputException unusable;
@@ -111,13 +102,10 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
         this.settings = settings;
         this.teller = teller;
         share = service.share();
-        version = service.version();
-        rules = RulesFingerprint.of(contest.setup());
-        jar = JarFolder.digestOf(contest.setup());
         bundles.offerScene(contest.setup());
         reported = new ReportedGames(folder, season, contest, types, teller, this::suspect);
         door = new WorkerDoor(folder, teller);
-        speed = service.scaled() ? MachineSpeed.measure() : 0;
+        terms = new LeagueTerms(contest, settings, service);
         settings.active().forEach(Bundle::of);         // what cannot be sent is said before any game is played
         BrokerKey key = new BrokerKey(folder);
         key.make();
@@ -174,7 +162,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
 
     /** A worker's answers are not those of its bots: its games wait for a decision, and it gets no more. */
     private void suspect(String worker, String doubt) throws InterruptedException {
-        if (!gate.isSuspended(worker) && door.doubt(worker, shown(doubt))) {
+        if (!gate.isSuspended(worker) && door.doubt(worker, LeagueTerms.shown(doubt))) {
             gate.suspend(worker, true);
             suspend(worker, true);
         }
@@ -286,7 +274,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
             throws InterruptedException {
         WorkerState state = state(told.worker());
         if (played.problem() != null || played.transcripts().isEmpty()) {
-            unplayed(state, shown(played.problem()));
+            unplayed(state, LeagueTerms.shown(played.problem()));
             return null;
         }
         List<StoredGame> attempts = List.of();
@@ -325,7 +313,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
             if (wrong.isComputed() && !contest.setup().isHosted()) {
                 caught(state, wrong.getMessage());
             } else {
-                unplayed(state, shown(wrong.getMessage()));
+                unplayed(state, LeagueTerms.shown(wrong.getMessage()));
             }
             return null;
         } finally {
@@ -356,7 +344,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
             state.caught = true;
             state.slots = 0;
         }
-        door.revoke(state.name, "caught: " + shown(why));
+        door.revoke(state.name, "caught: " + LeagueTerms.shown(why));
         broker.disconnect(state.name);
         int games = setAside(state);
         say("worker " + state.name + " is caught and revoked: " + why + "; " + games
@@ -433,31 +421,20 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
             } else if (word instanceof WorkerWord.Unfit unfit) {
                 unfit(state, unfit);
             } else if (word instanceof WorkerWord.Differs differs) {
-                if (jar == null && differs.jar() != null) {
-                    throw new InputException("found a word about a jar, expected none: the game has no jar");
-                }
+                String difference = terms.difference(state, differs);
                 leave(state);
-                say(differs.jar() == null ? state.apart(state.version, shown(differs.rules()), version, rules)
-                    : "worker " + state.name + ": " + GameJar.missing(shown(differs.jar()), jar));
+                say(difference);
             } else {
                 leave(state);
             }
         } catch (InputException | SceneException problem) {
-            say("worker " + report.worker() + " is sent away: " + shown(problem.getMessage()));
+            say("worker " + report.worker() + " is sent away: " + LeagueTerms.shown(problem.getMessage()));
             broker.disconnect(report.worker());
         }
     }
 
-    static String shown(String text) {
-        String plain = String.valueOf(text).replaceAll("[^ -~]", "?");
-        return plain.length() > LONGEST_TEXT ? plain.substring(0, LONGEST_TEXT) : plain;
-    }
-
     private void hello(WorkerState state, WorkerWord.Hello hello) {
-        String ours = contest.setup().plan().law().key();
-        String theirs = contest.setup().plan().law().keyAmong(hello.bits());
-        String why = !theirs.equals(ours) ? state.apart(shown(hello.version()), shown(theirs), version, ours)
-            : contest.setup().isHosted() && !hello.guests() ? state.withoutGuests() : null;
+        String why = terms.refusal(state, hello);
         if (why != null) {
             say(why);
             broker.tell(state.name, new LeagueWord.Refused(why).bytes());
@@ -467,26 +444,24 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
             state.slots = hello.slots();
             gate.joined(state.name, hello.slots());
             state.unfit.clear();                       // it may be another machine by now; it says them again
-            state.version = shown(hello.version());
-            state.scale = speed == 0 ? 1 : MachineSpeed.scale(speed, hello.speed());
-            state.machine = shown(hello.machine()) + (speed == 0 ? "" : ", time limits times " + state.scale);
+            terms.note(state, hello);
             state.began = state.began == 0 ? System.nanoTime() : state.began;
             anyConnected = true;
             notifyAll();
         }
         say("worker " + state.name + " plays " + TextFormat.count(hello.slots(), "game") + " at a time: "
             + state.machine);
-        broker.tell(state.name, bundles.greeting(new LeagueWord.Welcome(version, rules, jar, settings.factor()
-            * state.scale, settings.basis(), settings.hiccups(), settings.hold(), contest.setup().scene().json())));
+        broker.tell(state.name, bundles.greeting(terms.welcome(state)));
     }
 
     private void unfit(WorkerState state, WorkerWord.Unfit unfit) {
         boolean isNew;
         synchronized (this) {
-            isNew = bundles.has(unfit.bundle()) && state.unfit.put(unfit.bundle(), shown(unfit.reason())) == null;
+            isNew = bundles.has(unfit.bundle())
+                && state.unfit.put(unfit.bundle(), LeagueTerms.shown(unfit.reason())) == null;
         }
         if (isNew) {
-            say("worker " + state.name + " cannot play a bot: " + shown(unfit.reason()));
+            say("worker " + state.name + " cannot play a bot: " + LeagueTerms.shown(unfit.reason()));
             offered.lookWhoCanPlay();
             pauses.untested(state.name);               // it gives the job back
         }

@@ -131,7 +131,7 @@ final class ReportedGames {
             file = keeper.take(name, check.replay(source, sent, expected(game)), true);
         }
         return new StoredGame(0, name, task.decision(), task.seed(), game.first() + k, last && !discarded,
-            outcome.turns(), discarded ? RemoteGames.shown(played.discarded()) : null,
+            outcome.turns(), discarded ? LeagueTerms.shown(played.discarded()) : null,
             System.currentTimeMillis(), machine, file, outcome.facts().transcript(), seats);
     }
 

@@ -67,7 +67,7 @@ class AsideGamesTest {
         assertEquals(List.of("1", "1", "1", "F"), games());
         assertEquals(3, counting());
         aside.suspend("worker x: ", "suspended: why");
-        assertEquals(3, store.setAside(season, "worker x: ", "set aside: why").size(), "to be played again");
+        assertEquals(3, aside.setAside(season, "worker x: ", "set aside: why").size(), "to be played again");
         assertEquals(0, aside.restore("worker x: "));
         assertEquals(1, counting());
     }

@@ -286,7 +286,8 @@ class WorkerTest extends ServedLeague {
                 + "invitation: an invitation until 2999-.*, used by 2 of 2 machines\n"));
             String json = done("worker", "list", "TMP/many", "--json");
             assertTrue(json.startsWith("{\"workers\":[{\"name\":\"" + one + "\",\"invitation\":\"invitation\","
-                + "\"revoked\":null,\"suspended\":false,\"doubts\":[]}") && json.contains("\"used\":2,\"count\":2,\"revoked\":false}"), json);
+                + "\"revoked\":null,\"suspended\":false,\"doubts\":[]}")
+                && json.contains("\"used\":2,\"count\":2,\"revoked\":false}"), json);
             done("worker", "revoke", "TMP/many", one);
             while (!told.contains("worker " + one + " is revoked") && !refusedNow(tokens.get(0))) {
                 TimeUnit.MILLISECONDS.sleep(50);

@@ -246,12 +246,7 @@ public final class RunCommand extends ProgramCommand {
             screen.set(streams.errTerminal() && !quiet ? new LiveTable(streams.err(),
                 () -> progress.lines(run, machines, streams::errColour)) : null);
             if (!quiet) {
-                if (!contest.hold().isEmpty()) {
-                    say(screen.get(), contest.hold());
-                }
-                say(screen.get(), plan != null ? progress.planned() : RoundText.length(settings,
-                    roster.versions(), season.players(), settings.gauntlet() == null ? -1
-                        : roster.versionOf(settings.gauntlet()).orElse(-1), roster.meeting()));
+                sayBegin(screen.get(), contest, plan != null ? progress.planned() : length(settings, season, roster));
             }
             run.play();
             if (told.getAndSet(true)) {
@@ -282,6 +277,18 @@ public final class RunCommand extends ProgramCommand {
         if (screen != null) {
             screen.close();
         }
+    }
+
+    private static String length(LeagueSettings settings, Season season, Roster roster) {
+        return RoundText.length(settings, roster.versions(), season.players(), settings.gauntlet() == null ? -1
+            : roster.versionOf(settings.gauntlet()).orElse(-1), roster.meeting());
+    }
+
+    private void sayBegin(LiveTable screen, Contest contest, String length) {
+        if (!contest.hold().isEmpty()) {
+            say(screen, contest.hold());
+        }
+        say(screen, length);
     }
 
     private void say(LiveTable screen, String what) {

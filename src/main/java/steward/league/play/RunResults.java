@@ -1,0 +1,87 @@
+package steward.league.play;
+
+import java.util.List;
+import steward.league.RepeatedGroups;
+import steward.league.Schedule;
+import steward.league.Season;
+import steward.league.StoredGame;
+import steward.league.pairing.KnownResults;
+import steward.league.play.Roster.Member;
+import steward.league.store.GameQueries;
+import steward.league.store.GameStore;
+
+/**
+ * Results that a run learns from, of earlier runs and of its own: which groups of bots only repeat games, and, where a
+ * pairing or an end asks for it, how strong each bot is. Not thread-safe.
+ */
+final class RunResults {
+
+    private final Season season;
+    private final GameQueries queries;
+    private final int settled;
+    private final RepeatedGroups repeated;
+    private KnownResults known;
+
+    /** @param settled below this number no decision's results are asked for alone */
+    RunResults(Season season, GameQueries queries, int settled) {
+        this.season = season;
+        this.queries = queries;
+        this.settled = settled;
+        repeated = new RepeatedGroups(season.players() == 1);
+        queries.addTo(repeated);
+    }
+
+    RepeatedGroups repeated() {
+        return repeated;
+    }
+
+    /** The results of the schedule; {@code null} before {@link #learn}. */
+    KnownResults known() {
+        return known;
+    }
+
+    /** From now on the results of the schedule are known. */
+    void learn() {
+        if (known == null) {
+            known = new KnownResults(season, queries.resultsBefore(settled));
+            queries.known(settled, known::add);
+        }
+    }
+
+    /** Adds what is to be learnt from the attempts of a game. */
+    void add(List<Member> members, List<StoredGame> attempts) {
+        for (StoredGame game : attempts) {
+            if (game.isRated()) {
+                add(members, game.decision(), game.seed(), game.lineup(), game.seats().get(0).score(),
+                    game.transcript(), game.seats().stream().mapToInt(StoredGame.StoredSeat::rank).toArray());
+            }
+        }
+    }
+
+    private void add(List<Member> members, int decision, long seed, int[] lineup, double score, long transcript,
+                     int... ranks) {
+        boolean random = members.stream().anyMatch(member -> member.version().random());
+        repeated.add(decision, random ? 0 : transcript, lineup);
+        if (known != null) {
+            known.add(decision, seed, lineup, score, random ? 0 : transcript, ranks);
+        }
+    }
+
+    /** Adds a game that was stored before it was decided on; by seat, whether the bot failed. */
+    boolean[] addStored(GameStore store, GamePlay play, Schedule.Task task, List<Member> seats) {
+        boolean[][] failed = {new boolean[0]};
+        for (int attempt = 1; attempt <= 2; attempt++) {
+            store.outcome(play.name(task, seats, attempt)).ifPresent(found -> {
+                failed[0] = new boolean[seats.size()];
+                for (int seat = 0; seat < seats.size(); seat++) {
+                    failed[0][seat] = found.failed().get(seat);
+                }
+                if (!found.allFailed()) {
+                    add(seats, task.decision(), task.seed(), task.lineup(), found.scores().get(0), found.transcript(),
+                        found.ranks().stream().mapToInt(rank -> rank).toArray());
+                }
+            });
+        }
+        return failed[0];
+    }
+}
