@@ -49,6 +49,7 @@ import steward.league.play.Roster;
 import steward.league.rating.LeagueTable;
 import steward.match.Protocol;
 import steward.scene.SceneFiles;
+import steward.scene.Scene;
 import steward.text.TextFormat;
 
 /** {@code steward tournament}: everybody in a folder against everybody. */
@@ -192,7 +193,12 @@ public final class TournamentCommand extends ProgramCommand {
             : OutputFiles.path(page);
         Protocol spoken = ProtocolWord.parse(protocol);
         Programs programs = Programs.in(from, into);
-        Games.open(scene);
+        Scene opened = Games.open(scene).scene();
+        if (rounds != null && opened.players() < 2) {
+            throw new InputException("--rounds: found " + opened.name() + ", which each plays alone, expected a scene "
+                + "for several players");
+        }
+        flags();                                       // refused before anything is written
         LeagueFolder league = new LeagueFolder(into.resolve("league"));
         boolean before = Files.isRegularFile(league.settings());
         prepare(into, before);
@@ -206,10 +212,6 @@ public final class TournamentCommand extends ProgramCommand {
                      Protocol spoken, Wall wall) throws Exception {
         Contest empty = LeagueOpening.contest(league, settings, streams);
         Contest.checkPlayable(empty.setup(), List.of(new Contest.Entrant("all", "all", spoken, List.of())));
-        if (rounds != null && empty.players() < 2) {
-            throw new InputException("--rounds: found " + empty.sceneName() + ", which each plays alone, expected a "
-                + "scene for several players");
-        }
         programs.others().forEach(other -> streams.err().println("steward: " + TextFormat.plain(other)
             + " is no program, and is passed over"));
         List<Entry> entries = entries(programs, into, empty, spoken);

@@ -191,8 +191,8 @@ class WorkerVerdictsTest extends ServedLeague {
     @Test
     @Tag("campaign")
     void latenessThatTheWorkersOwnTimesDoNotAllowIsNotBelieved() throws Exception {
-        alone(60);                                     // so many that it has joined before they are played
-        String said = beside(hostile(Way.EARLY), 60, "--threads", "1", "--pause-after", "0");
+        alone(240);                                    // so many that it has joined before they are played
+        String said = beside(hostile(Way.EARLY), 240, "--threads", "1", "--pause-after", "0");
         assertTrue(said.contains("worker bad could not play a game: game "), said);
         assertTrue(said.contains("after 0 us, expected a late answer only after 60"), said);
         assertEquals(alone, counting("many"), said);
@@ -201,8 +201,8 @@ class WorkerVerdictsTest extends ServedLeague {
     @Test
     @Tag("campaign")
     void latenessThatHasNotPassedIsNotBelieved() throws Exception {
-        alone(60);                                     // so many that it has joined before they are played
-        String said = beside(hostile(Way.LATE), 60, "--threads", "1", "--pause-after", "0");
+        alone(240);                                    // so many that it has joined before they are played
+        String said = beside(hostile(Way.LATE), 240, "--threads", "1", "--pause-after", "0");
         assertTrue(said.contains("us, expected no more than the time since the worker was handed the game"), said);
         assertEquals(alone, counting("many"), said);
     }
