@@ -62,7 +62,8 @@ function forcesOf(match) {
 }
 
 /** The speed at the end of a turn is v + a/2: v is that of the middle of a parabola. */
-function sumsOf(match, turn, [forceX, forceY, gravityX, gravityY]) {
+function sumsOf(match, turn, forces) {
+  const [forceX, forceY, gravityX, gravityY] = forces;
   let [energy, potential, x, y] = [0, 0, 0, 0];
   for (const body of turn.bodies.values()) {
     const mass = match.descriptions.get(body.id)?.mass;
