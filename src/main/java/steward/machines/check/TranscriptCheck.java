@@ -299,7 +299,8 @@ public final class TranscriptCheck {
             long limit = ownMs > 0 ? contest.time().scaled(ownMs) : contest.time().limit(asked[player] - 1);
             if (FaultMessages.isTime(fault) && contest.time().basis() == TimeBasis.WALL && time < limit) {
                 throw new DisprovedException(source + ":" + number + ": faults[" + player + "]: found '"
-                    + fault.replaceFirst("(?s): .*", "") + "' after " + time / 1000 + " us, expected a late answer only after " + limit / 1000 + " us");
+                    + fault.replaceFirst("(?s): .*", "") + "' after " + time / 1000
+                    + " us, expected a late answer only after " + limit / 1000 + " us");
             }
         }
 
