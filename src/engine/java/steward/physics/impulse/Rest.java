@@ -90,7 +90,7 @@ public final class Rest {
     private int[] closedA = new int[0];
     private int[] closedB = new int[0];
     private int closed;
-    /** What of the accelerations leads from the velocities of the system to those of the instant, in turns. */
+    /** Share of the accelerations between the velocities of the system and those of the instant, in turns. */
     private double toInstant;
     /** True if the impact is no faster than what forces do to bodies at rest in half a turn. */
     private boolean calm;

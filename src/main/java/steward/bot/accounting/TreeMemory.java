@@ -40,7 +40,7 @@ public final class TreeMemory {
         return resident + files > limit ? inProportion(processes, files) : resident + files;
     }
 
-    /** What is mapped of a file in memory is counted with the files, or as mapped where that is more. */
+    /** Memory mapped of files in memory: counted with the files, or as mapped where that is more. */
     private long inProportion(List<Long> processes, long files) {
         long mapped = 0;
         long ofFiles = 0;

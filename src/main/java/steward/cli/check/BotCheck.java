@@ -32,7 +32,7 @@ public record BotCheck(Contest contest, List<Tried> games) {
     /** An answer that takes more of its limit is late on a machine that is a little slower. */
     private static final double EDGE = 0.8;
     private static final double NANOS_PER_MS = 1e6;
-    /** How often a game is begun anew in which a bundled bot was late. */
+    /** Most times that a game is begun anew in which a bundled bot was late. */
     private static final int MOST_SPOILT = 3;
     /** In place of the slowest answer, where only the bot's own CPU time was looked at. */
     private static final long BY_CPU = -1;

@@ -118,7 +118,7 @@ record HandIn(Path source, TreeMap<String, String> files, List<String> leftOut, 
         return found.size() + " " + found.lastModifiedTime().toInstant() + " " + found.fileKey();
     }
 
-    /** What is left out, in words; {@code null} for nothing. */
+    /** Parts that are left out, in words; {@code null} for none. */
     String left() {
         return leftOut.isEmpty() ? null : "Left out, as only regular files are copied: "
             + String.join(", ", leftOut.subList(0, Math.min(NAMED, leftOut.size())))

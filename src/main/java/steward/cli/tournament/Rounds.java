@@ -72,14 +72,14 @@ record Rounds(Path file, List<String> field, List<List<List<String>>> rounds) {
         }).getBytes(StandardCharsets.UTF_8));
     }
 
-    /** How often each group has been decided on. */
+    /** Number of decisions on each group. */
     Map<Set<String>, Integer> met() {
         Map<Set<String>, Integer> met = new HashMap<>();
         rounds.forEach(round -> round.forEach(group -> met.merge(new HashSet<>(group), 1, Integer::sum)));
         return met;
     }
 
-    /** How often each program had a bye. */
+    /** Number of byes of each program. */
     Map<String, Integer> byes(int players) {
         Map<String, Integer> byes = new HashMap<>();
         rounds.forEach(round -> round.stream().filter(group -> group.size() < players)
@@ -115,7 +115,7 @@ record Rounds(Path file, List<String> field, List<List<List<String>>> rounds) {
         write();
     }
 
-    /** How often each two have met, in groups of any size. */
+    /** Number of meetings of each two, in groups of any size. */
     private Map<Set<String>, Integer> pairs() {
         Map<Set<String>, Integer> pairs = new HashMap<>();
         met().forEach((group, times) -> group.forEach(one -> group.stream().filter(other -> !other.equals(one))

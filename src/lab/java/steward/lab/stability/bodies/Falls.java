@@ -17,7 +17,7 @@ import steward.physics.Wall;
 final class Falls {
 
     static final ImpactLaw SOFT = ImpactLaw.PHYSICS.withRestitution(ImpactLaw.Restitution.MINIMUM);
-    /** What is slower than this is still, in u per turn. */
+    /** Speed below which a body is still, in u per turn. */
     static final double STILL = 1e-6;
     static final Wall FLOOR = new HalfPlane(0, 0, 0, -1, 1);
 
