@@ -58,7 +58,7 @@ public final class Schedule {
     private final int last;
     private long games;
 
-    /** How often each group is decided on, where that is fixed beforehand. */
+    /** Number of decisions on each group, where that is fixed beforehand. */
     public interface Plan {
 
         /**

@@ -53,7 +53,7 @@ record Workshop(Path folder, Isolation isolation, long limitMs, HandIn.Bounds bo
     private static final int MOST_COMMAND = JsonLimits.TEXT - 20;
     /** The source that was compiled last by the same call. */
     private static final String COMPILED = "compiled";
-    /** What the compiler said; of C++ the first line is its call. */
+    /** Output of the compiler; of C++ the first line is its call. */
     private static final String SAYS = "compiler.txt";
     private static final Pattern PUBLIC = Pattern.compile(
         "\\bpublic\\s+(?:final\\s+|abstract\\s+|strictfp\\s+|sealed\\s+)*(?:class|record|enum|interface)\\s+([\\w$]+)",

@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Test;
 import steward.bot.TimeSpent;
 import steward.contest.Failure;
 
-/** What a beginner is told about a failure. */
+/** Words for a beginner about a failure. */
 class AdviceTest {
 
     private static long ms(long time) {
