@@ -54,7 +54,8 @@ public final class HeldLanguages {
         for (String language : languages) {
             List<String> command = command(language, work);
             if (command == null) {
-                System.out.println("| " + language + " | - | - | - | skipped: there is no " + language + " |");
+                System.out.println("| " + language + " | - | - | - | skipped: there is no "
+                    + (language.equals("dotnet") ? "dotnet and mcs" : language) + " |");
                 continue;
             }
             List<Answers> found = ask(command, level, turns);
@@ -75,7 +76,7 @@ public final class HeldLanguages {
 
     /** Interpreters and compilers, and every JVM where systems have them. */
     private static List<String> all() throws IOException {
-        List<String> languages = new ArrayList<>(List.of("java", "node", "go", "python3", "g++", "rustc"));
+        List<String> languages = new ArrayList<>(List.of("java", "node", "go", "python3", "g++", "rustc", "dotnet"));
         Path machines = Path.of("/usr/lib/jvm");
         if (Files.isDirectory(machines)) {
             try (Stream<Path> folders = Files.list(machines)) {
@@ -97,6 +98,7 @@ public final class HeldLanguages {
             case "python3" -> "py";
             case "rustc" -> "rs";
             case "g++" -> "cpp";
+            case "dotnet" -> "cs";
             default -> language;
         }).toAbsolutePath().toString();
         if (java) {                                          // once, and not by each of the bots
@@ -107,6 +109,9 @@ public final class HeldLanguages {
         if (language.equals("node") || language.equals("python3")) {
             return List.of(program.toString(), source);
         }
+        if (language.equals("dotnet")) {
+            return dotnet(program, source, work);
+        }
         Path built = work.resolve("threads-" + language);
         List<String> words = new ArrayList<>(List.of(program.toString(), "-o", built.toString(), source));
         words.addAll(1, language.equals("go") ? List.of("build") : List.of("-O"));
@@ -114,6 +119,23 @@ public final class HeldLanguages {
         ProcessBuilder builder = new ProcessBuilder(words);
         builder.environment().put("GOFLAGS", "-mod=mod");
         return builder.inheritIO().start().waitFor() == 0 ? List.of(built.toString()) : null;
+    }
+
+    /** A program for any version of .NET, by Mono's compiler: one of .NET's own wants a project and packages. */
+    private static List<String> dotnet(Path program, String source, Path work)
+            throws IOException, InterruptedException {
+        Path compiler = ProgramFinder.find("mcs");
+        Path built = work.resolve("threads.exe");
+        if (compiler == null || new ProcessBuilder(compiler.toString(), "-out:" + built, source).inheritIO().start()
+                .waitFor() != 0) {
+            return null;
+        }
+        Files.writeString(work.resolve("threads.runtimeconfig.json"), """
+            {"runtimeOptions": {"rollForward": "LatestMajor",
+              "framework": {"name": "Microsoft.NETCore.App", "version": "3.1.0"},
+              "configProperties": {"System.Globalization.Invariant": true}}}
+            """);
+        return List.of(program.toString(), built.toString());
     }
 
     /** Never held and always, asked in turns: while one is asked, the other waits. */
