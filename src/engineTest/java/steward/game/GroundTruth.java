@@ -1,18 +1,14 @@
 package steward.game;
 
-import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
+import java.net.URISyntaxException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.function.Function;
-import java.util.function.ToIntFunction;
-import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.TestReporter;
 
@@ -31,8 +27,6 @@ public enum GroundTruth {
     private static final String FIRST = "pod-race";
     /** System property that is true if the call of the build names a folder. */
     private static final String TELL = "steward.tell";
-    /** One file in so many is read outside campaigns. */
-    private static final int SHARE = 8;
 
     private final String property;
     private final String usual;
@@ -58,15 +52,23 @@ public enum GroundTruth {
         }
     }
 
-    /**
-     * The files of a test: some of them, of all parts of their order, where the call of the build names no folder.
-     *
-     * @param all true in campaigns
-     */
-    public List<Path> files(boolean all, String game, String ending) throws IOException {
-        List<Path> files = files(game, ending);
-        return all || Boolean.getBoolean(TELL) ? files
-            : IntStream.range(0, files.size()).filter(k -> k % SHARE == 0).mapToObj(files::get).toList();
+    /** The matches of a game: of the folder that the call of the build names, or those of the sample in this project. */
+    public static List<Path> matches(String game) throws IOException {
+        if (Boolean.getBoolean(TELL)) {
+            return VECTORS.files(game, ".jsonl.gz");
+        }
+        try (Stream<Path> files = Files.list(sample(game))) {
+            return files.sorted().toList();
+        }
+    }
+
+    /** A file or folder of the sample in this project; fails where it is missing. */
+    public static Path sample(String name) {
+        try {
+            return Path.of(GroundTruth.class.getResource("/truth/" + name).toURI());
+        } catch (URISyntaxException problem) {
+            throw new IllegalStateException(problem);
+        }
     }
 
     /** A file of the folder of official recordings of the pod race. */
@@ -82,35 +84,6 @@ public enum GroundTruth {
         if (Boolean.getBoolean(TELL)) {
             System.out.println(line);
         }
-    }
-
-    /**
-     * Asserts that matches of a published referee are reproduced to the last bit, and reports how many values were
-     * compared.
-     *
-     * @param all   true if of every match, see {@link #files(boolean, String, String)}
-     * @param turns how many a match has
-     */
-    public static <M> void assertReproduced(TestReporter report, boolean all, String game, String how,
-                                            Function<Path, M> read, ToIntFunction<M> turns,
-                                            Function<M, Comparison> comparing) throws IOException {
-        List<String> differences = new ArrayList<>();
-        long values = 0;
-        long impacts = 0;
-        int played = 0;
-        List<Path> files = VECTORS.files(all, game, ".jsonl.gz");
-        for (Path file : files) {
-            M match = read.apply(file);
-            Comparison found = comparing.apply(match);
-            values += found.values();
-            impacts += found.impacts();
-            played += turns.applyAsInt(match);
-            differences.addAll(found.differences());
-        }
-        tell(report, game + ", " + how + ": " + files.size() + " matches, " + played + " turns, " + impacts
-            + " impacts, " + values + " values compared, " + differences.size() + " different");
-        assertTrue(values > 0, "the folder holds matches");
-        assertEquals(List.of(), differences.stream().limit(20).toList());
     }
 
     /** Report of what was compared, file by file, told as it comes. */

@@ -124,9 +124,9 @@ class FantasticBitsRecordingsTest {
                 pitch.bodies().setPosition(Integer.parseInt(words[0]), Double.parseDouble(words[2]),
                     Double.parseDouble(words[3]));
             }
-            FantasticBits any = FantasticBitsMatch.setup(Variant.CONTEST).create(0);
+            FantasticBits any = FantasticBitsReplay.setup(Variant.CONTEST).create(0);
             game = any.on(pitch, new int[2], new int[2]);
-            codec = FantasticBitsMatch.setup(Variant.CONTEST).textCodec(game).orElseThrow();
+            codec = FantasticBitsReplay.setup(Variant.CONTEST).textCodec(game).orElseThrow();
         }
 
         void compare() {

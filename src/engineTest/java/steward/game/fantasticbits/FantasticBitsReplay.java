@@ -1,109 +1,111 @@
 package steward.game.fantasticbits;
 
-import java.nio.charset.StandardCharsets;
-import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.TreeSet;
-import steward.game.Comparison;
-import steward.game.TextCodec;
+import steward.game.VectorMatch;
+import steward.game.VectorReplay;
 import steward.game.fantasticbits.protocol.FantasticBitsType;
 import steward.physics.Bodies;
 import steward.physics.Impact;
 import steward.physics.TurnLog;
+import steward.scene.SceneFiles;
+import steward.scene.SceneReader;
 import tools.jackson.databind.JsonNode;
 
-/** Plays a match of the published referee again by the rules and the site's lines, and compares everything. */
-final class FantasticBitsReplay {
+/** A match of the published Fantastic Bits referee, played again. */
+public final class FantasticBitsReplay extends VectorReplay<FantasticBits> {
 
     private static final List<String> SIDES = List.of("LEFT", "TOP", "RIGHT", "BOTTOM");
+    private static final FantasticBitsType.FantasticBitsSetup PUZZLE = open("fantastic-bits");
+    private static final FantasticBitsType.FantasticBitsSetup CONTEST = open("fantastic-bits-contest");
 
-    private final FantasticBitsMatch match;
-    private final FantasticBitsType.FantasticBitsSetup setup;
-    private final Comparison comparison;
-
-    FantasticBitsReplay(FantasticBitsMatch match) {
-        this.match = match;
-        setup = match.setup();
-        comparison = new Comparison(match.name());
+    public FantasticBitsReplay(VectorMatch match) {
+        super(match, setup(match));
     }
 
-    /** From the start to the end. */
-    Comparison compareWhole() {
-        FantasticBits game = match.begin();
+    private static FantasticBitsType.FantasticBitsSetup open(String scene) {
+        return new FantasticBitsType().open(SceneReader.read(SceneFiles.load(scene), null));
+    }
+
+    static FantasticBitsType.FantasticBitsSetup setup(Variant variant) {
+        return variant == Variant.PUZZLE ? PUZZLE : CONTEST;
+    }
+
+    /** The shipped scene, in the league of the match. */
+    private static FantasticBitsType.FantasticBitsSetup setup(VectorMatch match) {
+        JsonNode header = match.header();
+        Variant variant = Variant.valueOf(header.get("variant").asString().toUpperCase(Locale.ROOT));
+        if (!header.has("spells")) {
+            return setup(variant);
+        }
+        String text = setup(variant).scene().json().replace("\"maximumTurns\":", "\"spells\":" + header.get("spells")
+            + ",\"bludgers\":" + header.get("bludgers") + ",\"maximumTurns\":");
+        return new FantasticBitsType().open(SceneReader.read(text, match.name()));
+    }
+
+    @Override
+    protected FantasticBits create() {
+        return ((FantasticBitsType.FantasticBitsSetup) setup).create(match.seed());
+    }
+
+    @Override
+    protected void compareStart(FantasticBits game) {
         comparison.same("score to win", match.header().get("scoreToWin").asInt(), game.winningScore());
-        compareState("turn 0", match.start(), game);
-        for (JsonNode turn : match.turns()) {
-            String when = "turn " + turn.get("turn").asInt();
-            if (game.isOver()) {
-                comparison.same(when, "a turn", "over: " + game.ending());
-                return comparison;
-            }
-            compareTurn(when, turn, game);
-        }
-        if (!match.end().get("truncated").asBoolean()) {
-            comparison.same("end, turns", match.end().get("turnsPlayed").asInt(), game.turn());
-            comparison.same("end, is over", true, game.isOver());
-            for (int player = 0; player < game.players(); player++) {
-                comparison.same("end, score of " + player, match.end().get("scores").get(player).asString(),
-                    player + " " + game.score(player));
-            }
-        }
-        return comparison;
     }
 
-    /** Each turn from the recorded state before it. */
-    Comparison compareTurnByTurn() {
-        JsonNode before = match.start();
-        FantasticBits fresh = setup.create(match.seed());
-        for (JsonNode turn : match.turns()) {
-            compareTurn("turn " + turn.get("turn").asInt() + " alone", turn, FantasticBitsMatch.in(fresh, before));
-            before = turn.get("state");
-        }
-        return comparison;
+    @Override
+    protected Object score(FantasticBits game, int player) {
+        return game.score(player);
     }
 
-    private void compareTurn(String when, JsonNode turn, FantasticBits game) {
-        TextCodec lines = setup.textCodec(game).orElseThrow();
-        compareInputs(when, turn, lines);
-        for (int player = 0; player < game.players(); player++) {
-            JsonNode answer = turn.get("commands").get(player);
-            if (answer.isNull()) {
-                comparison.same(when + " player " + player + " is asked", false, game.isIn(player));
-            } else if (!answer.isArray()) {
-                game.eliminate(player, "no answer in time");
-            } else {
-                List<String> said = new ArrayList<>();
-                answer.forEach(line -> said.add(line.asString()));
-                byte[] bytes = String.join("\n", said).getBytes(StandardCharsets.UTF_8);
-                String wrong = lines.readAnswer(player, bytes, bytes.length);
-                if (wrong != null) {
-                    game.eliminate(player, wrong);
-                }
+    @Override
+    protected FantasticBits in(FantasticBits game, JsonNode state) {
+        Pitch pitch = new Pitch(state.get("snaffles").size(), state.get("bludgers").size());
+        Bodies bodies = pitch.bodies();
+        for (JsonNode wizard : state.get("wizards")) {
+            int self = move(bodies, wizard);
+            bodies.columns[Pitch.HELD][self] = wizard.get("snaffle").asInt();
+            bodies.columns[Pitch.WAIT][self] = wizard.get("captureWait").asInt();
+            for (Spell spell : Spell.values()) {
+                pitch.spells().set(self, spell, wizard.get(spell.text()).get(0).asInt(),
+                    wizard.get(spell.text()).get(1).asInt());
+            }
+            JsonNode cast = wizard.get("cast");
+            if (!cast.isNull()) {
+                pitch.spells().cast(self, Spell.valueOf(cast.get(0).asString().toUpperCase(Locale.ROOT)),
+                    cast.get(1).asInt());
             }
         }
-        game.play();
-        compareImpacts(when, turn, game.log());
-        compareState(when, turn.get("state"), game);
+        for (JsonNode snaffle : state.get("snaffles")) {
+            int self = move(bodies, snaffle);
+            bodies.setKind(self, (!snaffle.get("alive").asBoolean() ? EntityKind.LOST_SNAFFLE
+                : snaffle.get("captured").asBoolean() ? EntityKind.HELD_SNAFFLE : EntityKind.SNAFFLE).ordinal());
+            snaffle.get("ignores").forEach(other -> Pitch.ignore(bodies, self, other.asInt()));
+        }
+        for (JsonNode bludger : state.get("bludgers")) {
+            bodies.columns[Pitch.LAST_VICTIM][move(bodies, bludger)] = bludger.get("lastVictim").asInt();
+        }
+        int[] scores = new int[2];
+        int[] magic = new int[2];
+        for (int player = 0; player < 2; player++) {
+            scores[player] = state.get("scores").get(player).asInt();
+            magic[player] = state.get("magic").get(player).asInt();
+        }
+        return game.on(pitch, scores, magic);
     }
 
-    private void compareInputs(String when, JsonNode turn, TextCodec lines) {
-        JsonNode inputs = turn.get("inputs");
-        for (int player = 0; inputs != null && player < inputs.size(); player++) {
-            if (!inputs.get(player).isNull()) {
-                StringBuilder text = new StringBuilder();
-                if (turn.get("turn").asInt() == 1) {
-                    lines.writeSetup(text, player);
-                }
-                lines.writeTurn(text, player);
-                List<String> recorded = new ArrayList<>();
-                inputs.get(player).forEach(line -> recorded.add(line.asString()));
-                comparison.same(when + " input of player " + player, recorded, text.toString().lines().toList());
-            }
-        }
+    private static int move(Bodies bodies, JsonNode entity) {
+        int self = entity.get("id").asInt();
+        bodies.setPosition(self, entity.get("x").asDouble(), entity.get("y").asDouble());
+        bodies.setVelocity(self, entity.get("vx").asDouble(), entity.get("vy").asDouble());
+        return self;
     }
 
     /** Bounces are impacts of the log; captures, goals and open goals are facts of it, each in their order. */
-    private void compareImpacts(String when, JsonNode turn, TurnLog log) {
+    @Override
+    protected void compareImpacts(String when, JsonNode turn, FantasticBits game) {
+        TurnLog log = game.log();
         int impact = 0;
         int fact = 0;
         for (JsonNode of : turn.get("impacts")) {
@@ -152,7 +154,8 @@ final class FantasticBitsReplay {
         }
     }
 
-    private void compareState(String when, JsonNode state, FantasticBits game) {
+    @Override
+    protected void compareState(String when, JsonNode state, FantasticBits game) {
         Pitch pitch = game.pitch();
         Bodies bodies = pitch.bodies();
         for (int player = 0; player < game.players(); player++) {

@@ -1,71 +1,93 @@
 package steward.game.meanmax;
 
-import java.nio.charset.StandardCharsets;
-import java.util.ArrayList;
 import java.util.List;
-import steward.game.Comparison;
-import steward.game.TextCodec;
+import steward.game.VectorMatch;
+import steward.game.VectorReplay;
 import steward.game.meanmax.protocol.MeanMaxType;
 import steward.physics.Bodies;
 import steward.physics.Impact;
 import steward.physics.TurnLog;
+import steward.scene.SceneFiles;
+import steward.scene.SceneReader;
 import tools.jackson.databind.JsonNode;
 
-/** Plays a match of the published referee again by the rules and the site's lines, and compares everything. */
-final class MeanMaxReplay {
+/** A match of the published Mean Max referee, played again. */
+public final class MeanMaxReplay extends VectorReplay<MeanMax> {
 
-    private final MeanMaxMatch match;
-    private final MeanMaxType.MeanMaxSetup setup;
-    private final Comparison comparison;
-
-    MeanMaxReplay(MeanMaxMatch match) {
-        this.match = match;
-        setup = match.setup();
-        comparison = new Comparison(match.name());
+    public MeanMaxReplay(VectorMatch match) {
+        super(match, setup(match));
     }
 
-    /** From the start to the end. */
-    Comparison compareWhole() {
-        MeanMax game = match.begin();
-        compareHeader(game);
-        compareState("turn 0", match.start(), game);
-        for (JsonNode turn : match.turns()) {
-            String when = "turn " + turn.get("turn").asInt();
-            if (game.isOver()) {
-                comparison.same(when, "a turn", "over: " + game.ending());
-                return comparison;
-            }
-            compareTurn(when, turn, game);
+    /** The shipped scene, in the league of the match. */
+    private static MeanMaxType.MeanMaxSetup setup(VectorMatch match) {
+        String text = SceneFiles.load("mean-max").text();
+        if (match.header().has("version")) {
+            text = text.replace("\"winningScore\":", "\"version\": " + match.header().get("version")
+                + ", \"winningScore\":");
         }
-        if (!match.end().get("truncated").asBoolean()) {
-            comparison.same("end, turns", match.end().get("turnsPlayed").asInt(), game.turn());
-            comparison.same("end, is over", true, game.isOver());
-            for (int player = 0; player < game.players(); player++) {
-                comparison.same("end, score of " + player, match.end().get("scores").get(player).asString(),
-                    player + " " + game.score(player));
-            }
-        }
-        return comparison;
+        return new MeanMaxType().open(SceneReader.read(text, match.name()));
     }
 
-    /** Each turn from the recorded state before it. */
-    Comparison compareTurnByTurn() {
-        JsonNode before = match.start();
-        MeanMax fresh = setup.create(match.seed());
-        for (JsonNode turn : match.turns()) {
-            MeanMax game = match.in(fresh, before);
-            for (int player = 0; player < game.players(); player++) {
-                if (before.get("dead").get(player).asBoolean()) {
-                    game.eliminate(player, "out before");
-                }
-            }
-            compareTurn("turn " + turn.get("turn").asInt() + " alone", turn, game);
-            before = turn.get("state");
-        }
-        return comparison;
+    @Override
+    protected MeanMax create() {
+        return ((MeanMaxType.MeanMaxSetup) setup).create(match.seed());
     }
 
-    private void compareHeader(MeanMax game) {
+    @Override
+    protected Object score(MeanMax game, int player) {
+        return game.score(player);
+    }
+
+    @Override
+    protected MeanMax in(MeanMax game, JsonNode state) {
+        MeanMaxWorld world = MeanMaxWorld.empty(game.settings(), match.seed(), game.players(), state.get("units").size());
+        for (JsonNode unit : state.get("units")) {
+            boolean tanker = unit.get("type").asInt() == UnitKind.TANKER.ordinal();
+            int body = world.addUnit(unit.get("id").asInt(), UnitKind.of(unit.get("type").asInt()),
+                unit.get("player").asInt(), unit.get("radius").asDouble(), unit.get("mass").asDouble(),
+                tanker ? unit.get("water").asInt() : 0, tanker ? unit.get("size").asInt() : 0);
+            world.bodies().setPosition(body, unit.get("x").asDouble(), unit.get("y").asDouble());
+            world.bodies().setVelocity(body, unit.get("vx").asDouble(), unit.get("vy").asDouble());
+        }
+        for (JsonNode wreck : state.get("wrecks")) {
+            world.addWreck(wreck.get("id").asInt(), wreck.get("x").asDouble(), wreck.get("y").asDouble(),
+                wreck.get("radius").asDouble(), wreck.get("water").asInt(),
+                wreck.path("player").asInt(-1));
+        }
+        for (JsonNode effect : state.get("effects")) {
+            world.addEffect(effect.get("id").asInt(), skill(effect.get("type").asInt()), effect.get("x").asDouble(),
+                effect.get("y").asDouble(), effect.get("duration").asInt(), effect.get("looter").asInt());
+        }
+        world.takeIdsUpTo(state.get("nextId").asInt());
+        int[] scores = new int[game.players()];
+        int[] rages = new int[game.players()];
+        for (int player = 0; player < game.players(); player++) {
+            scores[player] = state.get("scores").get(player).asInt();
+            rages[player] = state.get("rages").get(player).asInt();
+            while (world.queue().left(player) > state.get("tankersLeft").get(player).asInt()) {
+                world.queue().take(player);
+            }
+        }
+        MeanMax begun = game.in(world, scores, rages);
+        for (int player = 0; player < game.players(); player++) {
+            if (state.get("dead").get(player).asBoolean()) {
+                begun.eliminate(player, "out before");
+            }
+        }
+        return begun;
+    }
+
+    static Skill skill(int type) {
+        for (Skill skill : Skill.values()) {
+            if (skill.type() == type) {
+                return skill;
+            }
+        }
+        throw new IllegalArgumentException("effect of type " + type);
+    }
+
+    @Override
+    protected void compareStart(MeanMax game) {
         int size = 0;
         TankerQueue queue = game.world().queue().copy();
         for (JsonNode next : match.header().get("nextTankers")) {
@@ -75,45 +97,10 @@ final class MeanMaxReplay {
         }
     }
 
-    private void compareTurn(String when, JsonNode turn, MeanMax game) {
-        TextCodec lines = setup.textCodec(game).orElseThrow();
-        compareInputs(when, turn, lines);
-        for (int player = 0; player < game.players(); player++) {
-            JsonNode answer = turn.get("commands").get(player);
-            if (answer.isNull()) {
-                comparison.same(when + " player " + player + " is asked", false, game.isIn(player));
-            } else if (!answer.isArray()) {
-                game.eliminate(player, "no answer in time");
-            } else {
-                List<String> said = new ArrayList<>();
-                answer.forEach(line -> said.add(line.asString()));
-                byte[] bytes = String.join("\n", said).getBytes(StandardCharsets.UTF_8);
-                String wrong = lines.readAnswer(player, bytes, bytes.length);
-                if (wrong != null) {
-                    game.eliminate(player, wrong);
-                }
-            }
-        }
-        game.play();
-        compareImpacts(when, turn, game.log());
-        compareState(when, turn.get("state"), game);
-    }
-
-    private void compareInputs(String when, JsonNode turn, TextCodec lines) {
-        JsonNode inputs = turn.get("inputs");
-        for (int player = 0; inputs != null && player < inputs.size(); player++) {
-            if (!inputs.get(player).isNull()) {
-                StringBuilder text = new StringBuilder();
-                lines.writeTurn(text, player);
-                List<String> recorded = new ArrayList<>();
-                inputs.get(player).forEach(line -> recorded.add(line.asString()));
-                comparison.same(when + " input of player " + player, recorded, text.toString().lines().toList());
-            }
-        }
-    }
-
     /** Bounces are impacts of the log, sinkings are facts of it, each in their order. */
-    private void compareImpacts(String when, JsonNode turn, TurnLog log) {
+    @Override
+    protected void compareImpacts(String when, JsonNode turn, MeanMax game) {
+        TurnLog log = game.log();
         int impact = 0;
         int fact = 0;
         for (JsonNode of : turn.get("impacts")) {
@@ -155,7 +142,8 @@ final class MeanMaxReplay {
         }
     }
 
-    private void compareState(String when, JsonNode state, MeanMax game) {
+    @Override
+    protected void compareState(String when, JsonNode state, MeanMax game) {
         MeanMaxWorld world = game.world();
         Bodies bodies = world.bodies();
         comparison.same(when + " next id", state.get("nextId").asInt(), bodies.nextId());

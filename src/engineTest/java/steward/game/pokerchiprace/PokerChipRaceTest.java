@@ -129,7 +129,7 @@ class PokerChipRaceTest {
 
     @Test
     void theChipsOfAPlayerAtFaultBecomeNeutralAndThreeGoOn() {
-        PokerChipRaceType.PokerChipRaceSetup three = PokerMatch.setup(3, "");
+        PokerChipRaceType.PokerChipRaceSetup three = PokerReplay.setup(3, "");
         PokerChipRace game = three.create(3);
         int own = game.table().owned(1);
         game.command(1, 0, new ChipCommand(0, 0));

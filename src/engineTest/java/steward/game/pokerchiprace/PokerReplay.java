@@ -1,88 +1,106 @@
 package steward.game.pokerchiprace;
 
-import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.TreeSet;
-import steward.game.Comparison;
 import steward.game.TextCodec;
+import steward.game.VectorMatch;
+import steward.game.VectorReplay;
 import steward.game.pokerchiprace.protocol.PokerChipRaceType;
 import steward.physics.Bodies;
 import steward.physics.Impact;
 import steward.physics.TurnLog;
+import steward.scene.Scene;
+import steward.scene.SceneFiles;
+import steward.scene.SceneReader;
 import tools.jackson.databind.JsonNode;
 
-/** Plays a match of the published referee again by the rules and the site's lines, and compares everything. */
-final class PokerReplay {
+/** A match of the published Poker Chip Race referee, played again. */
+public final class PokerReplay extends VectorReplay<PokerChipRace> {
 
     private static final String[] SIDES = {"LEFT", "TOP", "RIGHT", "BOTTOM"};
 
-    private final PokerMatch match;
-    private final PokerChipRaceType.PokerChipRaceSetup setup;
-    private final Comparison comparison;
-
-    PokerReplay(PokerMatch match) {
-        this.match = match;
-        setup = match.setup();
-        comparison = new Comparison(match.name());
+    public PokerReplay(VectorMatch match) {
+        super(match, setup(match));
     }
 
-    /** From the start to the end. */
-    Comparison compareWhole() {
-        PokerChipRace game = match.begin();
-        compareState("turn 0", match.start(), game, 0);
-        for (JsonNode turn : match.turns()) {
-            String when = "turn " + turn.get("turn").asInt();
-            if (game.isOver()) {
-                comparison.same(when, "a turn", "over: " + game.ending());
-                return comparison;
+    /** The shipped scene with another number of players and more fields of its block {@code chips}. */
+    static Scene scene(int players, String fields) {
+        String text = SceneFiles.load("poker-chip-race").text().replace("\"players\": 2", "\"players\": " + players)
+            .replace("\"chips\": { ", "\"chips\": { " + fields);
+        return SceneReader.read(text, "poker-chip-race.json");
+    }
+
+    static PokerChipRaceType.PokerChipRaceSetup setup(int players, String fields) {
+        return new PokerChipRaceType().open(scene(players, fields));
+    }
+
+    /** Returns the scene: the properties that were given to the referee are its fields. */
+    private static PokerChipRaceType.PokerChipRaceSetup setup(VectorMatch match) {
+        JsonNode given = match.header().get("properties");
+        StringBuilder fields = new StringBuilder();
+        String[][] names = {{"max_neutral_count", "neutral"}, {"chips_count_per_player", "perPlayer"},
+            {"player_initial_radius", "radius"}, {"symmetric", "symmetric"}};
+        for (String[] name : names) {
+            if (given.has(name[0])) {
+                fields.append('"').append(name[1]).append("\": ").append(given.get(name[0]).asString()).append(", ");
             }
-            compareTurn(when, turn, game, 0);
         }
-        if (!match.end().get("truncated").asBoolean()) {
-            compareEnd(game);
+        return setup(match.header().get("players").asInt(), fields.toString());
+    }
+
+    @Override
+    protected PokerChipRace create() {
+        return ((PokerChipRaceType.PokerChipRaceSetup) setup).create(match.seed());
+    }
+
+    @Override
+    protected Object score(PokerChipRace game, int player) {
+        return game.score(player);
+    }
+
+    @Override
+    protected PokerChipRace in(PokerChipRace game, JsonNode state) {
+        ChipTable table = ChipTable.empty(game.players(), state.get("chips").size() + 200);
+        for (JsonNode chip : state.get("chips")) {
+            table.takeIdsUpTo(chip.get("id").asInt());
+            table.add(chip.get("player").asInt(), chip.get("radius").asDouble(), chip.get("x").asDouble(),
+                chip.get("y").asDouble(), chip.get("vx").asDouble(), chip.get("vy").asDouble());
+            for (JsonNode other : chip.get("bounce")) {
+                int low = Math.min(chip.get("id").asInt(), other.asInt());
+                int high = Math.max(chip.get("id").asInt(), other.asInt());
+                if (!table.bodies().passing().contains(low, high)) {
+                    table.bodies().passing().add(low, high);
+                }
+            }
         }
-        return comparison;
+        table.takeIdsUpTo(state.get("nextId").asInt());
+        double[] lost = new double[game.players()];
+        for (int player = 0; player < lost.length; player++) {
+            lost[player] = state.get("owners").get(player).get("lostTime").asDouble();
+        }
+        return game.on(table, lost);
     }
 
     /** The commands of a turn that was not played end the game in it. */
-    private void compareEnd(PokerChipRace game) {
+    @Override
+    protected void compareEnd(PokerChipRace game) {
         JsonNode last = match.end().get("lastCommands");
         int played = game.turn();
         if (last != null) {
             comparison.same("end, is over before the last commands", false, game.isOver());
-            answer("the last turn", last, null, game, 0);
+            answer("the last turn", last, null, false, game);
             if (!game.isOver()) {
                 game.play();
             }
         }
-        comparison.same("end, turns", match.end().get("turnsPlayed").asInt(), played);
-        comparison.same("end, is over", true, game.isOver());
-        for (int player = 0; player < game.players(); player++) {
-            comparison.same("end, score of " + player, match.end().get("scores").get(player).asString(),
-                player + " " + game.score(player));
-        }
+        compareEnd(game, played);
     }
 
-    /** Each turn from the recorded state before it. */
-    Comparison compareTurnByTurn() {
-        JsonNode before = match.start();
-        PokerChipRace fresh = setup.create(match.seed());
-        for (JsonNode turn : match.turns()) {
-            int number = turn.get("turn").asInt();
-            compareTurn("turn " + number + " alone", turn, PokerMatch.in(fresh, before), number - 1);
-            before = turn.get("state");
-        }
-        return comparison;
-    }
-
-    /** @param offset turns played before the game began */
-    private void compareTurn(String when, JsonNode turn, PokerChipRace game, int offset) {
-        answer(when, turn.get("commands"), turn.get("inputs"), game, offset);
+    @Override
+    protected void compareTurn(String when, JsonNode turn, PokerChipRace game) {
         int born = game.bodies().nextId();
-        game.play();
-        compareImpacts(when, turn, game.log());
-        compareState(when, turn.get("state"), game, offset);
+        super.compareTurn(when, turn, game);
         comparison.same(when + " pushes", turn.get("pushes").size(), game.bodies().nextId() - born);
         for (int k = 0; k < turn.get("pushes").size(); k++) {
             int chip = game.bodies().indexOf(born + k);
@@ -93,53 +111,15 @@ final class PokerReplay {
         }
     }
 
-    /** One player after another: who is asked later sees that the chips of one at fault are neutral. */
-    private void answer(String when, JsonNode commands, JsonNode inputs, PokerChipRace game, int offset) {
-        TextCodec lines = setup.textCodec(game).orElseThrow();
-        boolean over = false;
-        for (int player = 0; player < game.players(); player++) {
-            JsonNode answer = commands.get(player);
-            if (inputs != null && !inputs.get(player).isNull()) {
-                compareInput(when, inputs.get(player), player, game, offset);
-            }
-            if (answer.isNull()) {
-                comparison.same(when + " player " + player + " is asked", false,
-                    game.isIn(player) && !over);
-            } else if (!answer.isArray()) {
-                game.eliminate(player, "no answer in time");
-            } else {
-                List<String> said = new ArrayList<>();
-                answer.forEach(line -> said.add(line.asString()));
-                byte[] bytes = String.join("\n", said).getBytes(StandardCharsets.UTF_8);
-                String wrong = lines.readAnswer(player, bytes, bytes.length);
-                if (wrong != null) {
-                    game.eliminate(player, wrong);
-                }
-            }
-            int in = 0;
-            for (int other = 0; other < game.players(); other++) {
-                in += game.isIn(other) ? 1 : 0;
-            }
-            over = in < 2;
-        }
-    }
-
-    private void compareInput(String when, JsonNode input, int player, PokerChipRace game, int offset) {
-        TextCodec lines = setup.textCodec(game).orElseThrow();
-        StringBuilder text = new StringBuilder();
-        if (game.turn() + offset == 0) {
-            lines.writeSetup(text, player);
-        }
-        lines.writeTurn(text, player);
-        List<String> recorded = new ArrayList<>();
-        input.forEach(line -> recorded.add(line.asString()));
-        comparison.same(when + " input of player " + player, recorded, text.toString().lines().toList());
-        comparison.same(when + " lines of player " + player, Math.max(1, game.table().owned(player)),
-            lines.answerLines(player));
+    @Override
+    protected void compareAsked(String what, int player, TextCodec lines, PokerChipRace game) {
+        comparison.same(what + "lines", Math.max(1, game.table().owned(player)), lines.answerLines(player));
     }
 
     /** Bounces are impacts of the log, the others are facts of it, each in their order. */
-    private void compareImpacts(String when, JsonNode turn, TurnLog log) {
+    @Override
+    protected void compareImpacts(String when, JsonNode turn, PokerChipRace game) {
+        TurnLog log = game.log();
         int impact = 0;
         int fact = 0;
         for (JsonNode of : turn.get("impacts")) {
@@ -201,7 +181,9 @@ final class PokerReplay {
         comparison.same(what + "y of b", of.get("afterB").get("y").asDouble(), impact.by());
     }
 
-    private void compareState(String when, JsonNode state, PokerChipRace game, int offset) {
+    /** When a player has lost is counted in turns from the start, so that it is compared where they are played. */
+    @Override
+    protected void compareState(String when, JsonNode state, PokerChipRace game) {
         Bodies bodies = game.bodies();
         comparison.same(when + " next id", state.get("nextId").asInt(), bodies.nextId());
         comparison.same(when + " chips", state.get("chips").size(), bodies.size());
@@ -231,7 +213,7 @@ final class PokerReplay {
             }
             comparison.same(when + " chips of player " + player, left, own);
             double lost = owner.get("lostTime").asDouble();
-            if (offset == 0) {
+            if (!when.endsWith(" alone")) {
                 comparison.same(when + " player " + player + " has lost", lost, game.lost(player));
             } else {
                 comparison.same(when + " player " + player + " is in", lost < 0, game.isIn(player));

@@ -3,6 +3,7 @@ package steward.game.podrace.vectors;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import steward.game.Comparison;
+import steward.game.VectorMatch;
 import steward.game.podrace.PodState;
 import steward.game.podrace.RulesEdition;
 import steward.game.podrace.simulator.CppHeader;
@@ -23,7 +24,7 @@ final class SimulatedVectors {
     /** @param header plays the turns of four pods too; {@code null} for none */
     SimulatedVectors(VectorMatch match, CppHeader header) {
         this.match = match;
-        this.header = match.players() == 2 && match.podsPerPlayer() == 2 ? header : null;
+        this.header = match.header().get("players").asInt() == 2 && match.header().get("podsPerPlayer").asInt() == 2 ? header : null;
         comparison = new Comparison(match.name() + " (simulator)");
     }
 
@@ -32,12 +33,12 @@ final class SimulatedVectors {
     }
 
     Comparison compare() {
-        PodRaceSimulator race = new PodRaceSimulator(match.checkpoints(), match.players(), match.podsPerPlayer(),
+        PodRaceSimulator race = new PodRaceSimulator(PodRaceReplay.checkpoints(match), match.header().get("players").asInt(), match.header().get("podsPerPlayer").asInt(),
             match.header().get("laps").asInt(), RulesEdition.CONTEST);
         PodCommands commands = new PodCommands(race.pods());
         JsonNode before = match.start();
         if (header != null) {
-            header.map(match.checkpoints(), RulesEdition.CONTEST);
+            header.map(PodRaceReplay.checkpoints(match), RulesEdition.CONTEST);
         }
         for (JsonNode turn : match.turns()) {
             before = turn.has("before") ? turn.get("before") : before;
@@ -47,7 +48,7 @@ final class SimulatedVectors {
                 }
                 race.play(commands);
                 if (header != null) {
-                    header.turn(commands, race, match.checkpoints().length);
+                    header.turn(commands, race, PodRaceReplay.checkpoints(match).length);
                 }
                 turns++;
                 compare("turn " + turn.get("turn").asInt(), race, turn.get("state"));
@@ -59,7 +60,7 @@ final class SimulatedVectors {
 
     private boolean set(PodRaceSimulator race, JsonNode state) {
         for (JsonNode pod : state.get("pods")) {
-            PodState of = VectorReplay.state(pod);
+            PodState of = PodRaceReplay.state(pod);
             race.setPod(pod.get("id").asInt(), of.x(), of.y(), of.vx(), of.vy(), of.heading(), of.shieldTimer(), true,
                 of.passed());
         }
@@ -81,7 +82,7 @@ final class SimulatedVectors {
     private boolean read(PodCommands commands, JsonNode answers) {
         int pod = 0;
         for (JsonNode answer : answers) {
-            if (!answer.isArray() || answer.size() != match.podsPerPlayer()) {
+            if (!answer.isArray() || answer.size() != match.header().get("podsPerPlayer").asInt()) {
                 return false;
             }
             for (JsonNode line : answer) {
@@ -110,7 +111,7 @@ final class SimulatedVectors {
         for (JsonNode recorded : state.get("pods")) {
             int id = recorded.get("id").asInt();
             String what = when + " pod " + id + " ";
-            PodState of = VectorReplay.state(recorded);
+            PodState of = PodRaceReplay.state(recorded);
             comparison.same(what + "x", of.x(), race.x(id));
             comparison.same(what + "y", of.y(), race.y(id));
             comparison.same(what + "vx", of.vx(), race.vx(id));
