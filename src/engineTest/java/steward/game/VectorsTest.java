@@ -12,7 +12,10 @@ import java.util.ArrayList;
 import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
+import java.util.Set;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import java.util.function.Function;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
@@ -106,7 +109,10 @@ class VectorsTest {
                 }
             }
         }
-        assertEquals(listed, found);
+        Set<String> wrong = new TreeSet<>(listed.keySet());
+        wrong.addAll(found.keySet());
+        wrong.removeIf(name -> Objects.equals(listed.get(name), found.get(name)));
+        assertEquals(Set.of(), wrong, "missing, changed or not listed in sha256.txt");
         for (Referee referee : Referee.values()) {
             assertTrue(listed.keySet().stream().anyMatch(name -> name.startsWith(referee.game + "/")), referee.game);
         }
