@@ -37,7 +37,7 @@ import steward.physics.Arithmetic;
  * (2) |v| <= 2^8 |d|. 2 e is at most m / 4, so truly c + 2 min(b, 0) > m / 2. Where |b| <= e, b^2 is far below a c: a
  *     miss. Where b < -e, D is less than b^2 by a c >= 2^-40 a d.d, which is above its error: the computed sqrt D is at
  *     most |b|, and c / (sqrt D - b) at least (2 |b| + m / 4) / (2 |b| + 2 e) > 1. For the root of the official
- *     expressions see OfficialAdvance, (2), where the margin is the same share of d.d.
+ *     expressions see FarPairs, (2), where the margin is the same share of d.d.
  */
 
 /** The time of impact of two circles, in one arithmetic: a family of solutions of one quadratic. */

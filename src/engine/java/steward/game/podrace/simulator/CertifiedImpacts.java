@@ -1,7 +1,7 @@
 package steward.game.podrace.simulator;
 
 import steward.physics.ImpactLaw;
-import steward.physics.event.OfficialAdvance;
+import steward.physics.event.FarPairs;
 import steward.physics.event.ScanPairs;
 
 /**
@@ -38,7 +38,7 @@ final class CertifiedImpacts {
      *     the turn if t g > 2 e and (1 - now - t) g > 2 e.
      * (2) The order. Of two impacts more than 2^-12 apart the game's are more than 2^-12 - 2 dt > 1e-5 apart: in the
      *     same order, and not in one window of the rules. So are two of which one is at the start.
-     * (3) Pairs that do not meet. At the start the filter of {@link OfficialAdvance} and its proof hold. After an
+     * (3) Pairs that do not meet. At the start the filter of {@link FarPairs} and its proof hold. After an
      *     impact pairs with a new course are set aside only if r stays above 800.1. With e < 2^-6 more than 0.08 is
      *     left. Between our impact and the game's, up to 2^-14, a course of the game may still be the old one (which
      *     surely has no impact before) or begin earlier: r is convex and its slope changes by at most
@@ -313,7 +313,7 @@ final class CertifiedImpacts {
             int pair = Long.numberOfTrailingZeros(rest);
             int i = scan.first(pair);
             int j = scan.second(pair);
-            if (OfficialAdvance.mayMeet(x[i] - x[j], y[i] - y[j], vx[i] - vx[j], vy[i] - vy[j], left, CLEAR_SQUARE)) {
+            if (FarPairs.mayMeet(x[i] - x[j], y[i] - y[j], vx[i] - vx[j], vy[i] - vy[j], left, CLEAR_SQUARE)) {
                 near |= 1L << pair;
             }
         }

@@ -1,5 +1,6 @@
 package steward.game.podrace.simulator;
 
+import steward.physics.event.FarPairs;
 import steward.physics.event.OfficialAdvance;
 
 /** Sets pairs of pods aside that cannot meet in a turn, from their places and velocities in {@link PodTurn}'s array. */
@@ -23,12 +24,12 @@ final class PodPairFilter {
         double y3 = of[3 * PodTurn.SPEED + PodTurn.Y];
         double vx3 = of[3 * PodTurn.SPEED + PodTurn.VX];
         double vy3 = of[3 * PodTurn.SPEED + PodTurn.VY];
-        return OfficialAdvance.areFar(x0 - x1, y0 - y1, vx0 - vx1, vy0 - vy1, reach)
-            && OfficialAdvance.areFar(x0 - x2, y0 - y2, vx0 - vx2, vy0 - vy2, reach)
-            && OfficialAdvance.areFar(x0 - x3, y0 - y3, vx0 - vx3, vy0 - vy3, reach)
-            && OfficialAdvance.areFar(x1 - x2, y1 - y2, vx1 - vx2, vy1 - vy2, reach)
-            && OfficialAdvance.areFar(x1 - x3, y1 - y3, vx1 - vx3, vy1 - vy3, reach)
-            && OfficialAdvance.areFar(x2 - x3, y2 - y3, vx2 - vx3, vy2 - vy3, reach);
+        return FarPairs.areFar(x0 - x1, y0 - y1, vx0 - vx1, vy0 - vy1, reach)
+            && FarPairs.areFar(x0 - x2, y0 - y2, vx0 - vx2, vy0 - vy2, reach)
+            && FarPairs.areFar(x0 - x3, y0 - y3, vx0 - vx3, vy0 - vy3, reach)
+            && FarPairs.areFar(x1 - x2, y1 - y2, vx1 - vx2, vy1 - vy2, reach)
+            && FarPairs.areFar(x1 - x3, y1 - y3, vx1 - vx3, vy1 - vy3, reach)
+            && FarPairs.areFar(x2 - x3, y2 - y3, vx2 - vx3, vy2 - vy3, reach);
     }
 
     /** The pairs that may meet, as bits in the order of the scan. */

@@ -5,7 +5,7 @@ import steward.game.podrace.CheckpointSweep;
 import steward.game.podrace.RulesEdition;
 import steward.physics.TurnLog;
 import steward.physics.TurnSink;
-import steward.physics.event.OfficialAdvance;
+import steward.physics.event.FarPairs;
 
 /** The corners of the pods' paths in a turn, for checkpoints; keeps whole impacts only if they are asked for. */
 final class PodPaths implements TurnSink {
@@ -124,7 +124,7 @@ final class PodPaths implements TurnSink {
     private boolean mayPass(double fromX, double fromY, double toX, double toY, double checkpointX,
                             double checkpointY) {
         return !(Math.abs(toX - fromX) + Math.abs(toY - fromY) < LONG)
-            || OfficialAdvance.mayMeet(fromX - checkpointX, fromY - checkpointY, toX - fromX, toY - fromY, 1,
+            || FarPairs.mayMeet(fromX - checkpointX, fromY - checkpointY, toX - fromX, toY - fromY, 1,
                 radius * radius);
     }
 
@@ -156,7 +156,7 @@ final class PodPaths implements TurnSink {
             if (k == corners || pods[k] == pod) {
                 double toX = k == corners ? endX : x[k];
                 double toY = k == corners ? endY : y[k];
-                if (OfficialAdvance.mayMeet(fromX - checkpointX, fromY - checkpointY, toX - fromX, toY - fromY, 1,
+                if (FarPairs.mayMeet(fromX - checkpointX, fromY - checkpointY, toX - fromX, toY - fromY, 1,
                     (radius + CLEARANCE) * (radius + CLEARANCE))) {
                     least = Math.min(least,
                         CheckpointSweep.distance(checkpointX, checkpointY, fromX, fromY, toX, toY));

@@ -5,6 +5,7 @@ import steward.game.podrace.PodRaceSettings;
 import steward.game.podrace.RulesEdition;
 import steward.physics.Bodies;
 import steward.physics.TurnLog;
+import steward.physics.event.FarPairs;
 import steward.physics.event.OfficialAdvance;
 
 /**
@@ -347,7 +348,7 @@ final class PodTurn {
                 continue;
             }
             int next = counts[COUNTS * pod + NEXT];
-            if (OfficialAdvance.mayMeet(startX - checkpointX[next], startY - checkpointY[next], to[at + X] - startX,
+            if (FarPairs.mayMeet(startX - checkpointX[next], startY - checkpointY[next], to[at + X] - startX,
                 to[at + Y] - startY, 1, CHECKPOINT_SQUARE)) {
                 mayPass |= 1 << pod;
             }

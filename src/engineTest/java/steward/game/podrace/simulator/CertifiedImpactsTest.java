@@ -13,7 +13,7 @@ import steward.physics.ImpactLaw;
 import steward.physics.PhysicsParts;
 import steward.physics.TurnLog;
 import steward.physics.event.EventAdvance;
-import steward.physics.event.OfficialAdvance;
+import steward.physics.event.FarPairs;
 
 /**
  * {@link CertifiedImpacts} against the event loop of every scene, which gets velocities that are off by up to 2^-27
@@ -91,7 +91,7 @@ class CertifiedImpactsTest {
         long bit = 1;
         for (int i = PODS - 1; i > 0; i--) {
             for (int j = i - 1; j >= 0; j--, bit <<= 1) {
-                if (OfficialAdvance.mayMeet(x[i] - x[j], y[i] - y[j], vx[i] - vx[j], vy[i] - vy[j], 1,
+                if (FarPairs.mayMeet(x[i] - x[j], y[i] - y[j], vx[i] - vx[j], vy[i] - vy[j], 1,
                     TOUCH * TOUCH)) {
                     near |= bit;
                 }

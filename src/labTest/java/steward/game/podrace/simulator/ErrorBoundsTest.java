@@ -14,7 +14,7 @@ import steward.game.podrace.PodRaceSettings;
 import steward.match.TestSize;
 import steward.numerics.SineCosine;
 import steward.numerics.SplitMix64;
-import steward.physics.event.OfficialAdvance;
+import steward.physics.event.FarPairs;
 
 /**
  * The bounds that the fast turn's proofs state, measured in 70 digits where they are closest: how far a certified
@@ -222,7 +222,7 @@ class ErrorBoundsTest {
             double ahead = passing ? speed * random.nextDouble() : speed + Math.sqrt(least * least - beside * beside);
             double dx = -wx / speed * ahead - wy / speed * beside;
             double dy = -wy / speed * ahead + wx / speed * beside;
-            if (!OfficialAdvance.mayMeet(dx, dy, wx, wy, 1, TOUCH * TOUCH)) {
+            if (!FarPairs.mayMeet(dx, dy, wx, wy, 1, TOUCH * TOUCH)) {
                 aside++;
                 double reserve = reserve(dx, dy, wx, wy);
                 double of = 1 + 0x1p-40 * (dx * dx + dy * dy);

@@ -18,6 +18,7 @@ import steward.game.podrace.Recordings;
 import steward.game.podrace.protocol.PodRaceType;
 import steward.lab.bench.textbook.TextbookPodRace;
 import steward.numerics.SplitMix64;
+import steward.physics.event.FarPairs;
 import steward.physics.event.OfficialAdvance;
 import steward.scene.SceneFiles;
 import steward.scene.SceneReader;
@@ -208,7 +209,7 @@ class PodTurnTest {
                 dx = -wx / length * ahead - wy / length * beside;
                 dy = -wy / length * ahead + wx / length * beside;
             }
-            boolean aside = !OfficialAdvance.mayMeet(dx, dy, wx, wy, 1, TOUCH * TOUCH);
+            boolean aside = !FarPairs.mayMeet(dx, dy, wx, wy, 1, TOUCH * TOUCH);
             hidden += aside && meets(dx, dy, wx, wy) ? 1 : 0;
             asideOfFar += aside ? 1 : 0;
         }
