@@ -71,6 +71,16 @@ public interface GameType {
         return Optional.empty();
     }
 
+    /** Lines of text that bots of the game's official scene read and write, or {@code null} if it declares none. */
+    default BotStub lineStub() {
+        return null;
+    }
+
+    /** JSON frames that bots of the game read and write, or {@code null} if it declares none. */
+    default BotStub frameStub() {
+        return null;
+    }
+
     /** The weakest bundled bot of the game, or {@code null} if there is none. */
     default String weakestBot() {
         return null;

@@ -1,6 +1,9 @@
 package example;
 
 import java.util.List;
+import steward.game.BotStub;
+import steward.game.BotStub.Command;
+import steward.game.BotStub.Input;
 import steward.game.FrameCodec;
 import steward.game.Game;
 import steward.game.GameSetup;
@@ -28,6 +31,17 @@ public final class SumoType implements GameType {
     @Override
     public int mostPlayers() {
         return 2;
+    }
+
+    /** Starters in all languages push toward the rival. Sumo has no lines of text. */
+    @Override
+    public BotStub frameStub() {
+        return new BotStub(List.of(Input.values("player:int push:real")),
+            List.of(Input.objects("bodies", "Body", "x:real y:real vx:real vy:real")), "",
+            List.of(Command.single().let("me", "bodies[player]").let("rival", "bodies[1 - player]")
+                .let("share", "push / (1 + distance(me.x, me.y, rival.x, rival.y))")
+                .otherwise("x: (rival.x - me.x) * share, y: (rival.y - me.y) * share")),
+            List.of("Push toward the rival; who leaves the ring around (0, 0) has lost."));
     }
 
     @Override

@@ -2,6 +2,7 @@ package steward.cli;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.io.OutputStream;
@@ -19,6 +20,9 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import steward.bot.command.ProgramFinder;
 import steward.cli.shared.ExitStatus;
 import steward.game.GameTypes;
 import steward.league.LeagueFolder;
@@ -39,15 +43,20 @@ class OutsideGameTest {
 
     @BeforeAll
     static void buildJar() throws IOException, URISyntaxException {
-        Path classes = Files.createDirectories(folder.resolve("classes"));
-        List<String> call = Stream.concat(
-            Stream.of("-d", classes.toString(), "-proc:none", "-cp",
-                source(GameTypes.class) + ":" + source(JsonGenerator.class)),
-            sources(".java").map(Path::toString)).toList();
-        assertEquals(0, ToolProvider.getSystemJavaCompiler().run(null, null, null, call.toArray(new String[0])));
+        Path classes = compile("classes", sources(".java"));
         games = Files.createDirectories(folder.resolve("games"));
         pack(games.resolve("sumo.jar"), classes, "");
         scene = Files.copy(SOURCES.resolve("sumo.json"), folder.resolve("sumo.json"));
+    }
+
+    private static Path compile(String to, Stream<Path> sources) throws IOException, URISyntaxException {
+        Path classes = Files.createDirectories(folder.resolve(to));
+        List<String> call = Stream.concat(
+            Stream.of("-d", classes.toString(), "-proc:none", "-cp",
+                source(GameTypes.class) + ":" + source(JsonGenerator.class)),
+            sources.map(Path::toString)).toList();
+        assertEquals(0, ToolProvider.getSystemJavaCompiler().run(null, null, null, call.toArray(new String[0])));
+        return classes;
     }
 
     /** The folder or jar of a class; its URL has spaces and accents encoded. */
@@ -169,6 +178,52 @@ class OutsideGameTest {
     private static Cli worker(Path gamesPath, String address, String token, String... more) {
         return call(gamesPath, Stream.concat(Stream.of("worker", "--join", address, "--token-file", token, "--bundles",
             folder.resolve("bundles").toString(), "--sandbox", "off"), Stream.of(more)).toArray(String[]::new));
+    }
+
+    /** The starter ends inside the ring, which who always pushes on does not. */
+    @ParameterizedTest
+    @ValueSource(strings = {"python", "js"})
+    void aStarterPlaysIt(String language) throws IOException {
+        Path place = folder.resolve("starter-" + language);
+        Cli made = call(games, "new", language, place.toString(), "--game", "sumo");
+        assertEquals(ExitStatus.DONE, made.status(), made.err());
+        assertEquals("", made.err());
+        String bot = made.out().lines().reduce((one, other) -> other).orElseThrow().replaceAll(".*'me=(.*) bot.*", "$1 ")
+            + place.resolve(language.equals("js") ? "bot.js" : "bot.py");
+        assumeTrue(ProgramFinder.find(bot.split(" ")[0]) != null, "there is no " + bot);
+        Cli match = call(games, "match", "--scene", scene.toString(), "--bot", "me=" + bot, "--bot", "on=" + bot(1),
+            "--seed", "4", "--json", "--time-factor", "30");
+        assertTrue(match.json().get("players").get(0).get("fault").isNull(), match.out());
+        assertTrue(match.json().get("players").get(0).get("score").doubleValue() > 0, match.out());
+    }
+
+    @Test
+    void aStarterInLinesThatItDoesNotDeclareSaysSo() throws IOException {
+        Path place = folder.resolve("lines");
+        Cli made = call(games, "new", "python", place.toString(), "--game", "sumo", "--protocol", "codingame");
+        assertEquals(ExitStatus.DONE, made.status(), made.err());
+        assertEquals("steward: warning: sumo does not declare its lines: the bot says where to read and answer them\n",
+            made.err());
+        String bot = Files.readString(place.resolve("bot.py"));
+        assertTrue(bot.contains("# The game sumo does not declare its lines: read all of them,"), bot);
+    }
+
+    @Test
+    void aDeclarationThatNoStarterCanHaveIsRefused() throws IOException, URISyntaxException {
+        Path changed = Files.createDirectories(folder.resolve("changed-sources"));
+        for (Path source : sources(".java").toList()) {
+            Files.writeString(changed.resolve(source.getFileName()), Files.readString(source)
+                .replace("let(\"rival\"", "let(\"class\""));
+        }
+        Path others = Files.createDirectories(folder.resolve("odd"));
+        try (Stream<Path> all = Files.list(changed)) {
+            pack(others.resolve("sumo.jar"), compile("odd-classes", all), "");
+        }
+        Cli refused = call(others, "new", "java", folder.resolve("odd-bot").toString(), "--game", "sumo");
+        assertEquals(new Cli(ExitStatus.UNUSABLE, "", "steward: --game sumo: its type declares input or answer that no "
+            + "starter can have: found the name \"class\", expected letters and digits that are no word of Python, "
+            + "Java, C++ or JavaScript\n"), refused);
+        assertTrue(Files.notExists(folder.resolve("odd-bot")));
     }
 
     @Test

@@ -18,14 +18,14 @@ import org.junit.jupiter.api.parallel.ResourceLock;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
-import steward.bot.command.CommandLine;
 import steward.bot.command.ProgramFinder;
 import steward.cli.Cli;
+import steward.match.Protocol;
 import steward.match.TestScenes;
 import steward.replay.page.PageTestBrowser;
 import steward.scene.SceneFiles;
 
-/** The page of a match of every starter against itself, in every game that has one. */
+/** The page of a match of the starter in Python against itself, in every game and protocol. */
 @Tag("browser")
 @Tag("process")
 @Tag("campaign")
@@ -36,12 +36,11 @@ class StarterPageTest {
     @TempDir
     private Path folder;
 
-    /** Each scene whose name is that of its game, and the first of the pod races. */
-    static Stream<Arguments> startersAndScenes() {
+    /** Each scene whose name is that of its game, and the first of the pod races, in both protocols. */
+    static Stream<Arguments> protocolsAndScenes() {
         return SceneFiles.shipped().stream()
             .filter(scene -> scene.equals(gameOf(scene)) || scene.equals("mad-pod-racing"))
-            .flatMap(scene -> Stream.of(Starter.values()).filter(starter -> starter.isFor(gameOf(scene)))
-                .map(starter -> Arguments.of(starter, scene)));
+            .flatMap(scene -> Stream.of(Protocol.values()).map(spoken -> Arguments.of(spoken, scene)));
     }
 
     private static String gameOf(String scene) {
@@ -49,26 +48,20 @@ class StarterPageTest {
     }
 
     @ParameterizedTest
-    @MethodSource("startersAndScenes")
-    void itsMatchIsShown(Starter starter, String scene) throws IOException, InterruptedException {
+    @MethodSource("protocolsAndScenes")
+    void itsMatchIsShown(Protocol spoken, String scene) throws IOException {
+        assumeTrue(ProgramFinder.find("python3") != null, "there is no python3");
         Path place = folder.resolve("bot");
-        List<String> call = new ArrayList<>(List.of("new", starter.word(), place.toString(), "--game", gameOf(scene)));
-        call.addAll(starter.searches() ? List.of("--simulator") : List.of("--protocol", starter.protocol().word()));
-        Cli made = Cli.run(call.toArray(String[]::new));
+        Cli made = Cli.run("new", "python", place.toString(), "--game", gameOf(scene), "--protocol", spoken.word());
         assertEquals(0, made.status(), made.err());
-        for (String command : starter.compile()) {
-            List<String> words = CommandLine.split(command);
-            assumeTrue(ProgramFinder.find(words.get(0)) != null, "there is no " + words.get(0));
-            assertEquals(0, new ProcessBuilder(words).directory(place.toFile()).inheritIO().start().waitFor());
-        }
         Path page = folder.resolve("page.html");
         String brief = TestScenes.text(scene).replaceFirst("\"maximumTurns\": \\d+", "\"maximumTurns\": 12");
         List<String> match = new ArrayList<>(List.of("match", "--scene",
             Files.writeString(folder.resolve("brief.json"), brief).toString(), "--view", page.toString(),
             "--time-factor", "30"));
         for (int player = 0; player < TestScenes.open(scene).scene().players(); player++) {
-            match.addAll(List.of("--bot", "p" + player + "=" + starter.bot().replace("./bot", place + "/bot")
-                .replace("bot.", place + "/bot.").replace("java Bot", "java -cp " + place + " Bot")));
+            match.addAll(List.of("--bot", "p" + player + "=" + StarterLanguage.PYTHON.bot(spoken)
+                .replace("bot.", place + "/bot.")));
         }
         Cli played = Cli.run(match.toArray(String[]::new));
         assertEquals(0, played.status(), played.err());

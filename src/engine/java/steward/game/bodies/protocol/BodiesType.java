@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import steward.game.BotStub;
 import steward.game.FrameCodec;
 import steward.game.Game;
 import steward.game.GameSetup;
@@ -28,6 +29,16 @@ public final class BodiesType implements GameType {
     @Override
     public String id() {
         return "bodies";
+    }
+
+    @Override
+    public BotStub lineStub() {
+        return BodiesStub.LINES;
+    }
+
+    @Override
+    public BotStub frameStub() {
+        return BodiesStub.FRAMES;
     }
 
     @Override

@@ -5,6 +5,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import steward.Internal;
+import steward.game.BotStub;
 import steward.game.FrameCodec;
 import steward.game.Game;
 import steward.game.GameSetup;
@@ -36,6 +37,16 @@ public final class FantasticBitsType implements GameType {
     @Override
     public String id() {
         return "fantastic-bits";
+    }
+
+    @Override
+    public BotStub lineStub() {
+        return FantasticBitsStub.LINES;
+    }
+
+    @Override
+    public BotStub frameStub() {
+        return FantasticBitsStub.FRAMES;
     }
 
     @Override

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import steward.Internal;
+import steward.game.BotStub;
 import steward.game.FrameCodec;
 import steward.game.Game;
 import steward.game.GameSetup;
@@ -36,6 +37,16 @@ public final class MeanMaxType implements GameType {
     @Override
     public String id() {
         return "mean-max";
+    }
+
+    @Override
+    public BotStub lineStub() {
+        return MeanMaxStub.LINES;
+    }
+
+    @Override
+    public BotStub frameStub() {
+        return MeanMaxStub.FRAMES;
     }
 
     @Override

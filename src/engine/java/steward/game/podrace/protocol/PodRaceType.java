@@ -6,6 +6,7 @@ import java.io.PrintStream;
 import java.util.List;
 import java.util.Optional;
 import steward.Internal;
+import steward.game.BotStub;
 import steward.game.FrameCodec;
 import steward.game.Game;
 import steward.game.GameSetup;
@@ -31,6 +32,16 @@ public final class PodRaceType implements GameType {
     @Override
     public String id() {
         return "pod-race";
+    }
+
+    @Override
+    public BotStub lineStub() {
+        return PodRaceStub.LINES;
+    }
+
+    @Override
+    public BotStub frameStub() {
+        return PodRaceStub.FRAMES;
     }
 
     @Override

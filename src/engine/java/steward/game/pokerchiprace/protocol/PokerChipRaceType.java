@@ -3,6 +3,7 @@ package steward.game.pokerchiprace.protocol;
 import java.util.List;
 import java.util.Optional;
 import steward.Internal;
+import steward.game.BotStub;
 import steward.game.FrameCodec;
 import steward.game.Game;
 import steward.game.GameSetup;
@@ -31,6 +32,16 @@ public final class PokerChipRaceType implements GameType {
     @Override
     public String id() {
         return "poker-chip-race";
+    }
+
+    @Override
+    public BotStub lineStub() {
+        return PokerChipRaceStub.LINES;
+    }
+
+    @Override
+    public BotStub frameStub() {
+        return PokerChipRaceStub.FRAMES;
     }
 
     @Override

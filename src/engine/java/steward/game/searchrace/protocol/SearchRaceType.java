@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.io.PrintStream;
 import java.util.List;
 import java.util.Optional;
+import steward.game.BotStub;
 import steward.game.FrameCodec;
 import steward.game.Game;
 import steward.game.GameSetup;
@@ -26,6 +27,16 @@ public final class SearchRaceType implements GameType {
     @Override
     public String id() {
         return "search-race";
+    }
+
+    @Override
+    public BotStub lineStub() {
+        return SearchRaceStub.LINES;
+    }
+
+    @Override
+    public BotStub frameStub() {
+        return SearchRaceStub.FRAMES;
     }
 
     @Override
