@@ -11,6 +11,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.function.Consumer;
 import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.json.JsonObject;
@@ -18,6 +19,7 @@ import steward.league.page.LeaguePage;
 import steward.scene.json.Block;
 import steward.scene.json.JsonTree;
 import steward.scene.json.SceneException;
+import steward.text.TextFormat;
 
 /**
  * Rounds of a Swiss tournament. Each is decided when the one before is over: the first of the table meets the next one
@@ -40,19 +42,23 @@ record Rounds(Path file, List<String> field, List<List<List<String>>> rounds) {
     /**
      * Reads the rounds of these versions; none if there are none of them.
      *
+     * @param told is told if there are rounds of others, which are given up
      * @throws InputException if the file cannot be used
      */
-    static Rounds read(Path file, List<String> field) {
+    static Rounds read(Path file, List<String> field, Consumer<String> told) {
         List<List<List<String>>> rounds = new ArrayList<>();
         if (Files.isRegularFile(file)) {
             try {
                 Block root = new Block(file.toString(), "", JsonTree.read(Files.readString(file), file.toString(),
                     "rounds of a tournament"));
-                boolean same = root.texts(FIELD).equals(field);
+                List<String> earlier = root.texts(FIELD);
                 for (Block round : root.blocks(ROUNDS)) {
-                    rounds.add(round.texts(GROUPS).stream().map(group -> List.of(group.split(" "))).toList());
+                    rounds.add(groups(round, earlier));
                 }
-                if (!same) {
+                if (!earlier.equals(field)) {
+                    told.accept("the programs are not those of the " + TextFormat.count(rounds.size(), "round")
+                        + " so far: the rounds begin anew; games between versions that are still there count where "
+                        + "they meet again");
                     rounds.clear();
                 }
             } catch (IOException | SceneException problem) {
@@ -62,6 +68,18 @@ record Rounds(Path file, List<String> field, List<List<List<String>>> rounds) {
             }
         }
         return new Rounds(file, field, rounds);
+    }
+
+    /** The groups of a round, in which each program of the field is once. */
+    private static List<List<String>> groups(Block round, List<String> field) {
+        List<List<String>> groups = round.texts(GROUPS).stream().map(group -> List.of(group.split(" "))).toList();
+        List<String> named = groups.stream().flatMap(List::stream).sorted().toList();
+        List<String> expected = field.stream().map(version -> version.replaceFirst("#.*", "")).sorted().toList();
+        if (!named.equals(expected)) {
+            throw round.error(GROUPS, String.join(", ", named), "each program of the field once: "
+                + String.join(", ", expected));
+        }
+        return groups;
     }
 
     private void write() throws IOException {

@@ -82,7 +82,8 @@ final class TournamentRun {
     /** Plays so many Swiss rounds, or as many as have been decided on. @return the exit status */
     int playRounds(int most, Path into) throws Exception {
         rounds = Rounds.read(into.resolve(ROUNDS), roster.members().stream()
-            .map(member -> member.version().display()).toList());
+            .map(member -> member.version().display()).toList(),
+            what -> streams.err().println("steward: " + TextFormat.plain(what)));
         int status = ExitStatus.DONE;
         for (int number = 1; status == ExitStatus.DONE && number <= Math.max(most, rounds.rounds().size()); number++) {
             if (number > rounds.rounds().size()) {

@@ -26,8 +26,10 @@ class RoundsTest {
     @TempDir
     private Path folder;
 
+    private final List<String> told = new ArrayList<>();
+
     private Rounds rounds(String... field) {
-        return Rounds.read(folder.resolve("rounds.json"), List.of(field));
+        return Rounds.read(folder.resolve("rounds.json"), List.of(field), told::add);
     }
 
     private static List<String> names(int count) {
@@ -98,8 +100,36 @@ class RoundsTest {
     void roundsAreKeptForTheirVersionsAlone() throws IOException {
         rounds("a", "b#2", "c").decide(List.of("a", "b", "c"), 2);
         assertEquals(List.of(List.of(List.of("a", "b"), List.of("c"))), rounds("a", "b#2", "c").rounds());
+        assertEquals(List.of(), told);
         assertEquals(new HashMap<>(), rounds("a", "b#3", "c").met());
+        assertEquals(List.of("the programs are not those of the 1 round so far: the rounds begin anew; games between "
+            + "versions that are still there count where they meet again"), told);
         Files.writeString(folder.resolve("rounds.json"), "{\"field\":[\"a\"],\"rounds\":[{\"groups\":7}]}");
         assertTrue(assertThrows(InputException.class, () -> rounds("a")).getMessage().contains("rounds.json:1:"));
+    }
+
+    /** Cut anywhere, or with a letter changed, it is refused, and never read as other rounds. */
+    @Test
+    void aFileThatIsCutOrChangedIsRefused() throws IOException {
+        Rounds rounds = rounds("a", "b#2", "c", "d");
+        rounds.decide(List.of("a", "b", "c", "d"), 2);
+        rounds.decide(List.of("a", "b", "c", "d"), 2);
+        Path file = folder.resolve("rounds.json");
+        String whole = Files.readString(file);
+        int end = whole.stripTrailing().length();
+        for (int length = 0; length < end; length++) {
+            Files.writeString(file, whole.substring(0, length));
+            InputException refused = assertThrows(InputException.class, () -> rounds("a", "b#2", "c", "d"));
+            assertTrue(refused.getMessage().startsWith(file.toString())
+                && refused.getMessage().endsWith("; without the file the rounds begin anew"), refused.getMessage());
+        }
+        Files.writeString(file, whole.replace("a c", "a b"));
+        int column = whole.indexOf('[', whole.lastIndexOf("groups")) + 1;
+        assertEquals(file + ":1:" + column + ": rounds[1].groups: found a, b, b, d, expected each program of the field once: "
+            + "a, b, c, d; without the file the rounds begin anew",
+            assertThrows(InputException.class, () -> rounds("a", "b#2", "c", "d")).getMessage());
+        Files.writeString(file, whole);
+        assertEquals(rounds.rounds(), rounds("a", "b#2", "c", "d").rounds());
+        assertEquals(List.of(), told);
     }
 }
