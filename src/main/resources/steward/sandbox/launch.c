@@ -156,7 +156,8 @@ static struct rule {
     {442 /* mount_setattr */, ALWAYS, REFUSED}, {467 /* open_tree_attr */, ALWAYS, REFUSED},
     {425 /* io_uring_setup */, ALWAYS, REFUSED}, {426, ALWAYS, REFUSED}, {427, ALWAYS, REFUSED},
     {SYS_ptrace, ALWAYS, REFUSED}, {SYS_perf_event_open, ALWAYS, REFUSED}, {SYS_bpf, ALWAYS, REFUSED},
-    {SYS_userfaultfd, ALWAYS, REFUSED}, {SYS_shmget, ALWAYS, REFUSED}, {SYS_init_module, ALWAYS, REFUSED},
+    {SYS_userfaultfd, ALWAYS, REFUSED}, {SYS_shmget, ALWAYS, REFUSED}, {SYS_msgget, ALWAYS, REFUSED},
+    {SYS_init_module, ALWAYS, REFUSED},
     {SYS_finit_module, ALWAYS, REFUSED}, {SYS_delete_module, ALWAYS, REFUSED},
 #ifdef SYS_kexec_file_load
     {SYS_kexec_file_load, ALWAYS, REFUSED},
