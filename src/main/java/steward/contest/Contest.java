@@ -5,7 +5,9 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Collections;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.function.Supplier;
 import java.util.regex.Pattern;
 import steward.Internal;
@@ -26,6 +28,7 @@ import steward.game.GameSetup;
 import steward.match.HostedSetup;
 import steward.match.MatchListener;
 import steward.match.MatchResult;
+import steward.match.OwnLimits;
 import steward.match.Protocol;
 import steward.match.Referee;
 import steward.match.Seat;
@@ -34,6 +37,7 @@ import steward.match.TimeControl;
 import steward.replay.ReplayHeader;
 import steward.replay.ReplayWriter;
 import steward.replay.sign.SigningKey;
+import steward.scene.Time;
 import steward.text.TextFormat;
 
 /**
@@ -114,6 +118,19 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
         return new Contest(setup, entrants, limits, timeFactor, key, isolation, starter);
     }
 
+    /** Returns this contest with bots that have limits of their own, by their names; names of others are passed over. */
+    @Internal
+    public Contest limitedBy(Map<String, OwnLimits> own) {
+        return between(entrants.stream().map(each -> own.containsKey(each.name()) ? each.within(own.get(each.name()))
+            : each).toList());
+    }
+
+    /** The limits of a bot of its own in this scene; {@code null} if it has none. */
+    @Internal
+    public Time limits(Entrant entrant) {
+        return entrant.limits() == null ? null : entrant.limits().in(setup.scene().time());
+    }
+
     /**
      * A bot.
      *
@@ -122,8 +139,10 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
      * @param protocol the language it speaks
      * @param program  what is started, and where
      * @param problem  why it cannot be started, or {@code null}
+     * @param limits   of its own, or {@code null} for those of the scene
      */
-    public record Entrant(String name, String bot, Protocol protocol, @Internal Program program, String problem) {
+    public record Entrant(String name, String bot, Protocol protocol, @Internal Program program, String problem,
+                          @Internal OwnLimits limits) {
 
         private static final Pattern BUILTIN =
             Pattern.compile("([^=\\s]*=)?" + BotCommand.Prefix.BUILTIN.written() + ".*");
@@ -133,9 +152,15 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
             this(name, bot, protocol, Program.here(words), null);
         }
 
-        /** A bot with a folder of its own. */
+        /** A bot with a folder and limits of its own. */
         @Internal
         public Entrant {
+        }
+
+        /** A bot with a folder of its own, and the limits of the scene. */
+        @Internal
+        public Entrant(String name, String bot, Protocol protocol, Program program, String problem) {
+            this(name, bot, protocol, program, problem, null);
         }
 
         /** The program to start and its arguments. */
@@ -145,7 +170,13 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
 
         /** Returns this entrant under another name. */
         public Entrant named(String other) {
-            return new Entrant(other, bot, protocol, program, problem);
+            return new Entrant(other, bot, protocol, program, problem, limits);
+        }
+
+        /** Returns this entrant with limits of its own, or those of the scene for {@code null}. */
+        @Internal
+        public Entrant within(OwnLimits other) {
+            return new Entrant(name, bot, protocol, program, problem, other);
         }
 
         /** Builtin bots run in a JVM, which ends at once under a limit of addresses that suits a bot of strangers. */
@@ -383,7 +414,8 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
             Entrant entrant = entrants.get(entrantOf(player, rotation));
             List<Program> others = entrants.stream().filter(each -> each != entrant && each.problem() == null)
                 .map(Entrant::program).toList();
-            seats.add(new Seat(starter.player(entrant, isolation.get(), others), entrant.protocol()));
+            seats.add(new Seat(starter.player(entrant, isolation.get(), others), entrant.protocol(),
+                limits(entrant)));
         }
         MatchListener listener = recording == null ? follower
             : new TeeListener(new ReplayWriter(recording, header(seed, rotation), key,
@@ -401,13 +433,17 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
         List<String> names = new ArrayList<>();
         List<String> bots = new ArrayList<>();
         List<Protocol> protocols = new ArrayList<>();
+        Map<Integer, Time> limits = new HashMap<>();
         for (int player = 0; player < players(); player++) {
             Entrant entrant = entrants.get(entrantOf(player, rotation));
             names.add(entrant.name());
             bots.add(entrant.bot());
             protocols.add(entrant.protocol());
+            if (entrant.limits() != null) {
+                limits.put(player, limits(entrant));
+            }
         }
         return new ReplayHeader(setup.scene().gameId(), setup.scene().json(), seed, names, bots, protocols,
-            timeFactor, setup.plan().lawVersion(), null, sandbox(), JarFolder.digestOf(setup));
+            timeFactor, setup.plan().lawVersion(), null, sandbox(), JarFolder.digestOf(setup), limits);
     }
 }

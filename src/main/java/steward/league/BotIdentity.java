@@ -17,7 +17,8 @@ import steward.bot.command.Program;
 import steward.files.InputException;
 
 /**
- * Tells which program a bot is: a hash of its argument list, of the environment that it is passed, and of its files. A
+ * Tells which program a bot is: a hash of its argument list, of its own time limits, of the
+ * environment that it is passed, and of its files. A
  * file is read again only when its size, time or place on the disk has changed. Not thread-safe.
  */
 public final class BotIdentity {
@@ -49,6 +50,9 @@ public final class BotIdentity {
         TextHash hash = new TextHash().add(command.prefix().name()).addAll(command.words());
         if (bot.platform() != null) {
             hash.add(LeagueBot.AT + bot.platform());
+        }
+        if (bot.limits() != null) {
+            hash.add("time limit " + bot.limits().written());
         }
         environment.forEach((name, value) -> hash.add(name).add(value));
         for (Path file : files(bot)) {

@@ -9,6 +9,7 @@ import steward.bot.command.BotCommand;
 import steward.bot.command.Program;
 import steward.contest.Contest;
 import steward.contest.Contest.Entrant;
+import steward.match.OwnLimits;
 import steward.match.Protocol;
 
 /**
@@ -23,9 +24,10 @@ import steward.match.Protocol;
  * @param retired   whether it plays no more; its games stay
  * @param resumed   the decision from which on failures in a row pause it; 0 for all
  * @param platforms its commands for some platforms, where it is the same version all the same
+ * @param limits    its own time limits, or {@code null} for the scene's
  */
 public record LeagueBot(String name, String command, String folder, List<String> files, boolean random,
-                        boolean retired, int resumed, List<ForPlatform> platforms) {
+                        boolean retired, int resumed, List<ForPlatform> platforms, OwnLimits limits) {
 
     /** Sign between a bot's name and the platform that it plays on. */
     public static final char AT = '@';
@@ -51,14 +53,19 @@ public record LeagueBot(String name, String command, String folder, List<String>
 
     /** One whose failures all matter, with one command, in the folder from which the league is run. */
     public LeagueBot(String name, String command, List<String> files, boolean random, boolean retired) {
-        this(name, command, null, files, random, retired, 0, List.of());
+        this(name, command, null, files, random, retired, 0, List.of(), null);
+    }
+
+    /** Returns this bot with time limits of its own, or the scene's for {@code null}. */
+    public LeagueBot within(OwnLimits other) {
+        return new LeagueBot(name, command, folder, files, random, retired, resumed, platforms, other);
     }
 
     /** Returns this bot with folders of its own, here and on other platforms. */
     public LeagueBot in(UnaryOperator<String> folders) {
         return new LeagueBot(name, command, folders.apply(folder), files, random, retired, resumed, platforms.stream()
             .map(each -> new ForPlatform(each.platform(), each.command(), folders.apply(each.folder()), each.files()))
-            .toList());
+            .toList(), limits);
     }
 
     /** Returns the only platform that it plays on, or {@code null}. */
@@ -80,18 +87,19 @@ public record LeagueBot(String name, String command, String folder, List<String>
     /** Returns this bot with the command and the files of a platform, if there are any for it. */
     public LeagueBot on(String here) {
         return platforms.stream().filter(each -> each.platform().equals(here)).findFirst().map(each ->
-            new LeagueBot(name, each.command(), each.folder(), each.files(), random, retired, resumed, List.of()))
+            new LeagueBot(name, each.command(), each.folder(), each.files(), random, retired, resumed, List.of(),
+                limits))
             .orElse(this);
     }
 
     public LeagueBot with(ForPlatform more) {
         return new LeagueBot(name, command, folder, files, random, retired, resumed,
-            Stream.concat(platforms.stream(), Stream.of(more)).toList());
+            Stream.concat(platforms.stream(), Stream.of(more)).toList(), limits);
     }
 
     /** Returns this bot; its failures before a decision do not matter. */
     public LeagueBot resumed(int decision) {
-        return new LeagueBot(name, command, folder, files, random, retired, decision, platforms);
+        return new LeagueBot(name, command, folder, files, random, retired, decision, platforms, limits);
     }
 
     /** Returns the bot as it would be typed in a call, where no name has a platform. */
@@ -119,6 +127,10 @@ public record LeagueBot(String name, String command, String folder, List<String>
 
     /** Returns the bot as it is started; one that cannot be has the problem. */
     public Entrant entrant() {
+        return started().within(limits);
+    }
+
+    private Entrant started() {
         if (folder != null && !Files.isDirectory(path())) {
             Protocol spoken = parsed().prefix() == BotCommand.Prefix.CODINGAME ? Protocol.CODINGAME : Protocol.JSON;
             return new Entrant(name, typed(), spoken, Program.here(List.of()), "bot '" + name + "': found no folder "
@@ -129,11 +141,11 @@ public record LeagueBot(String name, String command, String folder, List<String>
 
     /** Returns this bot under another name. */
     public LeagueBot named(String other) {
-        return new LeagueBot(other, command, folder, files, random, retired, resumed, platforms);
+        return new LeagueBot(other, command, folder, files, random, retired, resumed, platforms, limits);
     }
 
     /** Returns this bot, to play no more or again. */
     public LeagueBot retired(boolean now) {
-        return new LeagueBot(name, command, folder, files, random, now, resumed, platforms);
+        return new LeagueBot(name, command, folder, files, random, now, resumed, platforms, limits);
     }
 }

@@ -13,6 +13,7 @@ import steward.bot.command.Platform;
 import steward.bot.hold.HoldPolicy;
 import steward.contest.Hiccups;
 import steward.contest.KeptReplays;
+import steward.match.OwnLimits;
 import steward.scene.json.Block;
 import steward.scene.json.JsonTree;
 import steward.scene.json.JsonValue.Entry;
@@ -34,6 +35,9 @@ public final class LeagueReader {
     public static final Pattern NAME = Pattern.compile("[\\p{L}\\p{M}\\p{N}._-]{1,100}");
     /** Form of a bot's name, in words. */
     public static final String NAME_FORM = "1 to 100 letters, digits, dots, underscores and hyphens";
+
+    static final String ANSWER = "answerMs";
+    static final String FIRST_ANSWER = "firstAnswerMs";
 
     private static final double MOST_FACTOR = 1e6;
     private static final String BOTS = "bots";
@@ -199,7 +203,7 @@ public final class LeagueReader {
             LeagueBot bot = new LeagueBot(name, block.text("command"),
                 folder(block), block.has("files") ? texts(block, "files") : null, block.flag("random", false),
                 block.flag("retired", false), block.integer("resumed", 0, Integer.MAX_VALUE, 0),
-                block.has(PLATFORMS) ? platforms(block, name) : List.of());
+                block.has(PLATFORMS) ? platforms(block, name) : List.of(), limits(block));
             parse(block, bot);
             bots.add(bot);
         }
@@ -219,6 +223,17 @@ public final class LeagueReader {
             throw block.error(FOLDER, block.shown(FOLDER), "the path of a folder");
         }
         return folder;
+    }
+
+    private static OwnLimits limits(Block block) {
+        if (!block.has(ANSWER)) {
+            if (block.has(FIRST_ANSWER)) {
+                throw block.error(FIRST_ANSWER, block.shown(FIRST_ANSWER), "\"" + ANSWER + "\" beside it");
+            }
+            return null;
+        }
+        return new OwnLimits(block.integer(ANSWER, 1, OwnLimits.MOST_MS),
+            block.has(FIRST_ANSWER) ? block.integer(FIRST_ANSWER, 1, OwnLimits.MOST_MS) : 0);
     }
 
     private static void parse(Block block, LeagueBot bot) {

@@ -7,6 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import steward.bot.TimeBasis;
+import steward.match.OwnLimits;
 import steward.scene.json.Wording;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.ObjectWriteContext;
@@ -51,11 +52,17 @@ final class LeagueText {
         return "{ " + field("name", text(bot.name())) + ", " + field("command", text(bot.command()))
             + (bot.folder() == null ? "" : ", " + field("folder", text(bot.folder())))
             + (bot.files() == null ? "" : ", " + field("files", list(bot.files())))
+            + (bot.limits() == null ? "" : ", " + limits(bot.limits()))
             + (bot.random() ? ", " + field("random", "true") : "")
             + (bot.retired() ? ", " + field("retired", "true") : "")
             + (bot.resumed() > 0 ? ", " + field("resumed", Integer.toString(bot.resumed())) : "")
             + (bot.platforms().isEmpty() ? "" : ", " + field("platforms", "[" + String.join(", ",
                 bot.platforms().stream().map(LeagueText::forPlatform).toList()) + "]")) + " }";
+    }
+
+    private static String limits(OwnLimits limits) {
+        return field(LeagueReader.ANSWER, Integer.toString(limits.answerMs())) + (limits.firstAnswerMs() == 0 ? ""
+            : ", " + field(LeagueReader.FIRST_ANSWER, Integer.toString(limits.firstAnswerMs())));
     }
 
     private static String forPlatform(LeagueBot.ForPlatform one) {

@@ -1,11 +1,14 @@
 package steward.match;
 
+import java.util.Map;
+import steward.Internal;
 import steward.bot.LineBuffer;
 import steward.game.BotFrames;
 import steward.game.FrameCodec;
 import steward.game.Game;
 import steward.game.GameSetup;
 import steward.game.TextCodec;
+import steward.scene.Time;
 
 /**
  * A protocol bound to one game: the lines sent to a bot, and how its answers are read. The referee uses it; a replay
@@ -37,8 +40,18 @@ public interface Dialogue {
      * @throws IllegalArgumentException if the scene's game does not support it
      */
     static Dialogue of(Protocol protocol, GameSetup setup, Game game, FrameCodec codec) {
+        return of(protocol, setup, game, codec, Map.of());
+    }
+
+    /**
+     * Makes a dialogue as above.
+     *
+     * @param limits of players that have their own
+     */
+    @Internal
+    static Dialogue of(Protocol protocol, GameSetup setup, Game game, FrameCodec codec, Map<Integer, Time> limits) {
         return switch (protocol) {
-            case JSON -> new JsonDialogue(setup, game, codec.frames());
+            case JSON -> new JsonDialogue(setup, game, codec.frames(), limits);
             case CODINGAME -> new TextDialogue(setup.textCodec(game).orElseThrow(() -> new IllegalArgumentException(
                 "the scene \"" + setup.scene().name() + "\" has no codingame protocol, expected bots that speak"
                     + " json")));

@@ -1,10 +1,12 @@
 package steward.match;
 
+import java.util.Map;
 import steward.bot.LineBuffer;
 import steward.game.BotFrames;
 import steward.game.Game;
 import steward.game.GameSetup;
 import steward.json.JsonNumbers;
+import steward.scene.Time;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.ObjectWriteContext;
 
@@ -17,14 +19,16 @@ final class JsonDialogue implements Dialogue {
     private final GameSetup setup;
     private final Game game;
     private final BotFrames frames;
+    private final Map<Integer, Time> limits;
     private final LineBuffer buffer = new LineBuffer();
     /** Stays open across lines; opening one per line would cost time. */
     private final JsonGenerator out = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(), buffer);
 
-    JsonDialogue(GameSetup setup, Game game, BotFrames frames) {
+    JsonDialogue(GameSetup setup, Game game, BotFrames frames, Map<Integer, Time> limits) {
         this.setup = setup;
         this.game = game;
         this.frames = frames;
+        this.limits = limits;
     }
 
     @Override
@@ -33,9 +37,10 @@ final class JsonDialogue implements Dialogue {
         out.writeStringProperty("game", setup.scene().gameId());
         out.writeNumberProperty("player", player);
         out.writeNumberProperty("players", game.players());
+        Time time = limits.getOrDefault(player, setup.scene().time());
         out.writeObjectPropertyStart("time");
-        out.writeNumberProperty("firstAnswerMs", setup.scene().time().firstAnswerMs());
-        out.writeNumberProperty("answerMs", setup.scene().time().answerMs());
+        out.writeNumberProperty("firstAnswerMs", time.firstAnswerMs());
+        out.writeNumberProperty("answerMs", time.answerMs());
         out.writeEndObject();
         frames.writeSetup(out, player);
         return line();

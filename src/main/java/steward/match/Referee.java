@@ -2,6 +2,7 @@ package steward.match;
 
 import java.util.ArrayList;
 import java.util.EnumMap;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CompletableFuture;
@@ -15,6 +16,7 @@ import steward.bot.process.DaemonThreadPool;
 import steward.game.FrameCodec;
 import steward.game.Game;
 import steward.game.GameSetup;
+import steward.scene.Time;
 
 /**
  * The referee loop: each turn it sends every player a frame, takes the commands one player after another, eliminates
@@ -36,6 +38,8 @@ public final class Referee {
     private final Dialogue[] dialogues;
     private final DataLineCollector data;
     private final TimeControl time;
+    /** Limits of players that have their own. */
+    private final Map<Integer, Time> limits = new HashMap<>();
     private final MatchListener listener;
     private final CompletableFuture<MatchResult> result = new CompletableFuture<>();
 
@@ -79,6 +83,11 @@ public final class Referee {
         directs = players.stream().map(player -> player instanceof DirectPlayer direct ? direct : null)
             .toArray(DirectPlayer[]::new);
         allDirect = players.stream().allMatch(player -> player instanceof DirectPlayer);
+        for (int player = 0; player < seats.size(); player++) {
+            if (seats.get(player).limits() != null) {
+                limits.put(player, seats.get(player).limits());
+            }
+        }
         dialogues = dialogues(seats, setup);
         this.time = time;
         this.listener = listener;
@@ -106,7 +115,8 @@ public final class Referee {
         for (int player = 0; player < each.length; player++) {
             Protocol protocol = seats.get(player).protocol();
             if (directs[player] == null) {
-                each[player] = spoken.computeIfAbsent(protocol, word -> Dialogue.of(word, setup, game, codec));
+                each[player] = spoken.computeIfAbsent(protocol, word -> Dialogue.of(word, setup, game, codec,
+                    limits));
             }
         }
         return each;
@@ -200,8 +210,7 @@ public final class Referee {
 
     /** @return false if this thread must leave */
     private boolean ask(int player) {
-        int ownMs = game.limitMs(player);
-        long limit = ownMs > 0 ? time.scaled(ownMs) : time.limit(watches[player].answers());
+        long limit = time.limit(limits.get(player), game.limitMs(player), watches[player].answers());
         if (directs[player] != null) {
             take(player, directs[player].ask(limit, answers[player]), answers[player]);
             return true;

@@ -1,13 +1,20 @@
 package steward.match;
 
 import steward.bot.Player;
+import steward.scene.Time;
 
 /**
  * A player of a match and the protocol it uses.
  *
  * @param player exchanges lines, or is a {@link #direct} one
+ * @param limits of its own, or {@code null} for those of the scene
  */
-public record Seat(Player player, Protocol protocol) {
+public record Seat(Player player, Protocol protocol, Time limits) {
+
+    /** A player with the limits of the scene. */
+    public Seat(Player player, Protocol protocol) {
+        this(player, protocol, null);
+    }
 
     /** A bot that needs no lines; where a protocol must be named, it is {@link Protocol#JSON}. */
     public static Seat direct(String name, DirectBot bot) {

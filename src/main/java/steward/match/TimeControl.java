@@ -9,7 +9,7 @@ import steward.scene.Time;
  * @param firstNanos the limit of the first answer, in nanoseconds; it includes the start of a process
  * @param turnNanos  the limit of every later answer; {@code Long.MAX_VALUE} is no deadline
  * @param basis      what they are limits of
- * @param factor     by which limits are multiplied that a game sets itself; {@code POSITIVE_INFINITY} for none
+ * @param factor     by which limits are multiplied that a player has or a game sets itself; {@code POSITIVE_INFINITY} for none
  */
 public record TimeControl(long firstNanos, long turnNanos, TimeBasis basis, double factor) {
 
@@ -38,13 +38,21 @@ public record TimeControl(long firstNanos, long turnNanos, TimeBasis basis, doub
             (long) (time.answerMs() * NANOS_PER_MS * factor), TimeBasis.WALL, factor);
     }
 
-    /** Returns a limit that a game sets itself, in nanoseconds. */
-    public long scaled(int limitMs) {
-        return factor == Double.POSITIVE_INFINITY ? Long.MAX_VALUE : (long) (limitMs * NANOS_PER_MS * factor);
-    }
-
     /** The limit of a player's n-th answer, counted from 0. */
     public long limit(int answersBefore) {
         return answersBefore == 0 ? firstNanos : turnNanos;
+    }
+
+    /**
+     * The limit of a player's n-th answer where a player or its game can have others.
+     *
+     * @param own    limits of the player, which come first; or {@code null}
+     * @param gameMs a limit that the game sets itself; 0 for none
+     * @return in nanoseconds
+     */
+    public long limit(Time own, int gameMs, int answersBefore) {
+        int ms = own == null ? gameMs : answersBefore == 0 ? own.firstAnswerMs() : own.answerMs();
+        return ms == 0 ? limit(answersBefore)
+            : factor == Double.POSITIVE_INFINITY ? Long.MAX_VALUE : (long) (ms * NANOS_PER_MS * factor);
     }
 }

@@ -26,6 +26,10 @@ enum LineFields {
     static final String LAW = "law";
     /** The digest of the jar that the game is from; absent for a game of the program. */
     static final String JAR = "jar";
+    /** Time limits of a player of its own; absent for the scene's. */
+    static final String TIME = "time";
+    static final String FIRST_ANSWER = "firstAnswerMs";
+    static final String ANSWER = "answerMs";
     static final String HEADER_HASH = "headerHash";
     static final String TURN_HASH = "turnHash";
     static final String RESULT_HASH = "resultHash";

@@ -11,6 +11,7 @@ import steward.json.JsonObject;
 import steward.match.MatchResult;
 import steward.match.Turn;
 import steward.numerics.StateHash;
+import steward.scene.Time;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.ObjectWriteContext;
 import tools.jackson.core.io.SerializedString;
@@ -82,6 +83,13 @@ public final class ReplayLines {
             out.writeStringProperty("name", header.names().get(player));
             out.writeStringProperty("bot", header.bots().get(player));
             out.writeStringProperty("protocol", header.protocols().get(player).word());
+            Time own = header.limits().get(player);
+            if (own != null) {
+                out.writeObjectPropertyStart(LineFields.TIME);
+                out.writeNumberProperty(LineFields.FIRST_ANSWER, own.firstAnswerMs());
+                out.writeNumberProperty(LineFields.ANSWER, own.answerMs());
+                out.writeEndObject();
+            }
         });
         out.writeName("timeFactor");
         if (header.timeFactor() < Double.POSITIVE_INFINITY) {

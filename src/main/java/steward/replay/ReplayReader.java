@@ -14,11 +14,15 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.zip.GZIPInputStream;
 import steward.Internal;
+import steward.match.OwnLimits;
 import steward.match.Protocol;
 import steward.replay.sign.SignerKey;
+import steward.scene.Time;
 import steward.scene.json.JsonProblem;
 import tools.jackson.core.JacksonException;
 
@@ -177,7 +181,31 @@ public final class ReplayReader implements AutoCloseable {
         return new ReplayHeader(line.text("game"), new String(line.object("scene"), StandardCharsets.UTF_8), seed,
             List.of(names), List.of(bots), protocols(line, names.length),
             line.number("timeFactor", Double.POSITIVE_INFINITY),
-            law(line), signer(line)).ofJar(line.has(LineFields.JAR) ? line.text(LineFields.JAR) : null);
+            law(line), signer(line)).ofJar(line.has(LineFields.JAR) ? line.text(LineFields.JAR) : null)
+            .ofLimits(limits(line));
+    }
+
+    /** Time limits of players that had their own. */
+    private static Map<Integer, Time> limits(JsonLine line) {
+        Map<Integer, Time> limits = new HashMap<>();
+        List<JsonLine> players = line.objects("players");
+        for (int player = 0; player < players.size(); player++) {
+            if (players.get(player).has(LineFields.TIME)) {
+                JsonLine time = new JsonLine(players.get(player).where() + ": " + LineFields.TIME,
+                    players.get(player).object(LineFields.TIME));
+                limits.put(player, new Time(limit(time, LineFields.FIRST_ANSWER), limit(time, LineFields.ANSWER)));
+            }
+        }
+        return limits;
+    }
+
+    private static int limit(JsonLine time, String name) {
+        int limit = time.integer(name);
+        if (limit < 1 || limit > OwnLimits.MOST_MS) {
+            throw new ReplayException(time.where() + ": " + name + ": found " + limit + ", expected 1 to "
+                + OwnLimits.MOST_MS);
+        }
+        return limit;
     }
 
     private static int law(JsonLine line) {

@@ -93,7 +93,7 @@ export class Cards {
   #timeText(turn, player) {
     const ms = answerMs(this.match, turn, player);
     if (ms === null) return '';
-    const limit = limitMs(this.match, turn.number);
+    const limit = limitMs(this.match, turn.number, player);
     return `${ms.toFixed(ms < 10 ? 2 : 1)} ms${Number.isFinite(limit) ? ` of ${plainNumber(limit)}` : ''}`;
   }
 }

@@ -1,6 +1,6 @@
 // Charts over the turns, by uPlot, with one cursor: a click goes to the turn, a line shows where the match stands.
 
-import { areSteps, limitMs } from './series.js';
+import { areSteps, limitsOf } from './series.js';
 import { element, grouped, nameOf } from './text.js';
 import { FONT } from './draw.js';
 import { wholeTicks } from './ticks.js';
@@ -10,10 +10,10 @@ const LEAST_MS = 0.001;
 
 /** One chart: a heading with the values of the moment, and a plot. */
 class Chart {
-  charts; lists; isLog; limit; names; isWithin; plot; turns; shown;
+  charts; lists; isLog; limits; names; isWithin; plot; turns; shown;
 
-  constructor(charts, { title, unit, lists, isLog = false, limit = null, names = [], isWithin = false }) {
-    Object.assign(this, { charts, lists, isLog, limit, names, isWithin });
+  constructor(charts, { title, unit, lists, isLog = false, limits = [], names = [], isWithin = false }) {
+    Object.assign(this, { charts, lists, isLog, limits, names, isWithin });
     this.values = element('span', 'chart-values');
     this.box = element('div', 'chart');
     this.root = element('figure', 'chart-card', null,
@@ -27,7 +27,7 @@ class Chart {
     const lists = this.lists();
     const turns = Array.from({ length: lists[0]?.length ?? 0 }, (_, turn) => turn);
     const data = [turns, ...lists.map(list => (this.isLog ? list.map(value => value && Math.max(LEAST_MS, value)) : list))];
-    if (this.limit) data.push(turns.map(turn => (turn === 0 ? null : this.limit(turn))));
+    this.limits.forEach(limit => data.push(turns.map(turn => (turn === 0 ? null : limit(turn)))));
     return data;
   }
 
@@ -48,7 +48,7 @@ class Chart {
       series: [{}, ...this.lists().map((_, player) =>
         ({ stroke: theme.team(player), width: 1.4, spanGaps: true, points: { show: false },
           ...areSteps(this.lists()) ? { paths: uPlot.paths.stepped({ align: 1 }) } : {} })),
-        ...this.limit ? [{ stroke: paint.bad, width: 1.25, dash: [5, 4], points: { show: false } }] : []],
+        ...this.limits.map(() => ({ stroke: paint.bad, width: 1.25, dash: [5, 4], points: { show: false } }))],
     }, this.data(), this.box);
     this.plot.over.append(this.now);
     this.plot.over.addEventListener('click', event => {
@@ -113,9 +113,9 @@ export class Charts {
     }
     chosen.push(...look.charts?.(match, series) ?? []);
     if (match.hasTimes) {
-      const limit = turn => (Number.isFinite(limitMs(match, turn)) ? limitMs(match, turn) : null);
-      chosen.push({ title: 'Answer time', unit: `ms${limit(2) === null ? ', no deadlines' : ''}`,
-        lists: () => series.answerTimes(), isLog: true, isWithin: true, limit: limit(2) === null ? null : limit });
+      const limits = limitsOf(match);
+      chosen.push({ title: 'Answer time', unit: `ms${limits.length ? '' : ', no deadlines'}`,
+        lists: () => series.answerTimes(), isLog: true, isWithin: true, limits });
     }
     const key = chosen.map(each => each.title).join();
     if (key === this.#key) return;

@@ -4,12 +4,26 @@ import { scoresOf } from './looks.js';
 
 const NANOS_PER_MS = 1e6;
 
-/** The limit of a player's answer in a turn, in ms; Infinity without deadlines. A guest's referee says it as it asks. */
-export function limitMs(match, number) {
-  const time = match.header.scene?.time ?? {};
-  const asked = match.turn(number - 1)?.state?.said?.filter(each => each.block === 'NEXT_PLAYER_INFO').at(-1);
+/**
+ * The limit of a player's answer in a turn, in ms; Infinity without deadlines. It may be the player's own; a guest's
+ * referee says it as it asks.
+ */
+export function limitMs(match, number, player) {
+  const own = match.players[player]?.time;
+  const time = own ?? match.header.scene?.time ?? {};
+  const asked = !own && match.turn(number - 1)?.state?.said?.filter(each => each.block === 'NEXT_PLAYER_INFO').at(-1);
   const limit = asked ? Number(asked.lines.join(' ').trim().split(/\s+/)[2]) : number === 1 ? time.firstAnswerMs : time.answerMs;
   return (limit ?? Infinity) * (match.header.timeFactor ?? Infinity);
+}
+
+/** The limits of all players as functions of the turn, each once; null in a turn without. None without deadlines. */
+export function limitsOf(match) {
+  const all = match.players.map((each, player) => turn => {
+    const limit = limitMs(match, turn, player);
+    return Number.isFinite(limit) ? limit : null;
+  });
+  return all.filter((limit, k) => limit(2) !== null
+    && all.findIndex(other => other(1) === limit(1) && other(2) === limit(2)) === k);
 }
 
 /** The answer time of a player in ms, or null where none was measured. */

@@ -12,6 +12,7 @@ import steward.bot.hold.HoldPolicy;
 import steward.contest.Hiccups;
 import steward.contest.KeptReplays;
 import steward.files.InputException;
+import steward.match.OwnLimits;
 import steward.scene.json.SceneException;
 
 /** league.json: what it says is read, written and read again; what it should not say is refused with its place. */
@@ -23,8 +24,9 @@ class LeagueReaderTest {
           "time": { "factor": 2.5, "basis": "cpu" }, "hiccups": "count",
           "sandbox": { "level": "strict", "memory": "2G", "processes": 9, "network": true, "environment": ["X", "Y"] },
           "replays": { "keep": "lost", "of": ["a"] },
-          "bots": [ { "name": "a", "command": "python3 'b c.py'", "files": ["b c.py"], "random": true },
-                    { "name": "b", "command": "codingame:./b", "folder": "/v1", "retired": true,
+          "bots": [ { "name": "a", "command": "python3 'b c.py'", "files": ["b c.py"], "answerMs": 60, \
+                      "firstAnswerMs": 500, "random": true },
+                    { "name": "b", "command": "codingame:./b", "folder": "/v1", "answerMs": 9, "retired": true,
                       "platforms": [{ "platform": "linux-aarch64", "command": "./b-arm", "folder": "arm", \
                     "files": ["b-arm"] }]},
                     { "name": "b@linux-arm", "command": "./b-a" } ] }
@@ -45,9 +47,10 @@ class LeagueReaderTest {
             List.of("--sandbox", "strict", "--memory", "2G", "--processes", "9", "--network", "--env", "X", "--env",
                 "Y"),
             KeptReplays.LOST, List.of("a"), List.of(
-                new LeagueBot("a", "python3 'b c.py'", List.of("b c.py"), true, false),
+                new LeagueBot("a", "python3 'b c.py'", List.of("b c.py"), true, false)
+                    .within(new OwnLimits(60, 500)),
                 new LeagueBot("b", "codingame:./b", "/v1", null, false, true, 0,
-                    List.of(new LeagueBot.ForPlatform("linux-aarch64", "./b-arm", "arm", List.of("b-arm")))),
+                    List.of(new LeagueBot.ForPlatform("linux-aarch64", "./b-arm", "arm", List.of("b-arm"))), new OwnLimits(9, 0)),
                 new LeagueBot("b@linux-arm", "./b-a", null, false, false))), settings);
         assertEquals(settings, read(LeagueText.write(settings)));
         LeagueSettings usual = LeagueSettings.usual("duel", 3);
@@ -93,6 +96,10 @@ class LeagueReaderTest {
         assertEquals("bots[2].platforms[0].platform: found \"linux-x86\", expected none: the bot plays on the platform "
             + "of its name", refusal(WHOLE.replace("\"./b-a\"", "\"./b-a\", \"platforms\": [ { \"platform\": "
                 + "\"linux-x86\", \"command\": \"x\" } ]")).replaceAll("^league.json:\\d+:\\d+: ", ""));
+        assertEquals("bots[1].firstAnswerMs: found 9, expected \"answerMs\" beside it", refusal(WHOLE.replace("\"answerMs\""
+            + ": 9", "\"firstAnswerMs\": 9")).replaceAll("^league.json:\\d+:\\d+: ", ""));
+        assertEquals("bots[1].answerMs: found 0, expected a whole number 1..3600000",
+            refusal(WHOLE.replace("\"answerMs\": 9", "\"answerMs\": 0")).replaceAll("^league.json:\\d+:\\d+: ", ""));
         assertEquals("league.json:1:27: seed: found nothing, expected a text",
             refusal("{\"league\":1,\"scene\":\"duel\"}").replaceAll("1:\\d+", "1:27"));
         assertEquals("league.json:1:45: bost: found an unknown field", refusal(

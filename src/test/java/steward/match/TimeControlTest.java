@@ -25,7 +25,7 @@ class TimeControlTest {
     void aFactorScalesBoth() {
         assertEquals(new TimeControl(500_000_000L, 37_500_000L, TimeBasis.WALL, 0.5),
             TimeControl.of(new Time(1000, 75), 0.5));
-        assertEquals(25_000_000L, TimeControl.of(new Time(1000, 75), 0.5).scaled(50));
+        assertEquals(25_000_000L, TimeControl.of(new Time(1000, 75), 0.5).limit(null, 50, 1));
     }
 
     @Test
@@ -33,7 +33,7 @@ class TimeControlTest {
         TimeControl huge = TimeControl.of(new Time(1000, 75), 1e300);
         assertEquals(Long.MAX_VALUE, huge.limit(0));
         assertEquals(Long.MAX_VALUE, huge.limit(1));
-        assertEquals(Long.MAX_VALUE, huge.scaled(75));
+        assertEquals(Long.MAX_VALUE, huge.limit(null, 75, 1));
     }
 
     @ParameterizedTest

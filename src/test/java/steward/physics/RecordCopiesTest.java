@@ -8,6 +8,7 @@ import java.lang.reflect.Modifier;
 import java.lang.reflect.RecordComponent;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.Objects;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -19,6 +20,7 @@ import steward.match.Protocol;
 import steward.match.TestScenes;
 import steward.replay.ReplayHeader;
 import steward.scene.Scene;
+import steward.scene.Time;
 
 /** Copies of records with other values: what a method is not given stays as it was. */
 class RecordCopiesTest {
@@ -31,7 +33,7 @@ class RecordCopiesTest {
         Scene scene = TestScenes.open("walled-race").scene();
         return List.of(LAW, new PhysicsParts(LAW, Arithmetic.DOUBLE, new Contacts(2), Arrays.asList(Wall.box(9, 9, 1)),
             null, true), scene, new ReplayHeader("g", "{}", 3, List.of("a"), List.of("b"), List.of(Protocol.JSON), 2, 4,
-            "s", "light", "j"), LeagueSettings.usual("duel", 5).with("a", 3, KeptReplays.values()[1]));
+            "s", "light", "j", Map.of(0, new Time(5, 6))), LeagueSettings.usual("duel", 5).with("a", 3, KeptReplays.values()[1]));
     }
 
     @ParameterizedTest

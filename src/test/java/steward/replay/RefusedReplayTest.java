@@ -62,6 +62,10 @@ class RefusedReplayTest {
         "\"players\":[{\"name\" | \"players\":[1,{\"name\" | players[0]: found a number, expected an object",
         "\"protocol\":\"json\"}] | \"protocol\":\"JSON\"}] | "
             + "players[1].protocol: found \"JSON\", expected \"json\" or \"codingame\"",
+        "\"protocol\":\"json\"}] | \"protocol\":\"json\",\"time\":{\"firstAnswerMs\":9,\"answerMs\":0}}] | "
+            + "players[1]: time: answerMs: found 0, expected 1 to 3600000",
+        "\"protocol\":\"json\"}] | \"protocol\":\"json\",\"time\":{\"answerMs\":9}}] | "
+            + "players[1]: time: firstAnswerMs: found nothing, expected a whole number",
         ",{\"name\":\"P1\",\"bot\":\"P1\",\"protocol\":\"json\"} | `` | players: found 1, expected 2 as in the scene",
         "\"game\":\"pod-race\",\"s | \"game\":\"chess\",\"s | game: found \"chess\", "
             + "expected \"pod-race\" as in the scene"})

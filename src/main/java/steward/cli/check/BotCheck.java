@@ -75,17 +75,17 @@ public record BotCheck(Contest contest, List<Tried> games) {
             found = play(empty, bot, against, others, silent);
         }
         boolean byCpu = empty.time().basis() == TimeBasis.CPU;
-        if (!isLate(empty, found) || bot.words().isEmpty() || byCpu && found.failure() != null) {
+        if (!isLate(empty, bot, found) || bot.words().isEmpty() || byCpu && found.failure() != null) {
             return found;
         }
         found = byCpu ? found : play(empty, bot, against, others, silent);
-        if (!isLate(empty, found) || sleeps(found.failure())) {
+        if (!isLate(empty, bot, found) || sleeps(found.failure())) {
             return found;
         }
         TimeControl time = empty.time();
         double share = found.failure() == null ? EDGE : 1;
         Tried own = play(empty.limitedBy(new TimeControl(time.firstNanos(), (long) (share * time.turnNanos()),
-            TimeBasis.CPU, time.factor())), bot, against, others, silent);
+            TimeBasis.CPU, share * time.factor())), bot, against, others, silent);
         return own.failure() == null ? new Tried(against, own.result(), null, BY_CPU, own.turns())
             : found.failure() == null ? found : own;
     }
@@ -97,9 +97,9 @@ public record BotCheck(Contest contest, List<Tried> games) {
     }
 
     /** True if it was late, or so near to it that it would be on a slower machine. */
-    private static boolean isLate(Contest contest, Tried tried) {
+    private static boolean isLate(Contest contest, Contest.Entrant bot, Tried tried) {
         return tried.failure() != null ? FaultMessages.isTime(tried.failure().reason())
-            : limit(contest, 1) != Long.MAX_VALUE && tried.worst() > EDGE * limit(contest, 1);
+            : limit(contest, bot, 1) != Long.MAX_VALUE && tried.worst() > EDGE * limit(contest, bot, 1);
     }
 
     /** True if it neither computed nor waited for a processor, but for something else, in a turn after the first. */
@@ -175,11 +175,12 @@ public record BotCheck(Contest contest, List<Tried> games) {
 
     /** A referee of the scene's own says its limits as it asks: none is known here. */
     private long limit(int answers) {
-        return limit(contest, answers);
+        return limit(contest, bot(), answers);
     }
 
-    private static long limit(Contest contest, int answers) {
-        return contest.setup().isHosted() ? Long.MAX_VALUE : contest.time().limit(answers);
+    private static long limit(Contest contest, Contest.Entrant bot, int answers) {
+        return contest.setup().isHosted() && bot.limits() == null ? Long.MAX_VALUE
+            : contest.time().limit(contest.limits(bot), 0, answers);
     }
 
     /** Without the first answer, which has a limit of its own. */

@@ -74,7 +74,8 @@ public final class CheckCommand extends ProgramCommand {
         GameSetup setup = Games.warn(scene.open(streams), streams);
         Contest empty = Contest.withoutBots(setup, factor).limitedBy(pace.basis())
             .isolatedBy(sandbox.isolation(streams));
-        return run(streams, empty, Contest.entrant(bot, folders.folder(), null, ProtocolWord.parse(protocol)),
+        Contest.Entrant entrant = Contest.entrant(bot, folders.folder(), null, ProtocolWord.parse(protocol));
+        return run(streams, empty, entrant.within(pace.own(List.of(entrant.name())).get(entrant.name())),
             folders.folder(), json);
     }
 

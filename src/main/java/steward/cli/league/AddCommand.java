@@ -23,6 +23,7 @@ import steward.league.LeagueBot;
 import steward.league.LeagueFolder;
 import steward.league.LeagueReader;
 import steward.league.LeagueSettings;
+import steward.match.OwnLimits;
 
 /** {@code steward league add}: one bot more. */
 @Command(name = "add", description = "Adds a bot to a league, also while it is played.",
@@ -58,6 +59,10 @@ final class AddCommand extends ProgramCommand {
         + "wrong.")
     private boolean tried;
 
+    @Option(names = "--time-limit", paramLabel = OwnLimits.FORM, description = "Gives it limits of its own, in "
+        + "milliseconds: for its answers, and for the first (default: the scene's, but no less than for the others).")
+    private String limit;
+
     @Option(names = "--random", description = "Says that it draws by lot: its games cannot be played again alike.")
     private boolean random;
 
@@ -76,13 +81,15 @@ final class AddCommand extends ProgramCommand {
             + "', expected " + Platform.FORM);
         check.that(!tried || platform == null || platform.equals(Platform.here()), "--check: found a command for "
             + platform + ", expected one for this machine, which is " + Platform.here());
+        check.that(!same || limit == null, "--time-limit: expected none with --same: it is that of the version");
         check.that(!same || !random, "--random: expected none with --same: the bot draws by lot or not");
+        OwnLimits limits = limits();
         LeagueFolder folder = league.openToWrite(streams);
         if (files != null && bots.size() > 1) {
             throw new InputException("--file: found " + bots.size() + " bots with it, expected one");
         }
         for (String bot : bots) {
-            int status = add(folder, bot);
+            int status = add(folder, bot, limits);
             if (status != ExitStatus.DONE) {
                 return status;
             }
@@ -90,9 +97,17 @@ final class AddCommand extends ProgramCommand {
         return ExitStatus.DONE;
     }
 
-    private int add(LeagueFolder folder, String bot) throws InterruptedException {
+    private OwnLimits limits() {
+        try {
+            return limit == null ? null : OwnLimits.parse(limit);
+        } catch (IllegalArgumentException problem) {
+            throw new InputException("--time-limit: " + problem.getMessage());
+        }
+    }
+
+    private int add(LeagueFolder folder, String bot, OwnLimits limits) throws InterruptedException {
         LeagueSettings settings = folder.read();
-        LeagueBot added = parsed(bot);
+        LeagueBot added = parsed(bot).within(limits);
         boolean another = !same && settings.bot(added.name()).isPresent();
         if (another) {
             throw new InputException("found a bot '" + added.name() + "' in the league, expected another name"
@@ -119,7 +134,7 @@ final class AddCommand extends ProgramCommand {
         folder.write(other == null ? settings.with(added) : settings.replaced(other.name(),
             other.with(new LeagueBot.ForPlatform(platform, added.command(), added.folder(), added.files()))));
         streams.out().println(added.name() + " plays " + (same ? "on " + platform + " " : "") + "from now on: "
-            + added.command());
+            + added.command() + (limits == null ? "" : ", " + limits));
         if (added.folder() != null) {
             tellFiles(added);
         }

@@ -17,12 +17,13 @@ import steward.league.LeagueBot;
 import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
 import steward.league.store.GameStore;
+import steward.match.OwnLimits;
 import steward.text.TextFormat;
 
 /** {@code steward league list}: the bots and their versions. */
 @Command(name = "list", description = "Prints the bots of a league, their versions and how many games each has.",
     footer = {"", "--json: scene, pairing, bots (name, command, listed, retired, random, platforms",
-        "(platform, command), versions (name, games, program)).",
+        "(platform, command), versions (name, games, program, timeLimit, paused)).",
         "", "Example:", "  steward league list night"})
 final class ListCommand extends ProgramCommand {
 
@@ -82,6 +83,7 @@ final class ListCommand extends ProgramCommand {
                         out.writeStringProperty("name", version.display());
                         out.writeNumberProperty("games", store.gamesOf(version.id()));
                         out.writeStringProperty("program", version.identity());
+                        out.writeStringProperty("timeLimit", version.timeLimit());
                         out.writeBooleanProperty("paused", version.paused());
                     });
                 });
@@ -91,12 +93,15 @@ final class ListCommand extends ProgramCommand {
 
     private void print(LeagueBot bot, List<GameStore.Version> versions, GameStore store) {
         streams.out().println(TextFormat.plain("  " + bot.name() + (bot.retired() ? " (retired)" : "")
-            + (bot.random() ? " (random)" : "") + ": " + bot.command()));
+            + (bot.random() ? " (random)" : "") + ": " + bot.command()
+            + (bot.limits() == null ? "" : ", " + bot.limits())));
         bot.platforms().forEach(each -> streams.out().println(TextFormat.plain("    on " + each.platform() + ": "
             + each.command())));
         versions.stream().filter(version -> version.bot().equals(bot.name())).forEach(version ->
             streams.out().println("    " + version.display() + ": "
                 + TextFormat.count(store.gamesOf(version.id()), "game") + ", program "
-                + version.identity().substring(0, 8) + (version.paused() ? ", paused" : "")));
+                + version.identity().substring(0, 8)
+                + (version.timeLimit() == null ? "" : ", " + OwnLimits.parse(version.timeLimit()))
+                + (version.paused() ? ", paused" : "")));
     }
 }

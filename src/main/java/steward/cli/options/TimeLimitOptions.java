@@ -1,16 +1,29 @@
 package steward.cli.options;
 
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collection;
+import java.util.HashMap;
 import java.util.Iterator;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
 import picocli.CommandLine.Option;
 import steward.bot.TimeBasis;
 import steward.bot.accounting.TreeSampler;
+import steward.contest.Contest;
+import steward.contest.Contest.Entrant;
+import steward.files.InputException;
+import steward.match.OwnLimits;
+import steward.text.NearestName;
 
 /** The options that change a scene's time limits. */
 @OptionSection("Time limits")
 public final class TimeLimitOptions {
 
     private static final String WALL = "wall";
+    private static final String TIME_LIMIT = "--time-limit";
+    private static final String FORM = "NAME=" + OwnLimits.FORM;
 
     /** Values of {@code --time}. */
     static final class Bases implements Iterable<String> {
@@ -35,6 +48,10 @@ public final class TimeLimitOptions {
             + "Needs Linux.")
     private String time;
 
+    @Option(names = TIME_LIMIT, paramLabel = FORM, description = "Gives one bot limits of its own, in milliseconds: for "
+        + "its answers, and for the first (default: the scene's, but no less than for the others); can be repeated.")
+    private List<String> limits = new ArrayList<>();
+
     /** By what the limits are multiplied; {@code POSITIVE_INFINITY} for none. */
     public double factor() {
         check.exclusive("--no-deadline", noDeadline, "--time-factor", timeFactor != null);
@@ -51,5 +68,39 @@ public final class TimeLimitOptions {
         check.that(basis == TimeBasis.WALL || TreeSampler.showsCpuTime(),
             "--time cpu: this system does not show the CPU time of processes (no /proc/self/stat), expected wall");
         return basis;
+    }
+
+    /** Returns a contest with this clock, and with bots that have limits of their own. */
+    public Contest limit(Contest contest) {
+        return contest.limitedBy(basis()).limitedBy(own(contest.entrants().stream().map(Entrant::name).toList()));
+    }
+
+    /** True if a bot is given limits of its own. */
+    public boolean isOwn() {
+        return !limits.isEmpty();
+    }
+
+    /**
+     * Returns the limits of bots that have their own, by their names.
+     *
+     * @param bots names of all bots
+     */
+    public Map<String, OwnLimits> own(Collection<String> bots) {
+        Map<String, OwnLimits> own = new HashMap<>();
+        for (String typed : limits) {
+            int sign = typed.lastIndexOf('=');
+            check.that(sign > 0, TIME_LIMIT + ": found '" + typed + "', expected " + FORM + ", such as "
+                + bots.stream().findFirst().orElse("mine") + "=60");
+            String name = typed.substring(0, sign);
+            check.that(bots.contains(name), TIME_LIMIT + ": found no bot '" + name + "', expected one of "
+                + String.join(", ", new LinkedHashSet<>(bots)) + NearestName.question(name, List.copyOf(bots), "'"));
+            try {
+                check.that(own.put(name, OwnLimits.parse(typed.substring(sign + 1))) == null, TIME_LIMIT + ": found '"
+                    + name + "' a second time, expected each bot once");
+            } catch (IllegalArgumentException problem) {
+                throw new InputException(TIME_LIMIT + " " + name + ": " + problem.getMessage());
+            }
+        }
+        return own;
     }
 }

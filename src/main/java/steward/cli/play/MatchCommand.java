@@ -7,7 +7,6 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
-import steward.bot.TimeBasis;
 import steward.cli.options.BotFolders;
 import steward.cli.options.BuiltinBotWords;
 import steward.cli.options.ProgramCommand;
@@ -114,7 +113,6 @@ public final class MatchCommand extends ProgramCommand {
     public Integer call() throws InterruptedException {
         check.exclusive("--json", json, "--quiet", quiet);
         double factor = pace.factor();
-        TimeBasis basis = pace.basis();
         many.check(out != null);
         check.that(!overwrite || out != null || show.view() != null, "--overwrite: expected --out or --view with it");
         check.that(sign == null || out != null || show.isAny(), "--sign: expected --out with it");
@@ -145,7 +143,7 @@ public final class MatchCommand extends ProgramCommand {
         List<Path> own = folders.of("--bot");
         Contest contest = many.isAny() ? Contest.ofSeries(setup, bots, own, ProtocolWord.parse(protocol), factor)
             : Contest.of(setup, bots, own, ProtocolWord.parse(protocol), factor);
-        contest = contest.limitedBy(basis);
+        contest = pace.limit(contest);
         contest = sign == null ? contest : contest.signedWith(SigningKey.read(OutputFiles.path(sign)));
         contest = contest.isolatedBy(sandbox.isolation(streams));
         long first = seed.orDrawn();

@@ -82,8 +82,8 @@ public final class PlayCommand extends ProgramCommand {
             throw new InputException("found " + TextFormat.count(bots.size(), "bot") + ", expected "
                 + TextFormat.count(players, "bot") + ", one for each player of the scene");
         }
-        Contest contest = Contest.withFailing(setup, bots, Protocol.CODINGAME, pace.factor())
-            .limitedBy(pace.basis()).isolatedBy(sandbox.isolation(streams));
+        Contest contest = pace.limit(Contest.withFailing(setup, bots, Protocol.CODINGAME, pace.factor()))
+            .isolatedBy(sandbox.isolation(streams));
         Path replay = out == null ? null : OutputFiles.path(out);
         RefereeFiles.checkReplay("--out ", replay);
         long used = seed.orDrawn();

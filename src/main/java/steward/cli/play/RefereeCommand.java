@@ -114,6 +114,7 @@ public final class RefereeCommand extends ProgramCommand implements RefusedCall 
         Long wanted = seed != null ? seed : inData;
         if (old) {
             check.that(basis == TimeBasis.WALL, "--old: expected no --time cpu with it: the tool has the bots");
+            check.that(!pace.isOwn(), "--old: expected no --time-limit with it: the tool has the bots");
             check.that(!arguments.hasPlayers() && log == null && replay == null && !page,
                 "--old: expected no -p1, -l, -r or -s with it: the tool has the bots");
             check.that(!sandbox.isAny(), "--old: expected no option of the sandbox with it: the tool starts the bots");
@@ -121,8 +122,7 @@ public final class RefereeCommand extends ProgramCommand implements RefusedCall 
         }
         GameSetup setup = seated(open(), arguments.players());
         List<String> bots = arguments.bots(setup.scene().players(), setup.scene().name());
-        Contest contest = named(Contest.withFailing(setup, bots, Protocol.CODINGAME, factor), arguments)
-            .limitedBy(basis);
+        Contest contest = pace.limit(named(Contest.withFailing(setup, bots, Protocol.CODINGAME, factor), arguments));
         check.that(log == null || !log.isBlank(), "-l: found no name of a file, expected one");
         check.that(replay == null || !replay.isBlank(), "-r: found no name of a file, expected one");
         Path logFile = log == null ? null : OutputFiles.path(log);

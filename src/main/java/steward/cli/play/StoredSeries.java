@@ -138,13 +138,13 @@ public final class StoredSeries implements AutoCloseable {
                 : entrant.bot().substring(entrant.bot().indexOf('=') + 1);
             random |= settings.bot(entrant.name()).filter(LeagueBot::random).isPresent();
             List<String> files = settings.bot(entrant.name()).filter(bot -> bot.command().equals(command))
-                .map(LeagueBot::files).orElse(entrant.program().named());
+                .map(LeagueBot::files).orElse(null);
             String name = LeagueReader.NAME.matcher(entrant.name()).matches() ? entrant.name() : "bot-" + (k + 1);
             LeagueBot bot = new LeagueBot(name, command, files, false, false)
-                .in(none -> entrant.program().folder().toString());
+                .in(none -> entrant.program().folder().toString()).within(entrant.limits());
             String hash = identity.of(bot);
-            versions.put(k, store.version(hash).orElseGet(() ->
-                store.add(name, command, false, hash, System.currentTimeMillis())));
+            versions.put(k, store.version(hash).orElseGet(() -> store.add(name, command, bot.limits() == null ? null
+                : bot.limits().written(), false, hash, System.currentTimeMillis())));
         }
     }
 

@@ -12,9 +12,11 @@ import steward.cli.streams.Streams;
 import steward.contest.RecordedFailures;
 import steward.guest.GuestType;
 import steward.match.MatchResult;
+import steward.match.OwnLimits;
 import steward.replay.RecordedTurn;
 import steward.replay.ReplayHeader;
 import steward.replay.ReplayReader;
+import steward.scene.Time;
 import steward.text.TextFormat;
 
 /**
@@ -91,12 +93,16 @@ final class TurnTable {
             + timeFactor(header.timeFactor()));
         for (int player = 0; player < header.names().size(); player++) {
             out.println("player " + player + "  " + HeaderText.name(header, player) + "  "
-                + HeaderText.bot(header, player));
+                + HeaderText.bot(header, player) + limits(header.limits().get(player)));
         }
         out.println();
         if (!columns.isEmpty()) {
             out.println(head());
         }
+    }
+
+    private static String limits(Time own) {
+        return own == null ? "" : ", " + new OwnLimits(own.answerMs(), own.firstAnswerMs());
     }
 
     private static String timeFactor(double factor) {

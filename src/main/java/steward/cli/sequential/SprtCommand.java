@@ -95,8 +95,8 @@ public final class SprtCommand extends ProgramCommand {
         List<String> all = withFill(setup.scene().players());
         List<Path> own = new ArrayList<>(folders.of("--bot"));
         folders.of("--fill").forEach(folder -> own.addAll(Collections.nCopies(all.size() - bots.size(), folder)));
-        Contest contest = Contest.ofSeries(setup, all, own, ProtocolWord.parse(protocol), factor)
-            .limitedBy(pace.basis()).isolatedBy(sandbox.isolation(streams));
+        Contest contest = pace.limit(Contest.ofSeries(setup, all, own, ProtocolWord.parse(protocol), factor))
+            .isolatedBy(sandbox.isolation(streams));
         Verbosity report = json ? Verbosity.JSON : quiet ? Verbosity.LINE : Verbosity.FULL;
         if (into == null) {
             return new SprtRun(streams, contest, test, options.ending(), null, report)

@@ -48,6 +48,7 @@ import steward.league.page.TunePlot;
 import steward.league.sequential.Gsprt;
 import steward.league.tune.Spsa;
 import steward.league.tune.TunedCommand;
+import steward.match.OwnLimits;
 import steward.text.TextFormat;
 
 /** {@code steward tune}: finds good parameters of a bot. */
@@ -75,6 +76,8 @@ public final class TuneCommand extends ProgramCommand {
     private static final double ALPHA = 0.05;
     private static final double GAIN = 20;
     private static final String PREFIX = "tune.";
+    private static final String RESULT = PREFIX + "result";
+    private static final String START = PREFIX + "start";
 
     /** Form of a parameter. Other braces may be the bot's own business. */
     private static final Pattern PLACEHOLDER = Pattern.compile("\\{\\w+:[^{}\"]*}");
@@ -154,6 +157,8 @@ public final class TuneCommand extends ProgramCommand {
     private GameSetup setup;
     private TunedCommand command;
     private double factor;
+    /** Of bots that have their own, by the names under which they play. */
+    private Map<String, OwnLimits> limits = Map.of();
     private ProgramWatch watch;
     private final Map<List<String>, Repeats> seen = new HashMap<>();
     /** True if a game of the step was not played before. */
@@ -192,6 +197,7 @@ public final class TuneCommand extends ProgramCommand {
             + LEAST_STEPS * ofStep + ", as fewer than " + LEAST_STEPS + " steps tell nothing; a step has " + ofStep
             + ": two sets of values, " + TextFormat.count(seeds, "seed") + ", "
             + TextFormat.count(against.size(), "bot") + " against them, from all seats");
+        limits = limits();
         checkBots();
         long first = seed.or(into == null ? SeedOption.draw() : 1);
         for (;;) {
@@ -286,15 +292,30 @@ public final class TuneCommand extends ProgramCommand {
         }
     }
 
+    /** The tuned bot's limits are those of all its values. */
+    private Map<String, OwnLimits> limits() {
+        String tuned = name(command.with(command.start()));
+        List<String> names = new ArrayList<>(List.of(tuned));
+        everyone().entrants().stream().map(Contest.Entrant::name).filter(each -> !each.startsWith(PREFIX))
+            .forEach(names::add);
+        Map<String, OwnLimits> own = new HashMap<>(pace.own(names));
+        if (own.containsKey(tuned)) {
+            List.of(PREFIX + tuned, RESULT, START).forEach(each -> own.put(each, own.get(tuned)));
+        }
+        return own;
+    }
+
+    private String name(String text) {
+        return BotCommand.parse(text).displayName(folders.of("--bot").get(0));
+    }
+
     private String named(String text) {
-        BotCommand parsed = BotCommand.parse(text);
-        return PREFIX + parsed.displayName(folders.of("--bot").get(0)) + "="
-            + new BotCommand(null, parsed.prefix(), parsed.words());
+        return PREFIX + name(text) + "=" + bare(text);
     }
 
     private Contest contest(List<String> bots, List<Path> own) {
         return Contest.ofSeries(setup, bots, own, ProtocolWord.parse(protocol), factor).limitedBy(pace.basis())
-            .isolatedBy(sandbox.isolation(streams));
+            .limitedBy(limits).isolatedBy(sandbox.isolation(streams));
     }
 
     /** The bot with these values, and one of those that it plays. */
@@ -407,7 +428,7 @@ public final class TuneCommand extends ProgramCommand {
             }
             return ExitStatus.DONE;
         }
-        Contest contest = contest(List.of("tune.result=" + bare(result), "tune.start=" + bare(start)),
+        Contest contest = contest(List.of(RESULT + "=" + bare(result), START + "=" + bare(start)),
             Collections.nCopies(2, folders.of("--bot").get(0)));
         Gsprt test = new Gsprt(0, GAIN, ALPHA, ALPHA, Gsprt.Model.NORMALIZED);
         SprtRun.Ending ending = new SprtRun.Ending(testGames, keepGoing, random);

@@ -47,6 +47,7 @@ import steward.league.page.LeaguePage;
 import steward.league.page.LeagueView;
 import steward.league.play.Roster;
 import steward.league.rating.LeagueTable;
+import steward.match.OwnLimits;
 import steward.match.Protocol;
 import steward.scene.SceneFiles;
 import steward.scene.Scene;
@@ -146,6 +147,9 @@ public final class TournamentCommand extends ProgramCommand {
     @Mixin
     private final WatchOptions watch = new WatchOptions();
 
+    /** By the names of programs that have their own. */
+    private Map<String, OwnLimits> limits;
+
     /**
      * A program of the tournament.
      *
@@ -193,6 +197,7 @@ public final class TournamentCommand extends ProgramCommand {
             : OutputFiles.path(page);
         Protocol spoken = ProtocolWord.parse(protocol);
         Programs programs = Programs.in(from, into);
+        limits = pace.own(programs.programs().stream().map(Programs.Program::name).toList());
         Scene opened = Games.open(scene).scene();
         if (rounds != null && opened.players() < 2) {
             throw new InputException("--rounds: found " + opened.name() + ", which each plays alone, expected a scene "
@@ -333,14 +338,15 @@ public final class TournamentCommand extends ProgramCommand {
         }
     }
 
-    private static LeagueBot bot(Entry entry, Protocol spoken) {
+    private LeagueBot bot(Entry entry, Protocol spoken) {
         return bot(entry.ready(), spoken);
     }
 
-    private static LeagueBot bot(Workshop.Ready ready, Protocol spoken) {
+    private LeagueBot bot(Workshop.Ready ready, Protocol spoken) {
         String prefix = spoken == Protocol.CODINGAME ? "codingame:" : "json:";
         return new LeagueBot(ready.program().name(), prefix + CommandLine.quote(ready.command()),
-            ready.files().stream().map(Path::toString).toList(), false, false).in(none -> ready.folder().toString());
+            ready.files().stream().map(Path::toString).toList(), false, false).in(none -> ready.folder().toString())
+            .within(limits.get(ready.program().name()));
     }
 
     /** The table, the pages of authors with their games, and the page of the league, all from the same games. */

@@ -175,7 +175,8 @@ public final class RosterReader {
             teller.accept(bot.name() + " changed and counts as " + before.get().display() + " as before");
             return before.get();
         }
-        Version version = store.add(bot.name(), bot.command(), bot.random(), hash, clock.getAsLong());
+        Version version = store.add(bot.name(), bot.command(), bot.limits() == null ? null
+            : bot.limits().written(), bot.random(), hash, clock.getAsLong());
         if (version.number() > 2 && contest.sandbox().equals(SandboxLevel.OFF.word())
                 && gamesBefore(version) < STEADY) {
             unsteady.put(bot.name(), new Unsteady(changed(bot), bot.resumed()));

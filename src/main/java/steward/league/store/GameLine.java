@@ -16,6 +16,7 @@ import steward.league.Season;
 import steward.league.StoredGame;
 import steward.league.StoredGame.StoredSeat;
 import steward.league.store.GameStore.Version;
+import steward.match.OwnLimits;
 import steward.numerics.StateHash;
 import steward.text.TextFormat;
 
@@ -27,15 +28,17 @@ public final class GameLine {
 
     private static final String TRANSCRIPT = "transcript";
     private static final String VALUES = "values";
+    private static final String TIME_LIMIT = "timeLimit";
 
     /** The fields of the game itself. */
     public static final List<String> GAME = List.of("name", "sceneKey", "limits", "rules", "decision", "seed",
         "attempt", "counts", "turns", "problem", "played", "machine", GameLine.TRANSCRIPT);
     /** The fields of a seat. */
     public static final List<String> SEAT = List.of("bot", "number", "identity", "command", "random", "rank", "score",
-        "fault", "answers", "meanNanos", "worstNanos", "firstNanos", GameLine.VALUES);
+        "fault", "answers", "meanNanos", "worstNanos", "firstNanos", GameLine.VALUES, GameLine.TIME_LIMIT);
     /** Fields that games exported by earlier versions do not have. */
-    public static final List<String> OPTIONAL = List.of(GameLine.TRANSCRIPT, GameLine.VALUES);
+    public static final List<String> OPTIONAL = List.of(GameLine.TRANSCRIPT, GameLine.VALUES,
+        GameLine.TIME_LIMIT);
 
     private static final Predicate<String> IDENTITY = Pattern.compile("[0-9a-f]{1,64}").asMatchPredicate();
     /** Characters of a command or a machine at most. */
@@ -65,7 +68,7 @@ public final class GameLine {
             version.command(), Boolean.toString(version.random()), Integer.toString(seat.rank()),
             Double.toString(seat.score()), seat.fault() == null ? "" : seat.fault(), Integer.toString(seat.answers()),
             Long.toString(seat.meanNanos()), Long.toString(seat.worstNanos()), Long.toString(seat.firstNanos()),
-            seat.valuesText());
+            seat.valuesText(), version.timeLimit() == null ? "" : version.timeLimit());
         for (int k = 0; k < SEAT.size(); k++) {
             fields.put(SEAT.get(k), values.get(k));
         }
@@ -135,6 +138,7 @@ public final class GameLine {
         private static int checked(String place, Map<String, String> seat) {
             matching(place, seat, "bot", LeagueReader::isName, LeagueReader.NAME_FORM);
             line(place, seat, "command");
+            timeLimit(place, seat);
             flag(place, seat, "random");
             return 0;
         }
@@ -199,11 +203,20 @@ public final class GameLine {
             throw new InputException(place + ": score: found '" + seat.get("score") + "', expected a finite number");
         }
 
+        private static String timeLimit(String place, Map<String, String> seat) {
+            String text = seat.getOrDefault(TIME_LIMIT, "");
+            try {
+                return text.isEmpty() ? null : OwnLimits.parse(text).written();
+            } catch (IllegalArgumentException problem) {
+                throw new InputException(place + ": " + TIME_LIMIT + ": " + inOneLine(problem.getMessage()));
+            }
+        }
+
         private Version version(String place, Map<String, String> seat) {
             String identity = text(place, seat, "identity");
             return versions.computeIfAbsent(identity, key -> store.version(identity).orElseGet(() ->
-                store.add(text(place, seat, "bot"), text(place, seat, "command"), flag(place, seat, "random"),
-                    identity, System.currentTimeMillis())));
+                store.add(text(place, seat, "bot"), text(place, seat, "command"), timeLimit(place, seat),
+                    flag(place, seat, "random"), identity, System.currentTimeMillis())));
         }
 
         private static String text(String place, Map<String, String> fields, String name) {

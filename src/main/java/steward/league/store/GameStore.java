@@ -39,9 +39,10 @@ public final class GameStore implements AutoCloseable {
      * @param identity the first that it had: the one in names of games
      * @param played   when its last game ended or it began, in milliseconds since 1970
      * @param paused   whether it was paused when the league was last played
+     * @param timeLimit its own limits as {@link steward.match.OwnLimits#written}, or {@code null} for the season's
      */
     public record Version(int id, String bot, int number, String command, boolean random, String identity,
-                          long played, boolean paused) {
+                          long played, boolean paused, String timeLimit) {
 
         /** The bot's name, from the second version on with its number. */
         public String display() {
@@ -153,11 +154,12 @@ public final class GameStore implements AutoCloseable {
             try (ResultSet row = database.query("SELECT v.id, bot, number, command, random, "
                 + "(SELECT hash FROM identity i WHERE i.version = v.id ORDER BY i.began, hash LIMIT 1), "
                 + "max(began, coalesce((SELECT max(played) FROM game WHERE id IN (SELECT max(game) FROM seat WHERE "
-                + "season IN (SELECT id FROM season) AND version = v.id GROUP BY season)), 0)), paused "
-                + "FROM version v ORDER BY v.id")) {
+                + "season IN (SELECT id FROM season) AND version = v.id GROUP BY season)), 0)), paused, "
+                + "time_limit FROM version v ORDER BY v.id")) {
                 while (row.next()) {
                     versions.add(new Version(row.getInt(1), row.getString(2), row.getInt(3), row.getString(4),
-                        row.getBoolean(5), row.getString(6), row.getLong(7), row.getBoolean(8)));
+                        row.getBoolean(5), row.getString(6), row.getLong(7), row.getBoolean(8),
+                        row.getString(9)));
                 }
             }
             return versions;
@@ -176,11 +178,17 @@ public final class GameStore implements AutoCloseable {
             .max(Comparator.comparingLong(Version::played).thenComparing(Version::number));
     }
 
+    /** Adds a version with the limits of the season. */
     public Version add(String bot, String command, boolean random, String identity, long now) {
+        return add(bot, command, null, random, identity, now);
+    }
+
+    /** Adds a version. @param timeLimit its own limits, see {@link Version}; or {@code null} */
+    public Version add(String bot, String command, String timeLimit, boolean random, String identity, long now) {
         database.inTransaction(() -> {
-            database.update("INSERT INTO version (bot, number, command, random, began) VALUES (?, 1 + (SELECT "
-                + "coalesce(max(number), 0) FROM version WHERE bot = ?), ?, ?, ?)", bot, bot, command, random ? 1 : 0,
-                now);
+            database.update("INSERT INTO version (bot, number, command, time_limit, random, began) VALUES (?, 1 + "
+                + "(SELECT coalesce(max(number), 0) FROM version WHERE bot = ?), ?, ?, ?, ?)", bot, bot, command,
+                timeLimit, random ? 1 : 0, now);
             long id = ((Number) database.value("SELECT last_insert_rowid()")).longValue();
             return addIdentity(id, identity, now);
         });
@@ -195,12 +203,13 @@ public final class GameStore implements AutoCloseable {
 
     /** Takes over the versions and identities of another store, with their numbers; this one must have none. */
     public void copyVersions(GameStore other) {
-        List<Object[]> versions = other.rows("SELECT id, bot, number, command, random, began FROM version", 6);
+        List<Object[]> versions = other.rows("SELECT id, bot, number, command, random, began, "
+            + "time_limit FROM version", 7);
         List<Object[]> identities = other.rows("SELECT hash, version, began FROM identity", 3);
         database.inTransaction(() -> {
             for (Object[] row : versions) {
-                database.update("INSERT INTO version (id, bot, number, command, random, began) "
-                    + "VALUES (?, ?, ?, ?, ?, ?)", row);
+                database.update("INSERT INTO version (id, bot, number, command, random, began, time_limit) "
+                    + "VALUES (?, ?, ?, ?, ?, ?, ?)", row);
             }
             for (Object[] row : identities) {
                 database.update("INSERT INTO identity (hash, version, began) VALUES (?, ?, ?)", row);

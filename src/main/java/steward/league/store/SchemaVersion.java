@@ -92,6 +92,7 @@ final class SchemaVersion {
             + "HAVING count(*) > 1 AND count(fault) = count(*) AND min(answers) = max(answers))"),
         // Rows of form 4 had no digests, and values of any type.
         List.of("ALTER TABLE version ADD COLUMN paused INTEGER NOT NULL DEFAULT 0",
+            "ALTER TABLE version ADD COLUMN time_limit TEXT",
             "ALTER TABLE season ADD COLUMN digest INTEGER NOT NULL DEFAULT 0",
             "ALTER TABLE version ADD COLUMN digest INTEGER NOT NULL DEFAULT 0",
             "ALTER TABLE machine ADD COLUMN digest INTEGER NOT NULL DEFAULT 0",

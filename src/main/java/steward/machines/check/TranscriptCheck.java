@@ -165,7 +165,7 @@ public final class TranscriptCheck {
             header = new ReplayHeader(contest.setup().scene().gameId(), scene,
                 expected.seed(), expected.names(), List.of(bots), expected.protocols(), contest.timeFactor(),
                 contest.setup().plan().lawVersion(), null, head.text("sandbox"),
-                JarFolder.digestOf(contest.setup()));
+                JarFolder.digestOf(contest.setup()), expected.limits());
             listener = replay == null ? null : new ReplayWriter(replay, header);
         }
 
@@ -295,8 +295,7 @@ public final class TranscriptCheck {
 
         /** Refuses a missed deadline that the worker's own measurement does not allow. */
         private void checkLate(int player, String fault, long time) throws DisprovedException {
-            int ownMs = game.limitMs(player);
-            long limit = ownMs > 0 ? contest.time().scaled(ownMs) : contest.time().limit(asked[player] - 1);
+            long limit = contest.time().limit(expected.limits().get(player), game.limitMs(player), asked[player] - 1);
             if (FaultMessages.isTime(fault) && contest.time().basis() == TimeBasis.WALL && time < limit) {
                 throw new DisprovedException(source + ":" + number + ": faults[" + player + "]: found '"
                     + fault.replaceFirst("(?s): .*", "") + "' after " + time / 1000

@@ -29,7 +29,8 @@ final class OfferedBundles {
     GameJob.Seat seat(Member member) {
         Bundle bundle = byStamp.computeIfAbsent(key(member), key -> Bundle.of(member.bot()));
         byHash.put(bundle.hash(), bundle);
-        return new GameJob.Seat(member.entrant().name(), bundle.hash(), bundle.bytes().length);
+        return new GameJob.Seat(member.entrant().name(), bundle.hash(), bundle.bytes().length,
+            member.entrant().limits());
     }
 
     /** Offers the scene if it is a long one, or its referee if it has one. Call once, before workers come. */

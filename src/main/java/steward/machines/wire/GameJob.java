@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import steward.match.OwnLimits;
 import steward.scene.json.Block;
 
 /**
@@ -16,6 +17,7 @@ public record GameJob(String id, List<Game> games) {
 
     /** How many games a job may have. */
     public static final int MOST_GAMES = 32;
+    private static final String TIME_LIMIT = "timeLimit";
     private static final int MOST_SEATS = 16;
     private static final int MOST_BOTS = MOST_GAMES * MOST_SEATS;
 
@@ -41,8 +43,9 @@ public record GameJob(String id, List<Game> games) {
      * @param name   that it goes by
      * @param bundle the hash of its files
      * @param size   of those, in bytes
+     * @param limits its own, or {@code null} for those of the scene
      */
-    public record Seat(String name, String bundle, int size) { }
+    public record Seat(String name, String bundle, int size, OwnLimits limits) { }
 
     /** The message that says it; each bot stands there once. */
     public byte[] bytes() {
@@ -54,7 +57,8 @@ public record GameJob(String id, List<Game> games) {
             texts.add(new HeaderText().put("seed", Long.toString(game.seed())).put("seats", seats));
         }
         List<HeaderText> bots = numbers.keySet().stream().map(bot -> new HeaderText().put("name", bot.name())
-            .put("bundle", bot.bundle()).put("size", bot.size())).toList();
+            .put("bundle", bot.bundle()).put("size", bot.size()).put(TIME_LIMIT, bot.limits() == null ? null
+                : bot.limits().written())).toList();
         return WireMessage.bytes(new HeaderText().put("type", "job").put("job", id).put("bots", bots)
             .put("games", texts));
     }
@@ -78,7 +82,7 @@ public record GameJob(String id, List<Game> games) {
             if (bots.size() == MOST_BOTS || !bundle.matches("[0-9a-f]{64}")) {
                 throw bot.error("bundle", bot.shown("bundle"), "a hash, and at most " + MOST_BOTS + " bots");
             }
-            bots.add(new Seat(bot.text("name"), bundle, bot.integer("size", 1, most)));
+            bots.add(new Seat(bot.text("name"), bundle, bot.integer("size", 1, most), limits(bot)));
             bot.done();
         }
         List<Game> games = new ArrayList<>();
@@ -93,6 +97,14 @@ public record GameJob(String id, List<Game> games) {
         }
         header.done();
         return new GameJob(id, games);
+    }
+
+    private static OwnLimits limits(Block bot) {
+        try {
+            return bot.has(TIME_LIMIT) ? OwnLimits.parse(bot.text(TIME_LIMIT)) : null;
+        } catch (IllegalArgumentException problem) {
+            throw bot.error(TIME_LIMIT, bot.shown(TIME_LIMIT), OwnLimits.EXPECTED);
+        }
     }
 
     private static Game game(Block game, List<Seat> bots) {

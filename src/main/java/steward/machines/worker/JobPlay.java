@@ -132,7 +132,7 @@ final class JobPlay {
         for (GameJob.Game game : job.games()) {
             List<Entrant> entrants = new ArrayList<>();
             for (GameJob.Seat seat : game.seats()) {
-                entrants.add(entrant(seat, fetcher).named(seat.name()));
+                entrants.add(entrant(seat, fetcher).named(seat.name()).within(seat.limits()));
             }
             if (entrants.size() != contest.players()) {
                 throw new InputException("found a game of " + entrants.size() + " seats, expected "

@@ -2,6 +2,7 @@ package steward.replay.feed;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import steward.bot.Answer;
 import steward.bot.LineBuffer;
 import steward.bot.Player;
@@ -13,6 +14,7 @@ import steward.replay.RecordedTurn;
 import steward.replay.ReplayException;
 import steward.replay.verify.Difference;
 import steward.replay.verify.Resimulation;
+import steward.scene.Time;
 import steward.scene.json.JsonProblem;
 import tools.jackson.core.JacksonException;
 import tools.jackson.core.JsonGenerator;
@@ -36,10 +38,15 @@ final class Conversation {
     private final JsonGenerator out = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(), command);
     private boolean started;
 
-    /** @throws IllegalArgumentException if the game does not speak the protocol */
-    Conversation(Resimulation again, int player, Protocol protocol, Player bot) {
+    /**
+     * A conversation that has not begun.
+     *
+     * @param limits of players that had their own, which they were told
+     * @throws IllegalArgumentException if the game does not speak the protocol
+     */
+    Conversation(Resimulation again, int player, Protocol protocol, Player bot, Map<Integer, Time> limits) {
         this.again = again;
-        dialogue = Dialogue.of(protocol, again.setup(), again.game(), again.codec());
+        dialogue = Dialogue.of(protocol, again.setup(), again.game(), again.codec(), limits);
         this.player = player;
         this.bot = bot;
     }

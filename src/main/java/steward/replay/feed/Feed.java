@@ -55,7 +55,7 @@ public final class Feed {
      */
     public Feed(RecordedMatch match, Resimulation again, int player, Protocol protocol, Player bot) {
         this.match = match;
-        conversation = new Conversation(again, player, protocol, bot);
+        conversation = new Conversation(again, player, protocol, bot, match.header().limits());
     }
 
     /**

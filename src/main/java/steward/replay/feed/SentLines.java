@@ -23,7 +23,7 @@ public final class SentLines {
         dialogues = new Dialogue[replay.header().names().size()];
         for (int player = 0; player < dialogues.length; player++) {
             dialogues[player] = Dialogue.of(replay.header().protocols().get(player), match.setup(), match.game(),
-                match.codec());
+                match.codec(), replay.header().limits());
         }
     }
 

@@ -68,7 +68,7 @@ public final class Takeover {
         this.match = match;
         this.from = from;
         again = new Resimulation(match.header(), null, types, match.source());
-        conversation = new Conversation(again, player, protocol, asked);
+        conversation = new Conversation(again, player, protocol, asked, match.header().limits());
         game = again.game();
         names = names(match.header().names(), player, asked.name());
         writer = new ReplayWriter(out, header(match.header(), names, player, protocol, bot));
@@ -98,7 +98,8 @@ public final class Takeover {
         List<Protocol> protocols = new ArrayList<>(recorded.protocols());
         protocols.set(player, protocol);
         return new ReplayHeader(recorded.game(), recorded.scene(), recorded.seed(), names, bots, protocols,
-            Double.POSITIVE_INFINITY, recorded.law(), null).ofJar(recorded.jar());
+            Double.POSITIVE_INFINITY, recorded.law(), null).ofJar(recorded.jar())
+            .ofLimits(recorded.limits());
     }
 
     /**

@@ -54,7 +54,7 @@ final class LineCheck {
         ReplayHeader header = replay.header();
         lines = new ReplayLines(new ReplayHeader(header.game(), again.setup().scene().json(), header.seed(),
             header.names(), header.bots(), header.protocols(), header.timeFactor(), header.law(),
-            header.signer()).ofJar(header.jar()), observed);
+            header.signer()).ofJar(header.jar()).ofLimits(header.limits()), observed);
     }
 
     public Difference header() {

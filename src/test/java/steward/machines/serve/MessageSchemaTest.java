@@ -221,7 +221,7 @@ class MessageSchemaTest {
             if (word instanceof WorkerWord.Hello) {
                 broker.tell("pen", welcome);
                 broker.offer("none", Set.of(none), new GameJob(none.substring(32), List.of(new GameJob.Game(1,
-                    List.of(new GameJob.Seat("n", none, 1))))).bytes());
+                    List.of(new GameJob.Seat("n", none, 1, null))))).bytes());
             } else if (word instanceof WorkerWord.Fetch fetch) {
                 byte[] known = bundles.get(fetch.bundle());
                 broker.tell("pen", known != null ? known : WireMessage.bytes(new HeaderText().put("type", "bundle")

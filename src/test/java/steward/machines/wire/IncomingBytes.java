@@ -36,8 +36,8 @@ public final class IncomingBytes {
                 List.of(false), "no"))).bytes(),
         WireMessage.bytes(new HeaderText().put("type", "unfit").put("bundle", HASH).put("reason", "no python3")),
         WireMessage.bytes(new HeaderText().put("type", "differs").put("rules", "0123456789abcdef")));
-    private static final GameJob.Seat ONE = new GameJob.Seat("a", HASH, 99);
-    private static final GameJob.Seat OTHER = new GameJob.Seat("b", HASH, 1);
+    private static final GameJob.Seat ONE = new GameJob.Seat("a", HASH, 99, null);
+    private static final GameJob.Seat OTHER = new GameJob.Seat("b", HASH, 1, null);
     private static final byte[] JOB = new GameJob(HASH.substring(32), List.of(new GameJob.Game(-7, List.of(ONE, OTHER)),
         new GameJob.Game(8, List.of(OTHER, ONE)))).bytes();
 

@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import steward.files.InputException;
+import steward.match.OwnLimits;
 import steward.scene.json.SceneException;
 
 /** Messages, whole and broken. {@code -Dsteward.inputs=100000} tries so many broken ones. */
@@ -44,7 +45,7 @@ class WireMessageTest {
     /** A bundle that is too large, as a worker says it: bundles are never fetched then. */
     @Test
     void aJobWhoseBotIsTooLargeIsRefusedWithItsSizeAndTheLimit() {
-        byte[] job = job(1, new GameJob.Seat("mine", "0".repeat(64), 67_108_865));
+        byte[] job = job(1, new GameJob.Seat("mine", "0".repeat(64), 67_108_865, null));
         String said = assertThrows(SceneException.class, () -> GameJob.read(job, "the league", 67_108_864))
             .getMessage();
         assertTrue(said.contains("found 67108865, expected") && said.contains("67108864"), said);
@@ -56,8 +57,8 @@ class WireMessageTest {
 
     @Test
     void gamesOfAJobNameEachBotOnce() {
-        GameJob.Seat one = new GameJob.Seat("one", "1".repeat(64), 9);
-        GameJob.Seat two = new GameJob.Seat("two", "2".repeat(64), 8);
+        GameJob.Seat one = new GameJob.Seat("one", "1".repeat(64), 9, null);
+        GameJob.Seat two = new GameJob.Seat("two", "2".repeat(64), 8, new OwnLimits(60, 500));
         GameJob job = new GameJob("0".repeat(32), List.of(new GameJob.Game(Long.MIN_VALUE, List.of(two, one)),
             new GameJob.Game(7, List.of(one, one))));
         assertEquals(job, GameJob.read(job.bytes(), "m", 9));
