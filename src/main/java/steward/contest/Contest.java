@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.Supplier;
 import java.util.regex.Pattern;
+import java.util.stream.IntStream;
 import steward.Internal;
 import steward.bot.Player;
 import steward.bot.TimeBasis;
@@ -118,17 +119,23 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
         return new Contest(setup, entrants, limits, timeFactor, key, isolation, starter);
     }
 
-    /** Returns this contest with bots that have limits of their own, by their names; names of others are passed over. */
+    /** Returns this contest with bots that have limits of their own, by their names; other names are passed over. */
     @Internal
     public Contest limitedBy(Map<String, OwnLimits> own) {
         return between(entrants.stream().map(each -> own.containsKey(each.name()) ? each.within(own.get(each.name()))
             : each).toList());
     }
 
-    /** The limits of a bot of its own in this scene; {@code null} if it has none. */
+    /** The limits in this scene of bots that have their own, by their places in the list. */
     @Internal
-    public Time limits(Entrant entrant) {
-        return entrant.limits() == null ? null : entrant.limits().in(setup.scene().time());
+    public Map<Integer, Time> limits(List<Entrant> seated) {
+        Map<Integer, Time> limits = new HashMap<>();
+        for (int player = 0; player < seated.size(); player++) {
+            if (seated.get(player).limits() != null) {
+                limits.put(player, seated.get(player).limits().in(setup.scene().time()));
+            }
+        }
+        return limits;
     }
 
     /**
@@ -410,15 +417,17 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
     public MatchResult play(long seed, int rotation, OutputStream recording, MatchListener follower)
             throws InterruptedException {
         List<Seat> seats = new ArrayList<>();
-        for (int player = 0; player < players(); player++) {
-            Entrant entrant = entrants.get(entrantOf(player, rotation));
+        List<Entrant> seated = IntStream.range(0, players())
+            .mapToObj(player -> entrants.get(entrantOf(player, rotation))).toList();
+        Map<Integer, Time> limits = limits(seated);
+        for (Entrant entrant : seated) {
             List<Program> others = entrants.stream().filter(each -> each != entrant && each.problem() == null)
                 .map(Entrant::program).toList();
             seats.add(new Seat(starter.player(entrant, isolation.get(), others), entrant.protocol(),
-                limits(entrant)));
+                limits.get(seats.size())));
         }
         MatchListener listener = recording == null ? follower
-            : new TeeListener(new ReplayWriter(recording, header(seed, rotation), key,
+            : new TeeListener(new ReplayWriter(recording, header(seed, seated), key,
                 isolation.get().text()), follower);
         return Referee.of(setup, seed, seats, time, listener).play();
     }
@@ -429,21 +438,10 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
         return starter.player(entrant, isolation.get(), List.of());
     }
 
-    private ReplayHeader header(long seed, int rotation) {
-        List<String> names = new ArrayList<>();
-        List<String> bots = new ArrayList<>();
-        List<Protocol> protocols = new ArrayList<>();
-        Map<Integer, Time> limits = new HashMap<>();
-        for (int player = 0; player < players(); player++) {
-            Entrant entrant = entrants.get(entrantOf(player, rotation));
-            names.add(entrant.name());
-            bots.add(entrant.bot());
-            protocols.add(entrant.protocol());
-            if (entrant.limits() != null) {
-                limits.put(player, limits(entrant));
-            }
-        }
-        return new ReplayHeader(setup.scene().gameId(), setup.scene().json(), seed, names, bots, protocols,
-            timeFactor, setup.plan().lawVersion(), null, sandbox(), JarFolder.digestOf(setup), limits);
+    private ReplayHeader header(long seed, List<Entrant> seated) {
+        return new ReplayHeader(setup.scene().gameId(), setup.scene().json(), seed,
+            seated.stream().map(Entrant::name).toList(), seated.stream().map(Entrant::bot).toList(),
+            seated.stream().map(Entrant::protocol).toList(), timeFactor, setup.plan().lawVersion(), null, sandbox(),
+            JarFolder.digestOf(setup), limits(seated));
     }
 }

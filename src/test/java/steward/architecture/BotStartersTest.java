@@ -82,23 +82,41 @@ class BotStartersTest {
         leagues.forEach(each -> assertTrue(watches(each), each));
     }
 
-    private static void addWithBots(CommandLine command, Set<String> with, Set<String> without) {
-        boolean bots = command.getCommandSpec().options().stream().anyMatch(option -> option.longestName()
+    /** Sorts commands that take bots by whether they have an option, too. */
+    private static void addWithBots(CommandLine command, String option, Set<String> with, Set<String> without) {
+        boolean bots = command.getCommandSpec().options().stream().anyMatch(each -> each.longestName()
             .equals("--bot")) || command.getCommandSpec().positionalParameters().stream().anyMatch(parameter ->
                 parameter.paramLabel().equals("BOT") || parameter.paramLabel().equals("COMMAND"));
         if (bots) {
-            (command.getCommandSpec().findOption("--in") == null ? without : with).add(command.getCommandName());
+            (command.getCommandSpec().findOption(option) == null ? without : with).add(command.getCommandName());
         }
-        command.getSubcommands().values().forEach(each -> addWithBots(each, with, without));
+        command.getSubcommands().values().forEach(each -> addWithBots(each, option, with, without));
     }
 
     @Test
     void everyCommandThatTakesABotTakesItsFolder() {
         Set<String> with = new TreeSet<>();
         Set<String> without = new TreeSet<>();
-        addWithBots(Main.program(new Streams(OutputStream.nullOutputStream(), OutputStream.nullOutputStream(), false,
-            false), null), with, without);
+        addWithBots(program(), "--in", with, without);
         assertEquals(new TreeSet<>(Set.of("add", "check", "feed", "match", "sprt", "tune")), with);
         assertEquals(WITHOUT_FOLDER, without);
+    }
+
+    private static CommandLine program() {
+        return Main.program(new Streams(OutputStream.nullOutputStream(), OutputStream.nullOutputStream(), false, false),
+            null);
+    }
+
+    /** Commands with deadlines; those of a league stand with its bots, and feed has none. */
+    @Test
+    void everyCommandWithDeadlinesTakesThoseOfOneBot() {
+        Set<String> with = new TreeSet<>();
+        Set<String> without = new TreeSet<>();
+        addWithBots(program(), "--time-limit", with, without);
+        assertEquals(new TreeSet<>(Set.of("add", "check", "match", "play", "sprt", "tune")), with);
+        assertEquals(new TreeSet<>(Set.of("feed", "games", "help", "prune")), without);
+        program().getSubcommands().forEach((name, command) -> assertEquals(
+            command.getCommandSpec().findOption("--time-factor") != null,
+            command.getCommandSpec().findOption("--time-limit") != null, name));
     }
 }

@@ -180,7 +180,7 @@ public record BotCheck(Contest contest, List<Tried> games) {
 
     private static long limit(Contest contest, Contest.Entrant bot, int answers) {
         return contest.setup().isHosted() && bot.limits() == null ? Long.MAX_VALUE
-            : contest.time().limit(contest.limits(bot), 0, answers);
+            : contest.time().limit(contest.limits(List.of(bot)).get(0), 0, answers);
     }
 
     /** Without the first answer, which has a limit of its own. */

@@ -1,7 +1,6 @@
 package steward.machines.serve;
 
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
@@ -31,7 +30,6 @@ import steward.machines.check.GzipText;
 import steward.machines.check.TranscriptCheck;
 import steward.machines.wire.WorkerWord;
 import steward.replay.RecordedMatch;
-import steward.scene.Time;
 
 /** Makes of a worker's transcripts what is stored of a game, or disproves them. Thread-safe. */
 final class ReportedGames {
@@ -140,17 +138,8 @@ final class ReportedGames {
     private ExpectedGame expected(Elsewhere.Game game) {
         return new ExpectedGame(game.task().seed(),
             game.members().stream().map(member -> member.entrant().name()).toList(),
-            game.members().stream().map(member -> member.entrant().protocol()).toList(), limits(game.members()));
-    }
-
-    private Map<Integer, Time> limits(List<Member> members) {
-        Map<Integer, Time> limits = new HashMap<>();
-        for (int seat = 0; seat < members.size(); seat++) {
-            if (members.get(seat).bot().limits() != null) {
-                limits.put(seat, contest.limits(members.get(seat).entrant()));
-            }
-        }
-        return limits;
+            game.members().stream().map(member -> member.entrant().protocol()).toList(),
+            contest.limits(game.members().stream().map(Member::entrant).toList()));
     }
 
     /**

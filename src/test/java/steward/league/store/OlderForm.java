@@ -19,6 +19,7 @@ public final class OlderForm {
                 statement.execute("ALTER TABLE " + table + " DROP COLUMN digest");
             }
             statement.execute("ALTER TABLE version DROP COLUMN paused");
+            statement.execute("ALTER TABLE version DROP COLUMN time_limit");
             statement.execute("PRAGMA writable_schema = ON");
             statement.execute("UPDATE sqlite_schema SET sql = replace(replace(sql, ', STRICT', ''), ' STRICT', '')");
             statement.execute("PRAGMA writable_schema = RESET");

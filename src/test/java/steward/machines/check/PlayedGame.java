@@ -41,8 +41,8 @@ record PlayedGame(Contest contest, ExpectedGame expected, byte[] replay, byte[] 
         MatchResult result = contest.play(seed, 0, replay, new TeeListener(transcript, log));
         return new PlayedGame(contest, new ExpectedGame(seed,
             contest.entrants().stream().map(Entrant::name).toList(),
-            contest.entrants().stream().map(Entrant::protocol).toList()), replay.toByteArray(),
-            transcript.compressed(), result, log.facts());
+            contest.entrants().stream().map(Entrant::protocol).toList(),
+            contest.limits(contest.entrants())), replay.toByteArray(), transcript.compressed(), result, log.facts());
     }
 
     CheckedGame check() throws DisprovedException {

@@ -14,6 +14,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Collections;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.SplittableRandom;
 import java.util.concurrent.TimeUnit;
@@ -35,6 +36,7 @@ import steward.game.Pilot;
 import steward.game.pokerchiprace.PokerChipRace;
 import steward.guest.StandInProject;
 import steward.match.MatchResult;
+import steward.match.OwnLimits;
 import steward.match.Protocol;
 import steward.replay.ReplayReader;
 import steward.replay.verify.Verification;
@@ -170,6 +172,24 @@ class TranscriptTest {
             + "answer within 100 ms (waited "), "an earlier time");
     }
 
+    @Test
+    @Tag("process")
+    void aBotsOwnLimitDecidesWhatIsBelievedAndStandsInTheReplay() throws Exception {
+        PlayedGame game = PlayedGame.of(Contest.of(Games.open("duel"), List.of("one=codingame:sleep 5",
+            "two=codingame:sleep 5"), Protocol.JSON, 0.5).isolatedBy(() -> Isolation.OFF)
+            .limitedBy(Map.of("one", new OwnLimits(60, 80), "two", new OwnLimits(90, 0))), 3);
+        CheckedGame outcome = game.check();
+        assertTrue(outcome.seats().get(0).fault().startsWith("no answer within 40 ms"), outcome::toString);
+        assertTrue(game.disproof("\"answerNanos\":[", "\"answerNanos\":[39999999,").contains("after 39999 us, expected "
+            + "a late answer only after 40000 us"), "an earlier time");
+        String replay = new String(new TranscriptCheck(game.contest()).replay("a game", game.transcript(),
+            game.expected()), StandardCharsets.UTF_8);
+        String players = "\"time\":{\"firstAnswerMs\":80,\"answerMs\":60}},{\"name\":\"two\","
+            + "\"bot\":\"two=codingame:sleep 5\",\"protocol\":\"codingame\",\"time\":{\"firstAnswerMs\":1000,\"answerMs\":90}}],\"timeFactor\":0.5";
+        assertTrue(replay.contains(players), replay);
+        assertTrue(new String(game.replay(), StandardCharsets.UTF_8).contains(players), "where it was played");
+    }
+
     /** The limit is that of each question, and a referee that plays a transcript again does not stay. */
     @Test
     @Tag("process")
@@ -181,6 +201,8 @@ class TranscriptTest {
             {"name": "s", "game": "guest", "players": 2, "referee": {"command": ["python3", "%s", "good"]}}"""
             .formatted(referee)).toString()), List.of(bot, "two=codingame:sleep 5"), Protocol.JSON, 0.1)
             .isolatedBy(() -> Isolation.OFF), 3);
+        PlayedGame own = PlayedGame.of(game.contest().limitedBy(Map.of("two", new OwnLimits(9, 2000))), 3);
+        assertTrue(own.check().seats().get(1).fault().startsWith("no answer within 200 ms"), "its own comes first");
         CheckedGame outcome = game.check();
         assertTrue(outcome.seats().get(1).fault().startsWith("no answer within 300 ms"), outcome::toString);
         assertEquals(10, outcome.seats().get(0).score());

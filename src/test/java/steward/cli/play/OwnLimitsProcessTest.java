@@ -1,0 +1,152 @@
+package steward.cli.play;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import steward.cli.Cli;
+import steward.cli.ShellBots;
+import steward.league.LeagueFolder;
+import steward.league.store.GameStore;
+
+/** Bots with limits of their own, in a scene that gives them half a minute and more. */
+@Tag("process")
+@Tag("slow")
+@Timeout(300)
+class OwnLimitsProcessTest {
+
+    /** A bot that never answers. */
+    private static final String MUTE = "mute=sleep 100";
+
+    @TempDir
+    private Path folder;
+    private String driver;
+    private String scene;
+
+    @BeforeEach
+    void makeScene() throws IOException {
+        assumeTrue(ShellBots.runnable(), "skipped: there is no /bin/sh");
+        ShellBots.shortDuel(folder);
+        scene = folder.resolve("short.json").toString();
+        driver = new ShellBots(folder).driver("still", ShellBots.NOWHERE);
+    }
+
+    private Cli run(String call, String... more) {
+        return Cli.run(Stream.concat(Stream.of(call.replace("TMP", folder.toString()).split(" ")), Stream.of(more))
+            .toArray(String[]::new));
+    }
+
+    private List<String> versions() {
+        try (GameStore store = GameStore.read(new LeagueFolder(folder.resolve("night")))) {
+            return store.versions().stream().map(version -> version.display() + " " + store.gamesOf(version.id()) + " "
+                + version.timeLimit()).sorted().collect(Collectors.toList());
+        }
+    }
+
+    /** Every command that starts bots by name: 30 ms, times 2. */
+    @ParameterizedTest
+    @ValueSource(strings = {"match --seed 1 --bot", "match --games 1 --bot", "sprt --games 2 --bot",
+        "play --json-league --scene"})
+    void aBotIsOutAfterItsOwnLimit(String call) {
+        boolean named = call.endsWith("--bot");
+        Cli played = named ? run(call, MUTE, "--bot", driver, "--scene", scene, "--time-limit", "mute=20,30",
+            "--time-factor", "2") : run(call, scene, MUTE.replace("=", "=json:"), driver.replace("=", "=json:"),
+            "--time-limit", "mute=20,30",
+            "--time-factor", "2");
+        assertTrue((played.out() + played.err()).contains("no answer within 60 ms (waited "),
+            played.out() + played.err());
+    }
+
+    @Test
+    void theTunedBotsLimitIsThatOfAllItsValues() {
+        Cli ended = run("tune --games 16 --seeds 1 --time-limit mute=20,30 --scene " + scene, "--bot",
+            "mute=sleep {s:100..200}", "--against", driver);
+        assertEquals(1, ended.status(), ended.out() + ended.err());
+        assertTrue(ended.out().contains("no answer within 30 ms (waited "), ended.out() + ended.err());
+    }
+
+    @Test
+    void aCheckTriesABotByItsOwnLimitAndAtLastByThatOfItsCpuTime() {
+        Cli check = run("check --time-limit mute=20,30 --scene " + scene, MUTE);
+        assertEquals(1, check.status(), check.out() + check.err());
+        assertTrue(check.out().contains("no answer within 300 ms, 10 times the limit of CPU time"), check.out());
+    }
+
+    /** Nobody answers within 1 ms, but there are no deadlines. */
+    @Test
+    void withoutDeadlinesThereAreNoOwnLimitsEither() throws IOException {
+        Path replay = folder.resolve("r.jsonl");
+        String fault = run("match --no-deadline --json --time-limit still=1,1 --scene " + scene + " --out " + replay,
+            "--bot", driver, "--bot", driver.replace("still=", "other=")).done().json().get("players").get(0)
+            .get("fault").toString();
+        assertEquals("null", fault);
+        assertTrue(Files.readString(replay).contains("\"time\":{\"firstAnswerMs\":1,\"answerMs\":1}},"), "the header");
+    }
+
+    /** A bot is told its limits, a replay says them, and what it was sent follows from that. */
+    @Test
+    void aBotIsToldItsLimitsAndTheReplayToo() throws IOException {
+        Path sent = folder.resolve("sent.txt");
+        Path replay = folder.resolve("r.jsonl");
+        run("match --time-limit told=40000,50000 --sandbox off --scene " + scene + " --out " + replay, "--bot", driver,
+            "--bot", new ShellBots(folder).witness("told", ShellBots.NOWHERE, 0, sent)).done();
+        String lines = Files.readString(sent);
+        assertTrue(lines.startsWith("{\"type\":\"setup\",\"game\":\"pod-race\",\"player\":1,\"players\":2,\"time\":"
+            + "{\"firstAnswerMs\":50000,\"answerMs\":40000},"), lines);
+        assertEquals(lines, run("replay " + replay + " --frames --player 1").done().out());
+        assertTrue(run("replay " + replay + " --frames --player 0").done().out().contains("\"time\":"
+            + "{\"firstAnswerMs\":60000,\"answerMs\":30000},"), "the other has those of the scene");
+        run("replay " + replay + " --verify").done();
+        String shown = run("replay " + replay).done().out();
+        assertTrue(shown.contains(", answers within 40000 ms, the first within 50000 ms"), shown);
+    }
+
+    @Test
+    void otherLimitsAreAnotherVersionInALeagueAndWhereItsGamesGo() throws IOException {
+        run("league init TMP/night --seed 5 --scene " + scene).done();
+        run("league add TMP/night --time-limit 40000,50000", driver).done();
+        run("league add TMP/night --time-limit 45000", driver.replace("still=", "same=")).done();
+        Cli twin = run("league add TMP/night --time-limit 45000", driver.replace("still=", "twin="));
+        twin.assertRefused("found the program of 'same'");
+        run("league run TMP/night --games 2").done();
+        Path settings = folder.resolve("night/league.json");
+        Files.writeString(settings, Files.readString(settings).replace("\"answerMs\": 45000", "\"answerMs\": 46000"));
+        String told = run("league run TMP/night --games 4").done().err();
+        assertTrue(told.contains("same changed after 2 games: new version same#2"), told);
+        assertEquals(List.of("same 2 45000", "same#2 2 46000", "still 4 40000,50000"), versions());
+        String listed = run("league list TMP/night").done().out();
+        assertTrue(listed.contains("same#2: 2 games, program ") && listed.contains(", answers within 46000 ms\n"), listed);
+        run("league verify TMP/night").done();
+        run("sprt --games 2 --into TMP/night --time-limit same=47000 --time-limit still=40000,50000 --scene " + scene,
+            "--bot", driver.replace("still=", "same="), "--bot", driver).done();
+        assertEquals(List.of("same 2 45000", "same#2 2 46000", "same#3 2 47000", "still 6 40000,50000"), versions());
+        run("league export TMP/night --out TMP/games.csv").done();
+        List<String> before = versions();
+        Files.delete(folder.resolve("night/league.db"));
+        run("league import TMP/night TMP/games.csv").done();
+        assertEquals(before, versions());
+    }
+
+    /** Bundled bots have no files of the call's, and were another version where a call named them. */
+    @Test
+    void aBundledBotIsTheVersionThatTheLeagueHas() {
+        run("league init TMP/night --seed 5 --scene " + scene).done();
+        run("league add TMP/night builtin:racer", driver).done();
+        run("league run TMP/night --games 2").done();
+        run("match --games 1 --into TMP/night --scene " + scene, "--bot", "builtin:racer", "--bot", driver).done();
+        assertEquals(List.of("racer 3 null", "still 3 null"), versions());
+    }
+}
