@@ -7,7 +7,6 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Arrays;
 import java.util.List;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
@@ -21,7 +20,6 @@ import steward.bot.command.CommandLine;
 import steward.bot.command.ProgramFinder;
 import steward.cli.Cli;
 import steward.cli.ShellBots;
-import steward.cli.shared.Games;
 import steward.league.LeagueFolder;
 import steward.league.store.GameStore;
 import steward.match.TestScenes;
@@ -38,35 +36,33 @@ class StarterWatchTest {
     private Path place;
     private Path scene;
 
-    /** The first of each language. */
-    static Stream<Starter> languages() {
-        Stream<Starter> all = Starter.languages(Games.FIRST).stream().map(language -> Arrays.stream(Starter.values())
-            .filter(starter -> starter.word().equals(language)).findFirst().orElseThrow());
-        return TestSize.isWhole() ? all : all.limit(1);
+    /** All; in {@code test} the first. */
+    static Stream<StarterLanguage> languages() {
+        return Stream.of(StarterLanguage.values()).limit(TestSize.of(1, StarterLanguage.values().length));
     }
 
     /** A line by which a source becomes another program: a comment moves lines of Java's classes, and of no binary. */
-    private static String change(Starter starter) {
-        return switch (starter.word()) {
-            case "python" -> "# made anew\n";
-            case "cpp" -> "int madeAnew = 1;\n";
-            default -> "// made anew\n";
+    private static String change(StarterLanguage language) {
+        return switch (language) {
+            case PYTHON -> "# made anew\n";
+            case CPP -> "int madeAnew = 1;\n";
+            case JAVA, JS -> "// made anew\n";
         };
     }
 
     /** Makes the program, and once more from a changed source in another folder. */
-    private void make(Starter starter) throws IOException, InterruptedException {
+    private void make(StarterLanguage language) throws IOException, InterruptedException {
         scene = Files.writeString(folder.resolve("brief.json"), TestScenes.text("mad-pod-racing")
             .replaceFirst("\"maximumTurns\": \\d+", "\"maximumTurns\": 4"));
         place = folder.resolve("bot");
         Path anew = folder.resolve("anew");
         for (Path each : List.of(place, anew)) {
-            Cli.run("new", starter.word(), each.toString(), "--protocol", starter.protocol().word()).done();
+            Cli.run("new", language.word(), each.toString()).done();
         }
-        Path source = anew.resolve(starter.files().get(0));
-        Files.writeString(source, change(starter) + Files.readString(source));
+        Path source = anew.resolve(language.source());
+        Files.writeString(source, change(language) + Files.readString(source));
         for (Path each : List.of(place, anew)) {
-            for (String command : starter.compile()) {
+            for (String command : language.compile()) {
                 List<String> words = CommandLine.split(command);
                 assumeTrue(ProgramFinder.find(words.get(0)) != null, "there is no " + words.get(0));
                 assertEquals(0, new ProcessBuilder(words).directory(each.toFile()).inheritIO().start().waitFor());
@@ -75,7 +71,7 @@ class StarterWatchTest {
     }
 
     /** Plays against a bot that puts the new program in place at its own third start: in the third game. */
-    private Cli sprt(Starter starter, String... more) throws IOException {
+    private Cli sprt(StarterLanguage language, String... more) throws IOException {
         String builder = """
             cd '%s' || exit 9
             echo >>starts
@@ -87,27 +83,27 @@ class StarterWatchTest {
               echo '{"pods":[{"x":0,"y":0,"thrust":0},{"x":0,"y":0,"thrust":0}]}'
             done
             """.formatted(folder);
-        Files.deleteIfExists(folder.resolve("starts"));
         Files.writeString(folder.resolve("builder.sh"), builder);
-        List<String> words = Stream.concat(Stream.of("sprt", "--bot", "me=" + starter.bot(), "--in", place.toString(),
-            "--bot", "builder=sh builder.sh", "--in", folder.toString(), "--scene", scene.toString(), "--seed", "1",
-            "--time-factor", "60", "--sandbox", "off"), Stream.of(more)).toList();
+        List<String> words = Stream.concat(Stream.of("sprt", "--bot",
+            "me=" + language.bot(language.usual()), "--in", place.toString(), "--bot", "builder=sh builder.sh", "--in",
+            folder.toString(), "--scene", scene.toString(), "--seed", "1", "--time-factor", "60", "--sandbox", "off"),
+            Stream.of(more)).toList();
         return Cli.run(words.toArray(String[]::new));
     }
 
     @ParameterizedTest
     @MethodSource("languages")
     @Tag("sized")
-    void aChangeEndsTheTestUndecidedAndNamesItsFile(Starter starter) throws IOException, InterruptedException {
+    void aChangeEndsTheTestUndecidedAndNamesItsFile(StarterLanguage language) throws IOException, InterruptedException {
         assumeTrue(ShellBots.runnable(), "skipped: there is no /bin/sh");
-        make(starter);
-        Cli ended = sprt(starter, "--games", "1000");
+        make(language);
+        Cli ended = sprt(language, "--games", "1000");
         assertEquals(1, ended.status(), ended.out() + ended.err());
         String said = ended.out() + ended.err();
-        String file = switch (starter.word()) {
-            case "java" -> "Bot[^/]*\\.class";         // one of its classes
-            case "cpp" -> "bot";
-            default -> Pattern.quote(starter.files().get(0));
+        String file = switch (language) {
+            case JAVA -> "Bot[^/]*\\.class";           // one of its classes
+            case CPP -> "bot";
+            case PYTHON, JS -> Pattern.quote(language.source());
         };
         assertTrue(Pattern.compile("the test ends undecided after 2 games: " + Pattern.quote(place + "/") + file
             + " has changed").matcher(said).find(), said);
@@ -116,12 +112,12 @@ class StarterWatchTest {
     @ParameterizedTest
     @MethodSource("languages")
     @Tag("sized")
-    void inALeagueANewVersionBegins(Starter starter) throws IOException, InterruptedException {
+    void inALeagueANewVersionBegins(StarterLanguage language) throws IOException, InterruptedException {
         assumeTrue(ShellBots.runnable(), "skipped: there is no /bin/sh");
-        make(starter);
+        make(language);
         Cli.run("league", "init", folder.resolve("night").toString(), "--scene", scene.toString(), "--time-factor",
             "60").done();
-        Cli played = sprt(starter, "--games", "6", "--into", folder.resolve("night").toString()).done();
+        Cli played = sprt(language, "--games", "6", "--into", folder.resolve("night").toString()).done();
         assertTrue(played.err().contains("it begins anew, with a new version"), played.err());
         try (GameStore store = GameStore.read(new LeagueFolder(folder.resolve("night")))) {
             assertEquals("me 2, builder 8, me#2 6", store.versions().stream().map(version -> version.display() + " "
