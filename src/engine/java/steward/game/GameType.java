@@ -96,6 +96,11 @@ public interface GameType {
         return MOST_PLAYERS;
     }
 
+    /** The most players of a match on the site; a scene may be for more. */
+    default int mostOnSite() {
+        return mostPlayers();
+    }
+
     /**
      * Reads and checks the game's own blocks of a scene and says which parts it needs.
      *

@@ -70,7 +70,8 @@ public final class SceneReader {
         int players = root.integer("players", 0, MOST_PLAYERS);
         if (root.contains(REFEREE)) {
             if (instead != null) {
-                throw root.error(REFEREE, "a referee of its own", "a game that Steward computes, with --accuracy");
+                throw root.error(REFEREE, "a referee of its own", "a game that Steward computes, whose accuracy "
+                    + "can be chosen");
             }
             return new Scene(name, game, players, Optional.empty(), ImpactLaw.PHYSICS, 0, new Motion(List.of()), UNSET,
                 AccuracyChoice.stated(Accuracy.event(Arithmetic.DOUBLE)), PhysicsObserver.NONE, root);

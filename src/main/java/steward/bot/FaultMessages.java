@@ -42,7 +42,11 @@ public final class FaultMessages {
     }
 
     private static String within(TimeBasis basis, long limitNanos, long waitedNanos) {
-        String backstop = basis == TimeBasis.WALL ? "" : ", " + TimeBasis.BACKSTOP + " times the limit of CPU time";
+        String backstop = switch (basis) {
+            case WALL -> "";
+            case CPU -> ", " + TimeBasis.BACKSTOP + " times the limit of CPU time";
+            case UNSTARVED -> ", without waiting for a processor";
+        };
         return limit(limitNanos) + backstop + " (waited " + waited(waitedNanos) + ")";
     }
 
@@ -75,9 +79,10 @@ public final class FaultMessages {
      */
     public static String missed(TimeSpent spent, TimeBasis basis, boolean unread, int lines, int expected,
                                 int partialBytes) {
+        TimeBasis of = basis == TimeBasis.UNSTARVED && spent.doubtful() ? TimeBasis.WALL : basis;
         String fault = spent.overCpu() ? overCpu(spent.limit(), spent.cpu(), spent.taken())
-            : unread ? UNREAD + within(basis, spent.limit(), spent.taken())
-            : withLines(late(basis, spent.limit(), spent.taken()), lines, expected, partialBytes);
+            : unread ? UNREAD + within(of, spent.limit(), spent.taken())
+            : withLines(late(of, spent.limit(), spent.taken()), lines, expected, partialBytes);
         return fault + (fault.endsWith(")") ? ": " : "; ") + spent.text();
     }
 

@@ -1,6 +1,6 @@
 package steward.bot;
 
-import java.util.Arrays;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 
@@ -14,9 +14,19 @@ public enum TimeBasis {
      * The CPU time that the player's processes use for an answer, all threads summed. By the wall clock the answer may
      * take {@value #BACKSTOP} times the limit. For players that are not processes it is the same as {@link #WALL}.
      */
-    CPU;
+    CPU,
 
-    /** How many times the limit an answer may take by the wall clock where the limit is one of CPU time. */
+    /**
+     * The time that passes, without that in which the player waited for a processor that programs outside of it used:
+     * of a game that is played again on a busy machine. By the wall clock the answer may take {@value #BACKSTOP} times
+     * the limit. Where the kernel does not show such waiting it is the same as {@link #WALL}. No word of a call.
+     */
+    UNSTARVED;
+
+    /** Those that a call can ask for. */
+    public static final List<TimeBasis> CHOICES = List.of(WALL, CPU);
+
+    /** How many times the limit an answer may take by the wall clock where the limit is not one of it. */
     public static final int BACKSTOP = 10;
 
     /** Returns the word as it is written in a call. */
@@ -25,6 +35,6 @@ public enum TimeBasis {
     }
 
     public static Optional<TimeBasis> of(String word) {
-        return Arrays.stream(values()).filter(each -> each.word().equals(word)).findFirst();
+        return CHOICES.stream().filter(each -> each.word().equals(word)).findFirst();
     }
 }

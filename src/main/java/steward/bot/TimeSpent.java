@@ -37,6 +37,8 @@ public record TimeSpent(long limit, long taken, long unobserved, long computed, 
 
     private static final double NANOS_PER_MS = 1e6;
     private static final double MOST_OF_IT = 0.8;
+    /** A bot that uses nine tenths of its limit is late after so much waiting, as a share of the limit. */
+    private static final int DOUBT = 10;
 
     /** Nothing is known but how long it took. */
     public static TimeSpent unknown(long limit, long taken) {
@@ -49,6 +51,19 @@ public record TimeSpent(long limit, long taken, long unobserved, long computed, 
      */
     public boolean starved() {
         return !overCpu && waited + waitedUnobserved() >= limit / 2;
+    }
+
+    /**
+     * True if it may have been late only since it waited for a processor while others used them: for a tenth of its
+     * limit. A game of which that is true is played again, see {@link TimeBasis#UNSTARVED}.
+     */
+    public boolean doubtful() {
+        return !overCpu && waited + waitedUnobserved() >= limit / DOUBT;
+    }
+
+    /** Returns this without the waiting for a processor, of an answer that was late all the same. */
+    public TimeSpent withoutWaiting() {
+        return new TimeSpent(limit, Math.max(0, taken - waited), unobserved, computed, 0, other, cpu, shows, overCpu);
     }
 
     /** Waiting before the first look, estimated: then as later, waiting is a share of the time to wait and compute. */
@@ -71,6 +86,7 @@ public record TimeSpent(long limit, long taken, long unobserved, long computed, 
             : overCpu || computed >= MOST_OF_IT * observed ? "computed all the time: an endless loop, or too slow?"
             : other >= observed / 2 && shows != Shows.STEPS ? "computed for " + ms(computed) + " ms, then waited, "
                 + "as for input that nobody had sent: does it read too much, or not flush?"
+            : doubtful() ? "the machine was busy: perhaps not its fault"
             : "";
     }
 

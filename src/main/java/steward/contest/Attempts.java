@@ -4,13 +4,16 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Set;
+import steward.bot.TimeBasis;
 import steward.contest.Contest.Entrant;
 
 /**
  * The attempts at one game, and whether the last of them counts. A game that a bot lost on time is played again with
- * the same seed: once if the bot was starved ({@link Failure#starved}), once if another burned that was not yet held,
- * which then is held from the start. Where that cannot be held, the game is played again twice; if another burns in
- * each attempt, the game does not count. With {@link Hiccups#COUNT} every first attempt counts.
+ * the same seed: if the bot may have been late only since it waited for a processor ({@link Failure#doubtful}), then
+ * without charging it for that ({@link TimeBasis#UNSTARVED}); once if another burned that was not yet held, which then
+ * is held from the start. Where that cannot be held, the game is played again twice. If another burns or the machine is
+ * too busy in each of {@value #MOST} attempts, the game does not count. With {@link Hiccups#COUNT} every first attempt
+ * counts.
  */
 public final class Attempts {
 
@@ -22,7 +25,7 @@ public final class Attempts {
     private final int rotation;
     private final Set<Entrant> held = new LinkedHashSet<>();
     private int played;
-    private boolean excused;
+    private boolean unstarved;
     private String discarded;
 
     /** @param rotation by how many places the bots have moved up */
@@ -32,9 +35,10 @@ public final class Attempts {
         this.rotation = rotation;
     }
 
-    /** Contest of the next attempt, with bots held that have burned. */
+    /** Contest of the next attempt, with bots held that have burned, and without charging them for the machine. */
     public Contest contest() {
-        return held.isEmpty() ? contest : contest.holding(held);
+        Contest next = held.isEmpty() ? contest : contest.holding(held);
+        return unstarved ? next.limitedBy(TimeBasis.UNSTARVED) : next;
     }
 
     /** Number of attempts so far. */
@@ -55,7 +59,7 @@ public final class Attempts {
             return false;
         }
         if (beside.isEmpty()) {
-            return starved(failures);
+            return doubtful(failures.stream().filter(Failure::doubtful).findFirst().orElse(null));
         }
         if (beside.stream().allMatch(failure -> failure.burner().holdable())) {
             return held.addAll(beside.stream().map(failure -> entrant(failure.burner().player())).toList())
@@ -77,10 +81,16 @@ public final class Attempts {
             failure.burner().processors(), entrant(failure.player()).name(), MOST);
     }
 
-    private boolean starved(List<Failure> failures) {
-        boolean again = !excused && played < MOST && failures.stream().anyMatch(Failure::starved);
-        excused |= again;
-        return again;
+    private boolean doubtful(Failure failure) {
+        if (failure == null) {
+            return false;
+        }
+        unstarved = contest.time().basis() == TimeBasis.WALL;
+        if (played == MOST) {
+            discarded = "not counted: " + entrant(failure.player()).name() + " waited for a processor that other "
+                + "programs used, in each of " + MOST + " attempts";
+        }
+        return played < MOST;
     }
 
     /** Returns why the last attempt does not count although it has a result, or {@code null}. */

@@ -32,12 +32,32 @@ public record CountedGame<T extends MatchListener>(MatchResult result, T followe
      */
     public static <T extends MatchListener> CountedGame<T> play(Contest contest, long seed, Supplier<T> followers,
             Supplier<OutputStream> recordings) throws InterruptedException, IOException {
-        return play(contest, seed, followers, recordings, Contest::play);
+        return play(contest, seed, Hiccups.REPLAY, followers, recordings);
     }
 
-    static <T extends MatchListener> CountedGame<T> play(Contest contest, long seed, Supplier<T> followers,
-            Supplier<OutputStream> recordings, SeriesPlay.MatchPlay player) throws InterruptedException, IOException {
-        Attempts attempts = new Attempts(contest, Hiccups.REPLAY, 0);
+    /**
+     * Plays it; with {@link Hiccups#COUNT} the first attempt counts.
+     *
+     * @throws RuntimeException if it could not be brought to a result
+     * @throws IOException      if a recording cannot be closed
+     */
+    public static <T extends MatchListener> CountedGame<T> play(Contest contest, long seed, Hiccups hiccups,
+            Supplier<T> followers, Supplier<OutputStream> recordings) throws InterruptedException, IOException {
+        return play(contest, seed, hiccups, followers, recordings, Contest::play);
+    }
+
+    /** Reasons why an attempt with these failures is played again. */
+    private static List<String> reasons(Contest contest, List<Failure> failures) {
+        return failures.stream().filter(failure -> failure.doubtful() || failure.burner() != null)
+            .map(failure -> "played again, since " + contest.entrants().get(failure.player()).name()
+                + " lost on time while others used the processors, in turn " + failure.turn() + ": "
+                + failure.reason()).toList();
+    }
+
+    static <T extends MatchListener> CountedGame<T> play(Contest contest, long seed, Hiccups hiccups,
+            Supplier<T> followers, Supplier<OutputStream> recordings, SeriesPlay.MatchPlay player)
+            throws InterruptedException, IOException {
+        Attempts attempts = new Attempts(contest, hiccups, 0);
         List<String> again = new ArrayList<>();
         while (true) {
             GameLog log = new GameLog(contest, 0);
@@ -49,11 +69,7 @@ public record CountedGame<T extends MatchListener>(MatchResult result, T followe
             if (!attempts.demandAnother(log.failures())) {
                 return new CountedGame<>(result, follower, log.failures(), again, attempts.discarded());
             }
-            log.failures().stream().filter(failure -> failure.starved() || failure.burner() != null)
-                .map(failure -> "played again, since " + contest.entrants().get(failure.player()).name()
-                    + " lost on time while others used the processors, in turn " + failure.turn() + ": "
-                    + failure.reason())
-                .forEach(again::add);
+            again.addAll(reasons(contest, log.failures()));
         }
     }
 }

@@ -53,6 +53,11 @@ public record Failure(int player, int turn, String reason, List<String> stderr, 
         return time != null && time.starved();
     }
 
+    /** True if it may have been late only since other programs used the processors, see {@link TimeSpent#doubtful}. */
+    public boolean doubtful() {
+        return time != null && time.doubtful();
+    }
+
     /**
      * Returns the common part of failures for the same reason: the reason without what was received, and with {@code #}
      * for each number. The status of an exit and the limit of an answer stay.

@@ -117,8 +117,8 @@ final class FailureHints {
 
     /** Bot that computed meanwhile. */
     static String beside(String name, Burner burner) {
-        return String.format(Locale.ROOT, "meanwhile %s computed on %.2f processors%s; a series (--games) plays such a"
-            + " game again, in a single match the loss stands", name, burner.processors(),
+        return String.format(Locale.ROOT, "meanwhile %s computed on %.2f processors%s; such a game is played again, "
+            + "unless its replay has been shown by then", name, burner.processors(),
             burner.holdable() ? "" : " and cannot be held here");
     }
 

@@ -14,6 +14,7 @@ import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 import java.nio.file.attribute.PosixFilePermission;
 import java.nio.file.attribute.PosixFilePermissions;
+import java.util.List;
 import java.util.Set;
 
 /** Opens the files that replays and pages are written to, before the match is played. */
@@ -166,7 +167,8 @@ public final class OutputFiles {
     }
 
     public static InputException exists(Path file) {
-        return new InputException(file + ": exists already, and is kept; --overwrite would replace it");
+        return new InputException(file + ": exists already, and is kept",
+            List.of(new Remedied.Remedy("overwrite", "would replace it")));
     }
 
     /** Returns why a file or folder cannot be written, without its name. */

@@ -105,8 +105,7 @@ record GuestProgram(List<String> command, List<String> classPath, String main, S
             values.entries().keySet().forEach(key -> properties.put(key, values.text(key))));
         properties.forEach((key, value) -> {
             if (key.equals("seed")) {
-                throw block.block("properties").error(key, "a seed", "none: --seed or the league sets that of each "
-                    + "game");
+                throw block.block("properties").error(key, "a seed", "none: each game has one of its own");
             }
             if ((key + value).chars().anyMatch(Character::isISOControl) || key.contains("=")) {
                 throw block.error("properties", "the property '" + key + "'", "keys and values of one line");

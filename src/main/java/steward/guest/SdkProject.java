@@ -16,6 +16,7 @@ import steward.bot.command.ProgramFinder;
 import steward.bot.isolation.Launch;
 import steward.bot.process.ProgramRun;
 import steward.files.InputException;
+import steward.files.Remedied;
 
 /**
  * A project on the SDK as its author has published it: what has been compiled, or what its Maven makes of it, and what
@@ -139,7 +140,7 @@ record SdkProject(List<String> classPath, int fewestPlayers, int mostPlayers, St
     private static String property(Path project) throws IOException {
         Matcher engine = ENGINE.matcher(Files.readString(project.resolve("pom.xml")));
         if (!engine.find() || engine.group(1) == null) {
-            throw new InputException("--engine: found a pom.xml that writes the version of the engine out, expected a "
+            throw new InputException("engine", "found a pom.xml that writes the version of the engine out, expected a "
                 + "property for it");
         }
         return engine.group(1);
@@ -150,10 +151,11 @@ record SdkProject(List<String> classPath, int fewestPlayers, int mostPlayers, St
         Matcher missing = NOT_TO_BE_HAD.matcher(said);
         if (missing.find() && !PUBLISHED.equals(engine)) {
             String absent = missing.group() + ", which is not to be had";
-            return new InputException(engine == null ? project + ": needs " + absent + ": build it yourself, or try "
-                + "with --engine " + PUBLISHED + ", the newest that is published"
-                : "--engine: found " + engine + ", which needs " + absent + ", expected a version such as "
-                + PUBLISHED + ", the newest that is published");
+            return engine == null ? new InputException(project + ": needs " + absent + ": build it yourself, or try "
+                + "another engine, such as " + PUBLISHED + ", the newest that is published",
+                List.of(new Remedied.Remedy("engine", PUBLISHED + " takes that")))
+                : new InputException("engine", "found " + engine + ", which needs " + absent + ", expected a version "
+                + "such as " + PUBLISHED + ", the newest that is published");
         }
         List<String> errors = said.lines().filter(line -> line.matches(".*\\[ERROR\\] +\\S.*"))
             .map(line -> line.substring(line.indexOf("[ERROR]"))).limit(5).toList();

@@ -130,7 +130,7 @@ public final class LeagueReader {
 
     private static TimeBasis basis(Block time) {
         TimeBasis basis = time == null ? TimeBasis.WALL
-            : time.choice("basis", words(TimeBasis.values(), TimeBasis::word), TimeBasis.WALL);
+            : time.choice("basis", words(TimeBasis.CHOICES.toArray(TimeBasis[]::new), TimeBasis::word), TimeBasis.WALL);
         if (basis == TimeBasis.CPU && factor(time) == Double.POSITIVE_INFINITY) {
             throw time.error("basis", "\"cpu\" without limits", "\"wall\"");
         }

@@ -57,6 +57,13 @@ public final class LiveRecording extends OutputStream implements Feed {
         changed.run();
     }
 
+    /** Forgets what is written, for a match that begins anew; there are no readers yet. */
+    public synchronized void clear() {
+        lines.clear();
+        unfinished.reset();
+        unfinished.writeBytes(DATA);
+    }
+
     /** Ends the recording: no more lines follow, with or without a result. */
     @Override
     public synchronized void close() {

@@ -76,7 +76,7 @@ public final class PagePicture {
             }
         }
         throw new IOException("found no browser on the PATH, expected one of "
-            + String.join(", ", BROWSERS) + "; or open the page of --view and press P");
+            + String.join(", ", BROWSERS) + "; or open the page and press P");
     }
 
     private static void delete(Path folder) {

@@ -99,7 +99,8 @@ class FaultMessagesTest {
     void whatTheKernelDoesNotShowIsSaid() {
         assertEquals("computed 20 (in steps of 10 ms), 56 other (this system does not show waiting for a processor)",
             new TimeSpent(75 * MS, 76 * MS, 0, 20 * MS, 0, 56 * MS, 20 * MS, Shows.STEPS, false).text());
-        assertEquals("computed 20 (in steps of 10 ms), waited 30 for a processor, 26 other",
+        assertEquals("the machine was busy: perhaps not its fault [computed 20 (in steps of 10 ms), waited 30 for a "
+            + "processor, 26 other]",
             new TimeSpent(75 * MS, 76 * MS, 0, 20 * MS, 30 * MS, 26 * MS, 20 * MS, Shows.ALL_IN_STEPS, false).text());
         assertEquals("this system does not show what the bot did meanwhile",
             TimeSpent.unknown(75 * MS, 76 * MS).text());

@@ -18,11 +18,11 @@ class SdkProjectTest {
     @ParameterizedTest
     @CsvSource(delimiter = '|', nullValues = "none", textBlock = """
         Could not find artifact com.codingame.gameengine:core:jar:9.9.9 in central (https://repo) | 9.9.9 \
-        | --engine: found 9.9.9, which needs com.codingame.gameengine:core:jar:9.9.9, which is not to be had, expected \
+        | engine: found 9.9.9, which needs com.codingame.gameengine:core:jar:9.9.9, which is not to be had, expected \
         a version such as 4.3.0, the newest that is published
         com.codingame.gameengine:core:jar:9.9.9 was not found in https://repo during a previous attempt | none \
-        | p: needs com.codingame.gameengine:core:jar:9.9.9, which is not to be had: build it yourself, or try with \
-        --engine 4.3.0, the newest that is published
+        | p: needs com.codingame.gameengine:core:jar:9.9.9, which is not to be had: build it yourself, or try \
+        another engine, such as 4.3.0, the newest that is published
         """)
     void anEngineThatIsNotThereIsNamedWithTheNewest(String said, String engine, String refusal) {
         assertEquals(refusal, SdkProject.refusal(Path.of("p"), BEGINNING + said + END, engine).getMessage());

@@ -11,7 +11,8 @@ import steward.bot.accounting.TreeSample.ThreadTimes;
  * Adds up what a tree of processes did between the first and the last of several samples. Reads no clock and no files.
  *
  * <p>The kernel counts a thread's waiting for a processor only when it gets one. A thread that is runnable at two
- * samples and did not run in between has waited all the time; what the kernel adds for it later is then left out.
+ * samples and did not run in between has waited all the time; what the kernel adds for it later is then left out. One
+ * that ran and is runnable at the end may have waited for the rest: that is open until it runs again.
  */
 public final class TimeLedger {
 
@@ -26,6 +27,8 @@ public final class TimeLedger {
     private final Set<Long> active = new HashSet<>();
     /** Nanoseconds counted for threads that still wait, by thread. */
     private final Map<Long, Long> pending = new HashMap<>();
+    /** Nanoseconds for which threads may have waited since they last ran, without what is counted, by thread. */
+    private final Map<Long, Long> open = new HashMap<>();
 
     public TimeLedger(TreeSample first) {
         this.first = first;
@@ -51,6 +54,7 @@ public final class TimeLedger {
         if (next.threads() != null && last.threads() != null) {
             long passed = Math.max(0, next.at() - last.at());
             next.threads().forEach((number, now) -> add(number, last.threads().get(number), now, passed));
+            open.keySet().retainAll(next.threads().keySet());
         }
         firstIdle = firstIdle.idle() < 0 ? next : firstIdle;
         last = next;
@@ -64,7 +68,10 @@ public final class TimeLedger {
         long counted = pending.getOrDefault(number, 0L);
         boolean still = known && before.runnable() && now.runnable() && ran == 0 && now.slices() == before.slices();
         long share = still ? passed : Math.max(0, queued - counted);
-        share = Math.max(0, Math.min(share, passed - ran));
+        share = Math.max(0, Math.min(share, passed - ran + (still ? 0 : open.getOrDefault(number, 0L))));
+        if (!still) {
+            open.put(number, now.runnable() ? Math.max(0, passed - ran - share) : 0);
+        }
         pending.put(number, still ? counted + passed : 0);
         run += ran;
         begun += before == null && now.runnable() ? Math.max(0, passed - ran) : 0;
@@ -127,14 +134,37 @@ public final class TimeLedger {
         long observed = Math.min(taken, passed);
         double charged = (double) observed / passed;
         double cpu = cpu();
-        double side = Math.max(1, Math.min(processors, (cpu + waited) / passed));
-        double byOthers = active.size() <= 1 ? waited : Math.min(waited, othersCpu(processors, cpu));
+        double side = side(processors, cpu + waited, passed);
+        double byOthers = byOthers(processors, cpu, waited);
         long queued = Math.min(observed, Math.round(charged * byOthers / side));
         long computed = Math.min(observed - queued, Math.round(charged * (cpu + waited - byOthers) / side));
         TimeSpent.Shows shows = !threads ? TimeSpent.Shows.STEPS
             : cpu > run ? TimeSpent.Shows.ALL_IN_STEPS : TimeSpent.Shows.ALL;
         return new TimeSpent(limit, taken, taken - observed, computed, queued, observed - queued - computed,
             Math.round(cpu), shows, overCpu);
+    }
+
+    /**
+     * Waiting for a processor that programs outside of the tree used, between the first sample and the last, as a part
+     * of the wall clock; what is open is taken for waiting.
+     */
+    public long starved(int processors) {
+        long passed = last.at() - first.at();
+        if (passed <= 0) {
+            return 0;
+        }
+        double cpu = cpu();
+        double all = waited + open.values().stream().mapToLong(each -> each).sum();
+        return Math.min(passed, Math.round(byOthers(processors, cpu, all) / side(processors, cpu + all, passed)));
+    }
+
+    /** Threads that were runnable on average, as many as can run at once. */
+    private static double side(int processors, double wanted, long passed) {
+        return Math.max(1, Math.min(processors, wanted / passed));
+    }
+
+    private double byOthers(int processors, double cpu, double queued) {
+        return active.size() <= 1 ? queued : Math.min(queued, othersCpu(processors, cpu));
     }
 
     /** CPU time of processes outside the tree; 0 where the system does not show it. */

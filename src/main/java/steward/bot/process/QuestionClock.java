@@ -21,6 +21,9 @@ import steward.bot.accounting.TreeSampler;
  * If it does not, something has come, and it first gets the processor to see what. So an answer that is in the pipe at
  * the verdict counts. Computing is charged in any case, as if the bot had had all processors.
  *
+ * <p>On the basis {@link TimeBasis#UNSTARVED} the processes are sampled at each look, and where they waited for a
+ * processor is not charged either. Both may be the same time: the longer of the two is left out.
+ *
  * <p>Caveat: the fields of the asking thread are read by the watchdog without a lock, at worst while the next question
  * begins. Its note is then one on the next question and true of it: it never decides, since the decision is a
  * compare-and-set in {@link Deadline} that fails then.
@@ -102,7 +105,7 @@ final class QuestionClock {
 
     /** True if the next question needs to know what the processes have done before. */
     boolean needsBaseline() {
-        return basis == TimeBasis.CPU;
+        return basis != TimeBasis.WALL;
     }
 
     /** The frame is written: the clock starts. A program that was begun for it has hardly begun to start by now. */
@@ -118,7 +121,7 @@ final class QuestionClock {
 
     /** Returns the time that the answer may take by the wall clock. */
     long wallLimit() {
-        boolean backstop = basis == TimeBasis.CPU && limit < Long.MAX_VALUE / TimeBasis.BACKSTOP;
+        boolean backstop = basis != TimeBasis.WALL && limit < Long.MAX_VALUE / TimeBasis.BACKSTOP;
         return backstop ? limit * TimeBasis.BACKSTOP : limit;
     }
 
@@ -143,6 +146,9 @@ final class QuestionClock {
             unread = false;
         }
         uncharged += overslept < PAUSE ? 0 : Math.max(0, Math.min(overslept, now - start));
+        if (basis == TimeBasis.UNSTARVED) {
+            return lookUnstarved(now);
+        }
         long wall = wallLimit();
         long step = Math.max(LEAST_STEP, limit / EIGHTH);
         long quarter = limit / QUARTER;
@@ -159,6 +165,19 @@ final class QuestionClock {
             }
         }
         return charged < wall ? Math.min(now + step, later(start + uncharged, wall)) : lookOnceMore(now);
+    }
+
+    private long lookUnstarved(long now) {
+        observe(now);
+        long charged = unstarved(now);
+        boolean inTime = charged < limit && now - start - uncharged < wallLimit();
+        taken = charged < limit ? now - start - uncharged : charged;
+        return inTime ? now + Math.max(LEAST_STEP, Math.min(limit / EIGHTH, limit - charged)) : lookOnceMore(now);
+    }
+
+    /** The time that has passed, without waiting for a processor, at the last sample. */
+    private synchronized long unstarved(long now) {
+        return Math.max(now - start - Math.max(uncharged, ledger.starved(TreeSampler.processors())), computed());
     }
 
     /** The time that has passed, without what is not charged, but at least that of {@link #computed}. */
@@ -249,6 +268,9 @@ final class QuestionClock {
             return passed;
         }
         observe(now);
+        if (basis == TimeBasis.UNSTARVED && computed() <= limit) {
+            return Math.min(limit, unstarved(now));
+        }
         if (cpuLimit ? overCpu() : computed() > limit) {
             taken = cpuLimit ? passed : computed();
             return -1;
@@ -281,7 +303,9 @@ final class QuestionClock {
             spentOf = number;
             observe(now);
             boolean overCpu = basis == TimeBasis.CPU && overCpu();
-            spent = ledger.spent(overCpu ? limit : wallLimit(), taken, TreeSampler.processors(), overCpu);
+            boolean unstarved = basis == TimeBasis.UNSTARVED && taken < wallLimit();
+            spent = unstarved ? ledger.spent(limit, sampledSpan(), TreeSampler.processors(), false).withoutWaiting()
+                : ledger.spent(overCpu ? limit : wallLimit(), taken, TreeSampler.processors(), overCpu);
         }
         return spent;
     }

@@ -7,7 +7,6 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import steward.bot.FaultMessages;
 import steward.bot.TimeBasis;
-import steward.bot.TimeSpent;
 import steward.bot.UnstartablePlayer;
 import steward.cli.shared.Games;
 import steward.contest.Contest;
@@ -20,8 +19,8 @@ import steward.text.TextFormat;
 
 /**
  * One bot tried: a whole game against the weakest bundled bot of the game, and one against players that never answer. A
- * bot that is late, or nearly, is tried again, at last by the CPU time that it uses itself: other programs may have
- * used the processors.
+ * bot that is late, or nearly, is tried again, at last without charging it for what other programs use of the
+ * processors.
  *
  * @param contest with the bot as its only entrant
  * @param games   as far as they were played; the second is not after a failure in the first
@@ -34,8 +33,8 @@ public record BotCheck(Contest contest, List<Tried> games) {
     private static final double NANOS_PER_MS = 1e6;
     /** Most times that a game is begun anew in which a bundled bot was late. */
     private static final int MOST_SPOILT = 3;
-    /** In place of the slowest answer, where only the bot's own CPU time was looked at. */
-    private static final long BY_CPU = -1;
+    /** In place of the slowest answer, where it was not charged for a busy machine. */
+    private static final long UNSTARVED = -1;
 
     /**
      * A game.
@@ -43,7 +42,8 @@ public record BotCheck(Contest contest, List<Tried> games) {
      * @param against whom
      * @param result  or {@code null} if there is none
      * @param failure of the bot, or {@code null}
-     * @param worst   the slowest answer after the first, in nanoseconds; -1 if it kept the limit by its own CPU time
+     * @param worst   the slowest answer after the first, in nanoseconds; -1 if it was in time without what other
+     *                programs used
      * @param turns   what it was sent and answered
      */
     public record Tried(String against, MatchResult result, Failure failure, long worst, List<Dialog.Turn> turns) { }
@@ -79,14 +79,14 @@ public record BotCheck(Contest contest, List<Tried> games) {
             return found;
         }
         found = byCpu ? found : play(empty, bot, against, others, silent);
-        if (!isLate(empty, bot, found) || sleeps(found.failure())) {
+        if (!isLate(empty, bot, found)) {
             return found;
         }
         TimeControl time = empty.time();
         double share = found.failure() == null ? EDGE : 1;
         Tried own = play(empty.limitedBy(new TimeControl(time.firstNanos(), (long) (share * time.turnNanos()),
-            TimeBasis.CPU, share * time.factor())), bot, against, others, silent);
-        return own.failure() == null ? new Tried(against, own.result(), null, BY_CPU, own.turns())
+            byCpu ? TimeBasis.CPU : TimeBasis.UNSTARVED, share * time.factor())), bot, against, others, silent);
+        return own.failure() == null ? new Tried(against, own.result(), null, UNSTARVED, own.turns())
             : found.failure() == null ? found : own;
     }
 
@@ -100,12 +100,6 @@ public record BotCheck(Contest contest, List<Tried> games) {
     private static boolean isLate(Contest contest, Contest.Entrant bot, Tried tried) {
         return tried.failure() != null ? FaultMessages.isTime(tried.failure().reason())
             : limit(contest, bot, 1) != Long.MAX_VALUE && tried.worst() > EDGE * limit(contest, bot, 1);
-    }
-
-    /** True if it neither computed nor waited for a processor, but for something else, in a turn after the first. */
-    private static boolean sleeps(Failure failure) {
-        return failure != null && failure.turn() > 1 && failure.time() != null
-            && failure.time().shows() == TimeSpent.Shows.ALL && failure.time().other() > failure.time().taken() / 2;
     }
 
     private static Tried play(Contest empty, Contest.Entrant bot, String against, List<Contest.Entrant> others,
@@ -206,7 +200,7 @@ public record BotCheck(Contest contest, List<Tried> games) {
         }
         if (failure() == null && limit(1) != Long.MAX_VALUE) {
             steps.add(step(worst() <= EDGE * limit(1), "keeps the limit with room", games.stream().anyMatch(game ->
-                game.worst() == BY_CPU) ? "by its own CPU time: other programs used the processors"
+                game.worst() == UNSTARVED) ? "without waiting for processors that other programs used"
                 : "the slowest later answer took " + ms(worst()) + limit(worst(), 1)));
         }
         return steps;

@@ -30,7 +30,7 @@ public final class TimeLimitOptions {
 
         @Override
         public Iterator<String> iterator() {
-            return Arrays.stream(TimeBasis.values()).map(TimeBasis::word).iterator();
+            return TimeBasis.CHOICES.stream().map(TimeBasis::word).iterator();
         }
     }
 

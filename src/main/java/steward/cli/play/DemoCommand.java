@@ -18,6 +18,7 @@ import steward.cli.shared.Verbosity;
 import steward.cli.streams.StandardFiles;
 import steward.cli.streams.Streams;
 import steward.contest.Contest;
+import steward.contest.Hiccups;
 import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.match.Protocol;
@@ -70,7 +71,8 @@ public final class DemoCommand extends ProgramCommand {
             + " --overwrite");
         told.out().println();
         told.out().flush();
-        new SingleMatch(streams, contest, json ? Verbosity.JSON : Verbosity.FULL, false, false).play(seed, file, true);
+        new SingleMatch(streams, contest, json ? Verbosity.JSON : Verbosity.FULL, false, false, Hiccups.REPLAY)
+            .play(seed, file, true);
         told.out().println();
         try (ReplayReader replay = ReplayCommand.open(file)) {
             Verification verification = Verification.of(replay, Games.types());

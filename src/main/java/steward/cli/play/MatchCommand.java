@@ -160,7 +160,7 @@ public final class MatchCommand extends ProgramCommand {
             return StoredSeries.play(OutputFiles.path(many.into()), contest, factor, sandbox.variables(), streams,
                 (league, watch) -> run.play(threads, anew.getAndSet(true), league::add, watch));
         }
-        SingleMatch game = new SingleMatch(streams, contest, report, strict, piped);
+        SingleMatch game = new SingleMatch(streams, contest, report, strict, piped, many.hiccups());
         return show.isAny() ? game.play(first, path, overwrite, show) : game.play(first, path, overwrite);
     }
 }

@@ -109,8 +109,14 @@ final class MatchDisplay implements AutoCloseable {
         }
     }
 
-    /** Returns the stream that a match is written to: here, and to its file if it has one. */
+    /** True if the match is watched while it is played. */
+    boolean isWatched() {
+        return server != null;
+    }
+
+    /** Returns the stream that a match is written to, from its start: here, and to its file if it has one. */
     OutputStream with(OutputStream file) {
+        recording.clear();
         return file == null ? recording : new TeeOutputStream(file, recording);
     }
 

@@ -9,6 +9,7 @@ import steward.cli.shared.FailureJson;
 import steward.cli.streams.Json;
 import steward.cli.streams.Streams;
 import steward.contest.Contest;
+import steward.contest.CountedGame;
 import steward.contest.Failure;
 import steward.json.JsonNumbers;
 import steward.json.JsonObject;
@@ -22,8 +23,8 @@ final class MatchJson {
 
     private static final double NANOS_PER_MS = 1e6;
 
-    static void print(Streams streams, Contest contest, long seed, MatchResult result, List<Failure> failures,
-                      Path file) {
+    static void print(Streams streams, Contest contest, long seed, CountedGame<?> game, Path file) {
+        MatchResult result = game.result();
         printObject(streams, out -> {
             out.writeStringProperty("seed", Long.toString(seed));
             out.writeStringProperty("scene", contest.sceneName());
@@ -36,9 +37,10 @@ final class MatchJson {
             JsonObject.writeAll(out, "players", result.players().size(), k -> {
                 int player = k;
                 writePlayer(out, result.players().get(k), contest.entrants().get(k).bot(),
-                    failures.stream().filter(failure -> failure.player() == player).findFirst().orElse(null));
+                    game.failures().stream().filter(failure -> failure.player() == player).findFirst().orElse(null));
             });
             writeData(out, result.data());
+            JsonObject.writeTexts(out, "playedAgain", game.again());
             out.writeStringProperty("replay", file == null ? null : file.toString());
         });
     }

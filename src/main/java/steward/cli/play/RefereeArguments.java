@@ -50,9 +50,9 @@ record RefereeArguments(CommandSpec spec) {
         return word.matches("-p[1-" + MOST_PLAYERS + "](=.*)?");
     }
 
-    /** Number of players: the last of those that are named. */
+    /** Number of players: those that are named from the first on without a gap. */
     int players() {
-        return IntStream.rangeClosed(1, MOST_PLAYERS).filter(player -> value(bot(player)) != null).max().orElse(0);
+        return (int) IntStream.rangeClosed(1, MOST_PLAYERS).takeWhile(player -> value(bot(player)) != null).count();
     }
 
     /** True if there is any player. */

@@ -23,6 +23,7 @@ import steward.contest.Contest;
 import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.game.GameSetup;
+import steward.game.GameType;
 import steward.match.Protocol;
 import steward.match.TimeControl;
 import steward.scene.json.SceneException;
@@ -149,7 +150,8 @@ public final class RefereeCommand extends ProgramCommand implements RefusedCall 
 
     /** The scene for as many players as are named, where its game allows that; otherwise the scene as it is. */
     private static GameSetup seated(GameSetup setup, int players) {
-        if (players < 2 || players == setup.scene().players()) {
+        int most = Games.types().of(setup.scene().gameId()).map(GameType::mostOnSite).orElse(0);
+        if (players < 2 || players > most || players == setup.scene().players()) {
             return setup;
         }
         ObjectNode scene = (ObjectNode) JsonMapper.shared().readTree(setup.scene().json());

@@ -58,9 +58,9 @@ final class SeriesOptions {
     private String keep;
 
     @Option(names = "--hiccups", paramLabel = "replay|count", completionCandidates = HiccupWords.class,
-        description = "What becomes of a game that a bot lost on time while it waited half of its limit for a "
-            + "processor that other programs used: it is played again, once, with the same seed (replay, the default), "
-            + "or it counts (count).")
+        description = "What becomes of a game, also of a single one, that a bot lost on time while it waited a tenth "
+            + "of its limit or more for a processor that other programs used: it is played again with the same seed, "
+            + "without charging the bot for that (replay, the default), or it counts (count).")
     private String hiccups;
 
     @Option(names = "--into", paramLabel = "DIR",
@@ -78,7 +78,6 @@ final class SeriesOptions {
         check.that(isAny() || !threads.isGiven(), "--threads is for many games, expected --games or --swap with it");
         check.that(isAny() || into == null, "--into is for many games, expected --games or --swap with it");
         check.that(isAny() || keep == null, "--keep is for many games, expected --games or --swap with it");
-        check.that(isAny() || hiccups == null, "--hiccups is for many games, expected --games or --swap with it");
         check.that(hiccups == null || Hiccups.of(hiccups).isPresent(),
             "--hiccups: found '" + hiccups + "', expected replay or count");
         check.that(keep == null || KeptReplays.of(keep).isPresent(),

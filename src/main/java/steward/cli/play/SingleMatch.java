@@ -1,10 +1,14 @@
 package steward.cli.play;
 
+import java.io.IOException;
 import java.io.OutputStream;
 import java.io.PrintStream;
 import java.io.UncheckedIOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicReference;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.FailedException;
 import steward.cli.shared.MatchText;
@@ -13,23 +17,25 @@ import steward.cli.shared.Verbosity;
 import steward.cli.streams.Interruption;
 import steward.cli.streams.Streams;
 import steward.contest.Contest;
-import steward.contest.Failure;
-import steward.contest.GameLog;
+import steward.contest.CountedGame;
+import steward.contest.Hiccups;
 import steward.contest.ReplayFile;
 import steward.match.MatchListener;
 import steward.match.MatchResult;
-import steward.match.TeeListener;
 import steward.replay.page.UnclosedOutputStream;
 import steward.text.TextFormat;
 
 /**
- * Plays one match and reports its result.
+ * Plays one match and reports its result. One that a bot lost on time because others used the processors is played
+ * again, unless it has been shown already: while it was watched, on the standard output, or in a pipe.
  *
- * @param report how much is said
- * @param strict whether a bot that fails makes the exit status 1
- * @param piped  whether the standard output is the replay; then all else is said on the standard error
+ * @param report  how much is said
+ * @param strict  whether a bot that fails makes the exit status 1
+ * @param piped   whether the standard output is the replay; then all else is said on the standard error
+ * @param hiccups what becomes of a match that was lost so
  */
-record SingleMatch(Streams streams, Contest contest, Verbosity report, boolean strict, boolean piped) {
+record SingleMatch(Streams streams, Contest contest, Verbosity report, boolean strict, boolean piped,
+                   Hiccups hiccups) {
 
     private static final MatchListener NOBODY = new MatchListener() { };
 
@@ -40,47 +46,63 @@ record SingleMatch(Streams streams, Contest contest, Verbosity report, boolean s
      * @return the exit status
      */
     int play(long seed, Path file, boolean overwrite) throws InterruptedException {
-        GameLog log = new GameLog(contest, 0);
-        MatchResult result = result(seed, file, overwrite, null, log);
-        tell(seed, result, log.failures(), file);
-        return status(result);
+        return tell(seed, counted(seed, file, overwrite, null), file);
     }
 
     /** As {@link #play(long, Path, boolean)}; the match is shown as the options say. */
     int play(long seed, Path file, boolean overwrite, DisplayOptions options) throws InterruptedException {
         PrintStream said = report == Verbosity.FULL ? text() : streams.err();
         try (MatchDisplay show = MatchDisplay.prepare(streams, said, options, Pages.title(names()), file, overwrite)) {
-            GameLog log = new GameLog(contest, 0);
-            MatchResult result = result(seed, file, overwrite, show, log);
-            tell(seed, result, log.failures(), file);
+            int status = tell(seed, counted(seed, file, overwrite, show), file);
             streams.out().flush();
             show.finish();
-            return status(result);
+            return status;
         }
     }
 
-    private MatchResult result(long seed, Path path, boolean overwrite, MatchDisplay show, GameLog log)
+    private CountedGame<MatchListener> counted(long seed, Path path, boolean overwrite, MatchDisplay show)
             throws InterruptedException {
-        MatchResult result;
-        ReplayFile recording = path == null ? null : new ReplayFile(path, overwrite);
-        try (recording) {
+        boolean shown = piped || show != null && show.isWatched() || path != null && Files.exists(path)
+            && !Files.isRegularFile(path);
+        AtomicReference<ReplayFile> recording = new AtomicReference<>(open(path, overwrite));
+        AtomicBoolean begun = new AtomicBoolean();
+        CountedGame<MatchListener> game;
+        try {
             if (show != null) {
                 show.awaitViewer();
             }
-            try (Interruption hint = new Interruption(streams, recording == null ? null : () -> recording.exists()
+            try (Interruption hint = new Interruption(streams, path == null ? null : () -> recording.get().exists()
                     ? "the turns so far are in " + path : "no turn was played")) {
-                OutputStream file = piped ? new UnclosedOutputStream(streams.out()) : recording;
-                OutputStream written = show == null ? file : show.with(file);
-                result = contest.play(seed, 0, written, new TeeListener(log, follower(seed)));
+                game = CountedGame.play(contest, seed, shown ? Hiccups.COUNT : hiccups, () -> follower(seed), () -> {
+                    if (begun.getAndSet(true) && path != null) {
+                        recording.get().close();
+                        recording.set(open(path, true));
+                    }
+                    OutputStream file = piped ? streams.out() : recording.get();
+                    OutputStream all = show == null ? file : show.with(file);
+                    return all == null ? null : new UnclosedOutputStream(all);
+                });
                 hint.over();
             }
-        } catch (UncheckedIOException problem) {
-            throw withoutResult(recording, problem.getMessage());
+        } catch (UncheckedIOException | IOException problem) {
+            throw withoutResult(recording.get(), problem.getMessage());
+        } finally {
+            if (path != null) {
+                recording.get().close();
+            }
         }
-        if (recording != null && recording.isBroken()) {
-            throw withoutResult(recording, null);
+        if (path != null && recording.get().isBroken()) {
+            throw withoutResult(recording.get(), null);
         }
-        return result;
+        game.again().forEach(streams::warn);
+        if (game.discarded() != null) {
+            throw withoutResult(null, game.discarded());
+        }
+        return game;
+    }
+
+    private static ReplayFile open(Path path, boolean overwrite) {
+        return path == null ? null : new ReplayFile(path, overwrite);
     }
 
     private static FailedException withoutResult(ReplayFile recording, String problem) {
@@ -91,26 +113,24 @@ record SingleMatch(Streams streams, Contest contest, Verbosity report, boolean s
             + (recording != null && recording.isBroken() ? recording.problem() : problem));
     }
 
-    private void tell(long seed, MatchResult result, List<Failure> failures, Path file) {
+    private int tell(long seed, CountedGame<?> game, Path file) {
+        MatchResult result = game.result();
         switch (report) {
-            case JSON -> MatchJson.print(streams, contest, seed, result, failures, file);
-            case LINE -> text().println(MatchText.headline(contest.sceneName(), seed, result, failures));
+            case JSON -> MatchJson.print(streams, contest, seed, game, file);
+            case LINE -> text().println(MatchText.headline(contest.sceneName(), seed, result, game.failures()));
             default -> {
                 MatchText.print(text(), piped ? streams.errColour() : streams.outColour(), contest.sceneName(), seed,
-                    result, failures);
+                    result, game.failures());
                 if (file != null) {
                     MatchText.printReplay(text(), file, contest.setup().scene().gameId());
                 }
             }
         }
+        return strict && result.anyFault() ? ExitStatus.FAILED : ExitStatus.DONE;
     }
 
     private PrintStream text() {
         return piped ? streams.err() : streams.out();
-    }
-
-    private int status(MatchResult result) {
-        return strict && result.anyFault() ? ExitStatus.FAILED : ExitStatus.DONE;
     }
 
     private List<String> names() {

@@ -14,6 +14,7 @@ import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.UnmatchedArgumentException;
 import steward.cli.streams.Streams;
 import steward.files.InputException;
+import steward.files.Remedied;
 import steward.replay.ReplayException;
 import steward.scene.json.SceneException;
 import steward.text.TextFormat;
@@ -114,7 +115,7 @@ public final class ErrorHandler implements IParameterExceptionHandler, IExecutio
         if (problem instanceof InputException || problem instanceof SceneException
             || problem instanceof ReplayException || problem instanceof UncheckedIOException) {
             answer(command, parsed.originalArgs());
-            say(problem.getMessage());
+            say(withOptions(problem, command));
             return ExitStatus.UNUSABLE;
         }
         if (problem instanceof FailedException) {
@@ -131,6 +132,19 @@ public final class ErrorHandler implements IParameterExceptionHandler, IExecutio
         say("this should not have happened:");
         problem.printStackTrace(streams.err());
         return ExitStatus.FAILED;
+    }
+
+    /** The message of a library, with the options of this command that it is about. */
+    private static String withOptions(Exception problem, CommandLine command) {
+        boolean named = problem instanceof InputException input && has(command, input.parameter());
+        List<String> remedies = !(problem instanceof Remedied known) ? List.of() : known.remedies().stream()
+            .filter(each -> has(command, each.option())).map(each -> "--" + each.option() + " " + each.effect()).toList();
+        return (named ? "--" : "") + problem.getMessage() + (remedies.isEmpty() ? "" : "; ")
+            + String.join(", ", remedies);
+    }
+
+    private static boolean has(CommandLine command, String option) {
+        return option != null && command.getCommandSpec().findOption("--" + option) != null;
     }
 
     private void say(String message) {

@@ -6,6 +6,7 @@ import java.sql.SQLException;
 import java.util.List;
 import java.util.Optional;
 import steward.files.InputException;
+import steward.files.Remedied;
 import steward.league.Season;
 import steward.league.StoredGame;
 
@@ -85,7 +86,8 @@ public final class PartStore implements AutoCloseable {
             });
             String difference = found.map(there -> there.difference(head)).orElse(null);
             if (difference != null) {
-                throw new InputException(file + ": found " + difference + "; another --out begins a new one");
+                throw new InputException(file + ": found " + difference,
+                    List.of(new Remedied.Remedy("out", "with another file begins a new one")));
             }
             return new PartStore(database, head, season, games.open(season));
         } catch (InputException refused) {
@@ -121,7 +123,7 @@ public final class PartStore implements AutoCloseable {
     private static void refuseReplays(Database database, Path file) {
         if (database.with(() -> database.value("SELECT 1 FROM sqlite_master WHERE name = 'recording'")) != null) {
             throw new InputException(file + ": found a part with replays, expected one with transcripts, as 'steward "
-                + "league shard' makes it since; play the part again with another --out");
+                + "league shard' makes it since; play the part again into another file");
         }
     }
 

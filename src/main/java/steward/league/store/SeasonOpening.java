@@ -1,7 +1,9 @@
 package steward.league.store;
 
 import java.util.Optional;
+import java.util.stream.Stream;
 import steward.files.InputException;
+import steward.files.Remedied;
 import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
 import steward.league.Season;
@@ -35,11 +37,12 @@ public final class SeasonOpening {
     private static InputException changed(LeagueFolder folder, LeagueSettings settings, Season last, Season season,
                                           long games) {
         boolean rules = RulesBefore.scene(folder, settings, last).isPresent();
-        String run = "'steward league run " + folder.path();
         return new InputException(folder.path() + ": " + (rules
             ? "the rules of the scene " + season.sceneName() + " are those of the live server now"
             : last.difference(season)) + ", and the league has " + TextFormat.count(games, "game")
-            + " of before; expected " + (rules ? run + " --keep-rules', which goes on by the rules of before" :
-                "it as it was") + ", or " + run + " --new-season', which begins a new table and keeps the old games");
+            + " of before; expected " + (rules ? "its rules" : "it as it was") + ", or a new season, as 'steward league "
+            + "run " + folder.path() + "' can begin one", Stream.of(new Remedied.Remedy("keep-rules", "goes on by the rules of before"),
+                new Remedied.Remedy("new-season", "begins a new table and keeps the old games"))
+                .filter(each -> rules || !each.option().equals("keep-rules")).toList());
     }
 }

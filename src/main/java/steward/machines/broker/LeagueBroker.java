@@ -109,7 +109,7 @@ public final class LeagueBroker implements AutoCloseable {
             server.start();
             if (!server.getRemotingService().isStarted() || server.getRemotingService().getAcceptor("workers") == null
                 || !server.getRemotingService().getAcceptor("workers").isStarted()) {
-                throw new InputException("--serve: nothing can listen at " + address);
+                throw new InputException("serve", "nothing can listen at " + address);
             }
             locator = ActiveMQClient.createServerLocatorWithoutHA(new TransportConfiguration(
                 InVMConnectorFactory.class.getName(), Map.of("serverId", Integer.toString(id))));
@@ -128,7 +128,7 @@ public final class LeagueBroker implements AutoCloseable {
             throw refused;
         } catch (Exception problem) {
             stop();
-            throw new InputException("--serve: the broker cannot be started: " + problem.getMessage());
+            throw new InputException("serve", "the broker cannot be started: " + problem.getMessage());
         }
     }
 
@@ -158,14 +158,14 @@ public final class LeagueBroker implements AutoCloseable {
     /** Artemis would only log that. */
     private static void refuseTaken(InetSocketAddress address) {
         if (address.isUnresolved()) {
-            throw new InputException("--serve: found the unknown host '" + address.getHostString()
+            throw new InputException("serve", "found the unknown host '" + address.getHostString()
                 + "', expected one of this machine");
         }
         try (ServerSocket trial = new ServerSocket()) {
             trial.setReuseAddress(true);
             trial.bind(address);
         } catch (java.io.IOException problem) {
-            throw new InputException("--serve: nothing can listen at " + address.getHostString() + ":"
+            throw new InputException("serve", "nothing can listen at " + address.getHostString() + ":"
                 + address.getPort() + ": " + problem.getMessage() + "; another HOST:PORT may be free");
         }
     }

@@ -114,11 +114,11 @@ public record Invitation(String name, String hash, int count, Instant until, boo
             until = (typed.contains("T") ? LocalDateTime.parse(typed) : LocalDate.parse(typed).atTime(23, 59, 59))
                 .atZone(ZoneId.systemDefault()).toInstant();
         } catch (DateTimeParseException problem) {
-            throw new InputException("--until: found '" + typed + "', expected a day such as 2026-12-24 or a moment "
+            throw new InputException("until", "found '" + typed + "', expected a day such as 2026-12-24 or a moment "
                 + "such as 2026-12-24T18:00");
         }
         if (!until.isAfter(now)) {
-            throw new InputException("--until: found '" + typed + "', which is over, expected a later day");
+            throw new InputException("until", "found '" + typed + "', which is over, expected a later day");
         }
         return until;
     }

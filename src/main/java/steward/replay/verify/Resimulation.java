@@ -5,9 +5,11 @@ import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Objects;
 import java.util.stream.Collectors;
 import steward.files.JarFolder;
+import steward.files.Remedied;
 import steward.game.FrameCodec;
 import steward.game.Game;
 import steward.game.GameSetup;
@@ -75,7 +77,8 @@ public final class Resimulation {
         boolean runs = setup.isHosted() && (start == null || types.hosted().isTrusted());
         if (runs && !types.hosted().isTrusted()) {
             throw new ReplayException(source + ":1: scene: found a referee of its own, which is a program that the "
-                + "replay names, expected --run-referee: it is run again then");
+                + "replay names and is not run unless that is asked for",
+                List.of(new Remedied.Remedy("run-referee", "runs it again")));
         }
         if (runs) {
             checkFiles(header, (HostedSetup) setup, source);

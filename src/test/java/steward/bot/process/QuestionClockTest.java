@@ -26,16 +26,17 @@ class QuestionClockTest {
 
     private OwnThread.State asking = OwnThread.State.ASLEEP;
     private long cpu;
+    private long waited;
     private int samples;
     private Runnable whileSampling = () -> { };
 
     private final QuestionClock clock = new QuestionClock(() -> asking, this::sample);
 
-    /** One thread, which has run for so long and does nothing else. */
+    /** One thread, which has run and waited for a processor for so long, and does nothing else. */
     private TreeSample sample(long at) {
         samples++;
         whileSampling.run();
-        return new TreeSample(at, true, 1, 0, Map.of(1L, new ThreadTimes(cpu, 0, 1, false)), 0);
+        return new TreeSample(at, true, 1, 0, Map.of(1L, new ThreadTimes(cpu, waited, 1, false)), 0);
     }
 
     private void ask(long limit) {
@@ -255,6 +256,58 @@ class QuestionClockTest {
         TimeSpent spent = clock.spent(START + 801 * MS, 801 * MS);
         assertFalse(spent.overCpu());
         assertEquals(10 * LIMIT, spent.limit());
+    }
+
+    /** It has computed for 60 of its 80 ms when the clock says 200; then for 82, and is late on any machine. */
+    @Test
+    void waitingForAProcessorIsNotChargedWhereTheMachineIsNotTo() {
+        clock.limitBy(TimeBasis.UNSTARVED);
+        ask(LIMIT);
+        cpu = 5 * MS;
+        waited = 15 * MS;
+        assertEquals(30, look(20, 0));
+        cpu = 60 * MS;
+        waited = 140 * MS;
+        assertEquals(210, look(200, 0));
+        assertEquals(60 * MS, clock.charge(START + 200 * MS), "what an answer would be charged");
+        cpu = 82 * MS;
+        waited = 168 * MS;
+        assertEquals(250.2, look(250, 0));
+        assertEquals(-1, look(250.2, 0));
+        TimeSpent spent = clock.spent(START + 251 * MS, clock.taken());
+        assertFalse(spent.doubtful());
+        assertEquals(0, spent.waited());
+        assertEquals(82, spent.computed() / MS);
+        String fault = FaultMessages.missed(spent, clock.basis(), false, 0, 1, 0);
+        assertTrue(fault.startsWith("no answer within 80 ms, without waiting for a processor (waited 83 ms): computed "
+            + "all the time: an endless loop, or too slow? [computed 82, waited 0 for a processor, "), fault);
+    }
+
+    /** Sleeping is charged: it would be late on any machine. */
+    @Test
+    void aBotThatSleepsIsLateWhereTheMachineIsNotChargedToo() {
+        clock.limitBy(TimeBasis.UNSTARVED);
+        ask(LIMIT);
+        waited = 5 * MS;
+        assertEquals(85, look(75, 0));
+        assertEquals(85.2, look(85, 0));
+        assertEquals(-1, look(85.2, 0));
+    }
+
+    /** The machine never lets it run: ten times the limit are enough, and it is not the bot's fault. */
+    @Test
+    void notBeingLetRunAtAllEndsAfterTenTimesTheLimit() {
+        clock.limitBy(TimeBasis.UNSTARVED);
+        ask(LIMIT);
+        waited = 790 * MS;
+        assertEquals(809, look(799, 0));
+        assertEquals(800.2, look(800, 0));
+        assertEquals(-1, look(800.2, 0));
+        TimeSpent spent = clock.spent(START + 801 * MS, clock.taken());
+        assertTrue(spent.starved());
+        String fault = FaultMessages.missed(spent, clock.basis(), false, 0, 1, 0);
+        assertTrue(fault.startsWith("no answer within 800 ms (waited 801 ms): the machine was busy: not its fault"),
+            fault);
     }
 
     /** An answer that came before the watchdog looked: it may have used as much as all processors together can. */

@@ -286,8 +286,8 @@ class LeagueCommandTest {
         Files.writeString(settings, Files.readString(settings).replace("\"scene.json\"", "\"duel\""));
 
         assertEquals("steward: TMP/a: the rules of the scene duel are those of the live server now, and the league has "
-            + "10 games of before; expected 'steward league run TMP/a --keep-rules', which goes on by the rules of "
-            + "before, or 'steward league run TMP/a --new-season', which begins a new table and keeps the old games\n",
+            + "10 games of before; expected its rules, or a new season, as 'steward league run TMP/a' can begin one; "
+            + "--keep-rules goes on by the rules of before, --new-season begins a new table and keeps the old games\n",
             refused("run", "TMP/a", "--games", "10"));
         OlderForm.of(folder.resolve("a/league.db"), 3);
         String said = league("run", "TMP/a", "--games", "10", "--keep-rules").done().err();

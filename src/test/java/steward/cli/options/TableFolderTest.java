@@ -42,7 +42,7 @@ class TableFolderTest {
     void whatExistsIsKept() throws IOException {
         assertEquals("started", start(tables()));
         Files.writeString(folder.resolve("page.md"), "precious");
-        assertEquals(folder.resolve("page.md") + ": exists already, and is kept; --overwrite would replace it",
+        assertEquals(folder.resolve("page.md") + ": exists already, and is kept",
             assertThrows(InputException.class, () -> start(tables())).getMessage());
         assertEquals("precious", Files.readString(folder.resolve("page.md")));
     }

@@ -211,7 +211,8 @@ class RefereeCommandTest {
         "-scene search-race -p1 cat -p2 cat | found -p2, expected -p1 alone: the scene \"search-race\" "
             + "is for 1 player, "
             + "and there are no seats to change",
-        "-p1 cat -p3 cat | found no -p2, expected",
+        "-p1 cat -p3 cat | found no -p2, expected -p1 to -p2: the scene \"duel\" is for 2 players",
+        "-p1 cat -p2 cat -p3 cat | found -p3, expected -p1 to -p2: the scene \"duel\" is for 2 players",
         "-scene mean-max -p1 cat -p2 cat | found no -p3, expected -p1 to -p3",
         "-scene poker-chip-race -p1 cat -p2 cat -p3 cat -p4 cat -p5 cat | found -p3, expected -p1 to -p2",
         "-p1 cat -p2 cat -p9 cat | unknown option '-p9'",

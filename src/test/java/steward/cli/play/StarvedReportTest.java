@@ -136,7 +136,6 @@ class StarvedReportTest {
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
         "match --bot false --bot false --games 2 --hiccups never | --hiccups: found 'never', expected replay or count",
-        "match --bot false --bot false --hiccups count | --hiccups is for many games, expected --games or --swap with",
         "match --bot false --bot false --time clock | --time: found 'clock', expected wall or cpu",
         "match --bot false --bot false --time cpu --no-deadline | --no-deadline and --time cpu exclude each other",
         "play --json-league false false --time x | --time: found 'x', expected wall or cpu",

@@ -50,6 +50,11 @@ public final class PodRaceType implements GameType {
     }
 
     @Override
+    public int mostOnSite() {
+        return 2;
+    }
+
+    @Override
     public PodRaceSetup open(Scene scene) {
         PodRaceSettings settings = PodRaceSettings.read(scene);
         checkRoom(scene, settings);

@@ -38,7 +38,7 @@ final class TimeBasisTurns {
         this.section = section;
         this.responder = responder;
         this.frame = frame;
-        bases = Arrays.stream(TimeBasis.values())
+        bases = TimeBasis.CHOICES.stream()
             .filter(basis -> basis == TimeBasis.WALL || TreeSampler.showsCpuTime()).toList();
     }
 

@@ -1,0 +1,152 @@
+package steward.cli;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestReporter;
+import org.junit.jupiter.api.io.TempDir;
+import steward.bot.accounting.TreeSampler;
+import steward.bot.command.ProgramFinder;
+import steward.cli.shared.ExitStatus;
+import steward.match.TestSize;
+import tools.jackson.databind.JsonNode;
+
+/**
+ * Correct programs on a machine whose processors have three times as many busy processes: none is called faulty. They
+ * are {@code src/test/resources/busy}, one source for each language that is installed, and each is of seven kinds by
+ * its argument. None uses more than 60% of its limit, 45 of 75 ms, or 600 of 1000 ms at its start.
+ */
+@Tag("process")
+@Tag("slow")
+@Tag("sized")
+class BusyMachineTest {
+
+    private static final Path SOURCES = Path.of("src/test/resources/busy");
+    private static final int LOAD = 3;
+    private static final List<String> KINDS = List.of("clock", "work", "sleep", "read", "start", "threads", "garbage");
+
+    /** A language: the source, what compiles it ({@code -} for nothing), and what runs it. */
+    private static final String[][] LANGUAGES = {
+        {"bot.cpp", "g++ -O2 -pthread -o bot bot.cpp", "./bot"},
+        {"bot.py", "-", "python3 bot.py"},
+        {"Bot.java", "javac Bot.java", "java Bot"},
+        {"bot.js", "-", "node bot.js"},
+        {"bot.go", "go build -o bot bot.go", "./bot"},
+        {"bot.rs", "rustc -O -o bot bot.rs", "./bot"},
+        {"bot.pl", "-", "perl bot.pl"}};
+
+    private final List<Process> load = new ArrayList<>();
+    /** Folders by the words that run the program in them. */
+    private final Map<Path, String> bots = new LinkedHashMap<>();
+
+    @TempDir
+    private Path folder;
+    private Path scene;
+
+    /** A program that starts is a hand-in of a tournament too. */
+    @BeforeEach
+    void programs() throws IOException, InterruptedException {
+        assumeTrue(ShellBots.runnable() && TreeSampler.showsCpuTime(), "there is no /bin/sh or no /proc");
+        scene = folder.resolve("short.json");
+        Files.writeString(scene, Files.readString(Path.of("config/scenes/duel.json")).replace("\"duel\"", "\"short\"")
+            .replace("\"maximumTurns\": 200", "\"maximumTurns\": 4"));
+        for (String[] language : Arrays.copyOf(LANGUAGES, TestSize.of(3, LANGUAGES.length))) {
+            Path built = Files.createDirectories(folder.resolve("built").resolve(language[0]));
+            Files.copy(SOURCES.resolve(language[0]), built.resolve(language[0]));
+            String program = (language[1].equals("-") ? language[2] : language[1]).split(" ")[0];
+            if (ProgramFinder.find(program) == null || !language[1].equals("-") && new ProcessBuilder(
+                    language[1].split(" ")).directory(built.toFile()).inheritIO().start().waitFor() != 0) {
+                continue;
+            }
+            for (String kind : TestSize.isWhole() ? KINDS : List.of(KINDS.get(bots.size() % KINDS.size()))) {
+                add(built, language[0].replaceAll(".*\\.", "") + "-" + kind, language[2] + " " + kind);
+            }
+        }
+        String shell = "while read -r l; do case $l in *'\"turn\"'*) sleep 0.03; echo "
+            + "'{\"pods\":[{\"x\":1,\"y\":1,\"thrust\":0}]}';; esac; done";
+        Files.writeString(Files.createDirectories(folder.resolve("built/sh")).resolve("bot.sh"), shell);
+        add(folder.resolve("built/sh"), "sh-sleep", "sh bot.sh");
+        for (int k = 0; k < LOAD * Runtime.getRuntime().availableProcessors(); k++) {
+            load.add(new ProcessBuilder("/bin/sh", "-c", "while :; do :; done").start());
+        }
+    }
+
+    private void add(Path built, String name, String run) throws IOException {
+        Path own = Files.createDirectories(folder.resolve("in").resolve(name));
+        try (var files = Files.list(built)) {
+            for (Path file : files.toList()) {
+                Files.copy(file, own.resolve(file.getFileName()));
+            }
+        }
+        Files.writeString(own.resolve("run"), run);
+        if (name.endsWith("-read")) {
+            Files.writeString(own.resolve("big.txt"), "7 1 2 3 4\n".repeat(200_000));
+        }
+        bots.put(own, run);
+    }
+
+    @AfterEach
+    void unload() throws InterruptedException {
+        for (Process each : load) {
+            each.destroyForcibly().waitFor();
+        }
+    }
+
+    @Test
+    void aCorrectProgramIsNotCalledFaultyOnALoadedMachine(TestReporter report) {
+        List<String> wrong = new ArrayList<>();
+        int told = 0;
+        for (Map.Entry<Path, String> bot : bots.entrySet()) {
+            String name = bot.getKey().getFileName().toString();
+            Cli check = Cli.run("check", bot.getValue(), "--in", bot.getKey().toString(), "--scene", scene.toString());
+            if (check.status() != 0) {
+                wrong.add(name + ": check says " + check.out() + check.err());
+            }
+            Cli match = Cli.run("match", "--bot", bot.getValue(), "--in", bot.getKey().toString(), "--bot",
+                "builtin:racer", "--scene", scene.toString(), "--seed", "1", "--strict", "--json");
+            told += match.err().contains("played again") ? 1 : 0;
+            if (match.status() != 0) {
+                wrong.add(name + ": match says " + match.out() + match.err());
+            }
+        }
+        report.publishEntry("programs", bots.size() + ", matches played again " + told);
+        assertEquals(List.of(), wrong);
+        assertTrue(bots.size() >= LANGUAGES.length || !TestSize.isWhole(), "too few languages are installed");
+    }
+
+    @Test
+    void noneHasFailedInATournamentOnALoadedMachine(TestReporter report) {
+        Cli played = Cli.run("tournament", folder.resolve("in").toString(), "--protocol", "json", "--scene",
+            scene.toString(), "--rounds", "1", "--games", "2", "--json", "--page", folder.resolve("page").toString());
+        assertEquals(ExitStatus.DONE, played.status(), played.out() + played.err());
+        List<String> wrong = new ArrayList<>();
+        for (JsonNode program : played.json().get("programs")) {
+            if (!program.get("ready").booleanValue()) {
+                wrong.add(program.toString());
+            }
+        }
+        int games = 0;
+        for (JsonNode score : played.json().get("scores")) {
+            games += score.get("games").intValue();
+            if (score.get("failed").intValue() > 0) {
+                wrong.add(score.toString());
+            }
+        }
+        report.publishEntry("tournament", bots.size() + " programs, " + games / 2 + " games");
+        assertEquals(List.of(), wrong, played.err());
+        assertTrue(games / 2 >= bots.size() / 2, played.out());
+    }
+}
