@@ -19,7 +19,7 @@ public final class InputException extends RuntimeException implements Remedied {
         this.remedies = List.copyOf(remedies);
     }
 
-    /** A problem with the value of a parameter, whose name begins the message; a command may have an option so called. */
+    /** A problem with a parameter, whose name begins the message; a command may have an option so called. */
     public InputException(String parameter, String problem) {
         super(parameter + ": " + problem);
         this.parameter = parameter;

@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
 import steward.bot.Burner;
+import steward.bot.TimeBasis;
 import steward.bot.TimeSpent;
 import steward.bot.UnstartablePlayer;
 import steward.bot.hold.HoldPolicy;
@@ -19,6 +20,7 @@ import steward.bot.isolation.SandboxLevel;
 import steward.cli.shared.Games;
 import steward.contest.Contest.Entrant;
 import steward.match.Protocol;
+import steward.match.TimeControl;
 
 /** How often a game is played that a bot lost on time. */
 class AttemptsTest {
@@ -26,7 +28,8 @@ class AttemptsTest {
     private static final long MS = 1_000_000;
 
     private final TreeMap<String, HoldPolicy> started = new TreeMap<>();
-    private final Contest contest = new Contest(Games.open("duel"), List.of(entrant("hog"), entrant("honest")), null, 1)
+    private final Contest contest = new Contest(Games.open("duel"), List.of(entrant("hog"), entrant("honest")),
+            new TimeControl(1000 * MS, 75 * MS), 1)
         .isolatedBy(() -> Isolation.at(SandboxLevel.LIGHT)).startedBy((entrant, isolation, others) -> {
             started.put(entrant.name(), isolation.hold());
             return new UnstartablePlayer(entrant.name(), "not to be played");
@@ -38,7 +41,7 @@ class AttemptsTest {
 
     /** A failure of the second bot on time. */
     private static List<Failure> late(boolean starved, Burner burner) {
-        TimeSpent time = new TimeSpent(75 * MS, 76 * MS, 0, 10 * MS, (starved ? 60 : 20) * MS, 0, 10 * MS,
+        TimeSpent time = new TimeSpent(75 * MS, 76 * MS, 0, 10 * MS, (starved ? 60 : 5) * MS, 0, 10 * MS,
             TimeSpent.Shows.ALL, false);
         return List.of(new Failure(1, 5, "no answer", List.of(), "", List.of(), time, burner));
     }
@@ -93,7 +96,11 @@ class AttemptsTest {
         assertEquals(Attempts.MOST, attempts.played());
         Attempts twice = attempts(Hiccups.REPLAY);
         assertTrue(twice.demandAnother(late(true, null)));
+        assertEquals(TimeBasis.UNSTARVED, twice.contest().time().basis());
+        assertTrue(twice.demandAnother(late(true, null)), "the machine was too busy for ten times the limit");
         assertFalse(twice.demandAnother(late(true, null)));
+        assertEquals("not counted: honest waited for a processor that other programs used, in each of 3 attempts",
+            twice.discarded());
     }
 
     @Test

@@ -41,7 +41,7 @@ import steward.text.TextFormat;
         "(why, and what its stderr says, or null), test_data (seed, and what was reported",
         "about the match), player_data, attributes, played_again.",
         "A game that a bot lost on time while others used the processors is played again,",
-        "as 'match --games' does; played_again and the standard error say why.",
+        "as 'match' does; played_again and the standard error say why.",
         "What bots report on stderr: '[TDATA] name = value' about the match,",
         "'[PDATA] name = value' about themselves, '[PDATA+] name = value' summed up,",
         "'[PDATA][turn] name = value' about a turn.",

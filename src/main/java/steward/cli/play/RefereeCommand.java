@@ -40,7 +40,7 @@ import tools.jackson.databind.node.ObjectNode;
         "program. One that cannot be started has failed, and the others win. -p1 to -p4",
         "also say for how many players the scene is, where its game allows several.",
         "", "A game that a bot lost on time while others used the processors is played again,",
-        "as 'match --games' does; the standard error says why, and why a bot failed. In a",
+        "as 'match' does; the standard error says why, and why a bot failed. In a",
         "call that is refused each bot named gets -1. With --old the tool runs the bots:",
         "of those that are silent, crash or are missing nothing is known: use -r.",
         "", "Files of -l and -r are replaced if they are empty or a file of their own kind,",

@@ -138,7 +138,8 @@ public final class ErrorHandler implements IParameterExceptionHandler, IExecutio
     private static String withOptions(Exception problem, CommandLine command) {
         boolean named = problem instanceof InputException input && has(command, input.parameter());
         List<String> remedies = !(problem instanceof Remedied known) ? List.of() : known.remedies().stream()
-            .filter(each -> has(command, each.option())).map(each -> "--" + each.option() + " " + each.effect()).toList();
+            .filter(each -> has(command, each.option())).map(each -> "--" + each.option() + " " + each.effect())
+            .toList();
         return (named ? "--" : "") + problem.getMessage() + (remedies.isEmpty() ? "" : "; ")
             + String.join(", ", remedies);
     }

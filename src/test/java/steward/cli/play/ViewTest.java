@@ -87,7 +87,7 @@ class ViewTest {
         String said = ProcessTest.shell("PATH=" + folder + " "
             + ProcessTest.steward("replay", replay().toString(), "--picture", picture.toString()));
         assertEquals("steward: --picture: " + picture + ": found no browser on the PATH, expected one of chromium, "
-            + "chromium-browser, google-chrome, chrome, microsoft-edge, msedge; or open the page of --view and press "
+            + "chromium-browser, google-chrome, chrome, microsoft-edge, msedge; or open the page and press "
             + "P\nstatus 1\n", said);
         assertFalse(Files.exists(picture));
     }
