@@ -35,12 +35,12 @@ class BotCheckTest {
     /** The first answer, as in a class with many programs at once, and a later one. */
     @ParameterizedTest
     @ValueSource(ints = {1, 7})
-    void aProgramThatWaitsForAProcessorIsTriedByItsCpuTime(int lateTurn) throws InterruptedException {
+    void aProgramThatWaitsForAProcessorIsTriedWithoutThat(int lateTurn) throws InterruptedException {
         BotCheck check = check(lateTurn, Integer.MAX_VALUE, COMPUTED);
-        assertEquals(List.of(TimeBasis.WALL, TimeBasis.WALL, TimeBasis.CPU), begun);
+        assertEquals(List.of(TimeBasis.WALL, TimeBasis.WALL, TimeBasis.UNSTARVED), begun);
         assertTrue(check.passes(), () -> check.problems().toString());
         assertTrue(check.steps().stream().anyMatch(step -> step.startsWith("  yes  keeps the limit with room")
-            && step.endsWith("by its own CPU time: other programs used the processors")), () -> check.steps().toString());
+            && step.endsWith("without waiting for processors that other programs used")), () -> check.steps().toString());
     }
 
     @Test
@@ -50,11 +50,11 @@ class BotCheckTest {
         assertTrue(check.passes(), () -> check.problems().toString());
     }
 
-    /** By its own CPU time it is late as well: the limit of the search race is 50 ms. */
+    /** Without waiting for a processor it is late as well: the limit of the search race is 50 ms. */
     @Test
     void aProgramThatComputesTooLongFails() throws InterruptedException {
         BotCheck check = check(7, Integer.MAX_VALUE, 60 * MS);
-        assertEquals(List.of(TimeBasis.WALL, TimeBasis.WALL, TimeBasis.CPU), begun);
+        assertEquals(List.of(TimeBasis.WALL, TimeBasis.WALL, TimeBasis.UNSTARVED), begun);
         assertFalse(check.passes());
         assertNotNull(check.failure());
         assertTrue(check.problems().get(0).contains("It computed all the time"), () -> check.problems().toString());
@@ -109,7 +109,7 @@ class BotCheckTest {
             }
             answer.setFault(FaultMessages.late(limitNanos, taken));
             answer.setTimeSpent(new TimeSpent(limitNanos, taken, 0, used, taken - used, 0, used, TimeSpent.Shows.ALL,
-                basis == TimeBasis.CPU));
+                false));
             return Ending.FAULT;
         }
     }
