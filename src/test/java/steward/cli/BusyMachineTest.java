@@ -127,6 +127,17 @@ class BusyMachineTest {
         assertTrue(bots.size() >= LANGUAGES.length || !TestSize.isWhole(), "too few languages are installed");
     }
 
+    /** One computes without end, the other sleeps for longer than its limit: no load is their excuse. */
+    @Test
+    void aProgramThatIsSlowByItselfIsCalledFaultyOnALoadedMachine() {
+        for (String slow : List.of("while :; do :; done", "sleep 3")) {
+            Cli match = Cli.run("match", "--bot", "slow=sh -c 'read -r l; read -r l; " + slow + "'", "--bot",
+                "builtin:racer", "--scene", scene.toString(), "--seed", "1", "--strict", "--quiet");
+            assertEquals(ExitStatus.FAILED, match.status(), match.out() + match.err());
+            assertTrue(match.out().contains("slow failed in turn 1: no answer within 1000 ms"), match.out() + match.err());
+        }
+    }
+
     @Test
     void noneHasFailedInATournamentOnALoadedMachine(TestReporter report) {
         Cli played = Cli.run("tournament", folder.resolve("in").toString(), "--protocol", "json", "--scene",
