@@ -22,6 +22,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import steward.bot.command.CommandLine;
 import steward.bot.command.ProgramFinder;
 import steward.cli.shared.ExitStatus;
 import steward.game.GameTypes;
@@ -182,17 +183,24 @@ class OutsideGameTest {
 
     /** The starter ends inside the ring, which who always pushes on does not. */
     @ParameterizedTest
-    @ValueSource(strings = {"python", "js"})
-    void aStarterPlaysIt(String language) throws IOException {
+    @ValueSource(strings = {"python", "java", "cpp", "js"})
+    void aStarterPlaysIt(String language) throws IOException, InterruptedException {
         Path place = folder.resolve("starter-" + language);
         Cli made = call(games, "new", language, place.toString(), "--game", "sumo");
-        assertEquals(ExitStatus.DONE, made.status(), made.err());
-        assertEquals("", made.err());
-        String bot = made.out().lines().reduce((one, other) -> other).orElseThrow().replaceAll(".*'me=(.*) bot.*", "$1 ")
-            + place.resolve(language.equals("js") ? "bot.js" : "bot.py");
-        assumeTrue(ProgramFinder.find(bot.split(" ")[0]) != null, "there is no " + bot);
-        Cli match = call(games, "match", "--scene", scene.toString(), "--bot", "me=" + bot, "--bot", "on=" + bot(1),
-            "--seed", "4", "--json", "--time-factor", "30");
+        assertEquals(new Cli(ExitStatus.DONE, made.out(), ""), made);
+        List<String> lines = made.out().lines().map(String::strip).toList();
+        List<String> words = CommandLine.split(lines.get(lines.size() - 1));
+        for (String compile : lines.subList(2, lines.size() - 1)) {
+            List<String> compiler = CommandLine.split(compile);
+            assumeTrue(ProgramFinder.find(compiler.get(0)) != null, "there is no " + compiler.get(0));
+            assertEquals(0, new ProcessBuilder(compiler).directory(place.toFile()).inheritIO().start().waitFor());
+        }
+        String bot = words.get(words.indexOf("--bot") + 1);
+        String program = bot.replaceAll("me=| .*", "");
+        assumeTrue(program.startsWith("./") || ProgramFinder.find(program) != null, "there is no " + program);
+        Cli match = call(games, "match", "--scene", scene.toString(), "--bot", bot, "--in", place.toString(), "--bot",
+            "on=" + bot(1), "--seed", "4", "--json", "--time-factor", "30");
+        assertEquals(ExitStatus.DONE, match.status(), match.err());
         assertTrue(match.json().get("players").get(0).get("fault").isNull(), match.out());
         assertTrue(match.json().get("players").get(0).get("score").doubleValue() > 0, match.out());
     }

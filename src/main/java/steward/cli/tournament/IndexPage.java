@@ -3,6 +3,8 @@ package steward.cli.tournament;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collections;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
@@ -22,7 +24,7 @@ record IndexPage(List<TournamentCommand.Entry> entries, Scores scores, List<Stri
     private static final int STANDING = 160;
 
     /** Numbers that a phone does not show. */
-    private static final Set<Integer> WIDE = Set.of(1, 5);
+    private static final Set<Integer> WIDE = Set.of(1, 5, 6);
 
     void write(Path file) throws IOException {
         StringBuilder page = new StringBuilder(Html.head("Tournament"));
@@ -33,19 +35,25 @@ record IndexPage(List<TournamentCommand.Entry> entries, Scores scores, List<Stri
         page.append("<div class=scroll tabindex=0 role=group aria-label=Table><table class=places><tr>")
             .append("<th class=num>#<th>Program")
             .append("<th class=num>Points<th class=\"num wide\">Games<th class=num>Won<th class=num>Drawn")
-            .append("<th class=num>Lost<th class=\"num wide\">Failed<th class=why>Check</tr>");
+            .append("<th class=num>Lost<th class=\"num wide\">Failed")
+            .append(scores != null && scores.isSwiss() ? "<th class=\"num wide\">Buchholz" : "")
+            .append("<th class=why>Check</tr>");
         Set<String> played = new HashSet<>();
         for (Scores.Row row : scores == null ? List.<Scores.Row>of() : scores.rows()) {
             for (TournamentCommand.Entry entry : entries) {
                 if (entry.name().equals(row.name()) && played.add(row.name())) {
-                    line(page, entry, Integer.toString(row.place()), Scores.points(row.points()), "" + row.games(),
-                        "" + row.wins(), "" + row.draws(), "" + row.losses(), "" + row.failed());
+                    List<String> numbers = new ArrayList<>(List.of(Scores.points(row.points()), "" + row.games(),
+                        "" + row.wins(), "" + row.draws(), "" + row.losses(), "" + row.failed()));
+                    if (scores.isSwiss()) {
+                        numbers.add(Scores.points(row.tie()));
+                    }
+                    line(page, entry, Integer.toString(row.place()), numbers);
                 }
             }
         }
         for (TournamentCommand.Entry entry : entries) {
             if (!played.contains(entry.name())) {
-                line(page, entry, "–", "–", "–", "–", "–", "–", "–");
+                line(page, entry, "–", Collections.nCopies(scores != null && scores.isSwiss() ? 7 : 6, "–"));
             }
         }
         page.append("</table></div>");
@@ -53,12 +61,12 @@ record IndexPage(List<TournamentCommand.Entry> entries, Scores scores, List<Stri
         Files.writeString(file, page.append(Html.END));
     }
 
-    private static void line(StringBuilder page, TournamentCommand.Entry entry, String place, String... numbers) {
+    private static void line(StringBuilder page, TournamentCommand.Entry entry, String place, List<String> numbers) {
         String name = Html.escape(entry.name());
         page.append("<tr><td class=num>").append(place).append("<td class=name><a href=\"")
             .append(TournamentCommand.PAGES).append('/').append(name).append(".html\">").append(name).append("</a>");
-        for (int k = 0; k < numbers.length; k++) {
-            page.append(WIDE.contains(k) ? "<td class=\"num wide\">" : "<td class=num>").append(numbers[k]);
+        for (int k = 0; k < numbers.size(); k++) {
+            page.append(WIDE.contains(k) ? "<td class=\"num wide\">" : "<td class=num>").append(numbers.get(k));
         }
         page.append("<td class=\"why bad\">").append(entry.isReady() ? ""
             : Html.escape(TextFormat.shorten(entry.standingForAll(), STANDING))).append("</tr>");

@@ -87,6 +87,11 @@ record Scores(List<Row> rows, String rule) {
             .mapToInt(other -> sums.get(other).points()).sum());
     }
 
+    /** True if the table is that of Swiss rounds, whose ties Buchholz breaks. */
+    boolean isSwiss() {
+        return rule.equals(BUCHHOLZ);
+    }
+
     /** Breaks a tie. */
     interface TieBreak {
         /** Returns a number that is larger for the better one. @param tied all with as many points */
@@ -133,7 +138,7 @@ record Scores(List<Row> rows, String rule) {
             notes.add("In " + TextFormat.count(allFailed, "game") + " all failed in the same turn: they count here as "
                 + "the rules say, and in no rating.");
         }
-        if (rule.equals(BUCHHOLZ)) {
+        if (isSwiss()) {
             return notes;
         }
         int most = rows.stream().mapToInt(Row::games).max().orElse(0);
@@ -194,13 +199,14 @@ record Scores(List<Row> rows, String rule) {
         int width = rows.stream().mapToInt(row -> row.name().length()).max().orElse(0);
         int column = Math.min(WIDEST, Math.max("program".length(), width)) + 2;
         List<String> lines = new ArrayList<>(List.of("  # " + TextFormat.left("program", column)
-            + " points  games    won  drawn   lost  failed"));
+            + " points  games    won  drawn   lost  failed" + (isSwiss() ? "  Buchholz" : "")));
         for (Row row : rows) {
             lines.add(TextFormat.right("" + row.place(), 3) + " "
                 + TextFormat.left(TextFormat.plain(TextFormat.shorten(row.name(), WIDEST)), column)
                 + TextFormat.right(points(row.points()), 7) + TextFormat.right("" + row.games(), 7)
                 + TextFormat.right("" + row.wins(), 7) + TextFormat.right("" + row.draws(), 7)
-                + TextFormat.right("" + row.losses(), 7) + TextFormat.right("" + row.failed(), 8));
+                + TextFormat.right("" + row.losses(), 7) + TextFormat.right("" + row.failed(), 8)
+                + (isSwiss() ? TextFormat.right(points(row.tie()), 10) : ""));
         }
         return lines;
     }

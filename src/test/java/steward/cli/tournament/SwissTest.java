@@ -137,6 +137,8 @@ class SwissTest {
         assertTrue(second.err().contains("steward: the programs are not those of the 1 round so far: the rounds begin "
             + "anew; "), second.err());
         assertGames(second, 4);
+        assertTrue(second.out().contains("  failed  Buchholz\n"), second.out());
+        assertTrue(read(folder.resolve("out/index.html")).contains("<th class=\"num wide\">Buchholz<th class=why>"));
     }
 
     /** Without the file the rounds that were played are decided on again as they were, from the stored games. */
