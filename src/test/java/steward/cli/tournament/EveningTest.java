@@ -48,7 +48,7 @@ class EveningTest {
 
     /** Writes a starter. @param turns of its own speed against which it aims; the starter itself has 4 */
     private void handIn(String language, String name, int turns, String typo) throws IOException {
-        Path place = folder.resolve("starters").resolve(name);
+        Path place = folder.resolve("starters").resolve(name + typo);
         assertEquals(ExitStatus.DONE, Cli.run("new", language, place.toString(), "--protocol", "codingame").status());
         String file = FILES.get(language);
         String source = Files.readString(place.resolve(file)).replace("- 4 * pod", "- " + turns + " * pod")
