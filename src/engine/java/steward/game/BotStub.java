@@ -31,13 +31,13 @@ public record BotStub(List<Input> setup, List<Input> turn, String answer, List<C
         + "async auto await bool Bot boolean break buffer byte case catch char class const continue decltype def "
         + "default del delete distance degreesOff do double each elif else enum eval except explicit export extends "
         + "extern false final finally float for frame friend from function global goto if implements import in "
-        + "index inline input instanceof int integer interface is items Json k lambda let List list long main Map Math math "
-        + "mutable namespace native new nonlocal not null number object Object operator or package pass private "
+        + "index inline input instanceof int integer interface is items Json k lambda let List list long main Map Math "
+        + "math mutable namespace native new nonlocal not null number object Object operator or package pass private "
         + "print protected public raise read record register require return short signed sizeof static std String "
         + "struct super switch synchronized System template this throw throws transient true try typedef typeof union "
         + "unsigned using var virtual void volatile while with word xor yield").split(" "));
 
-    /** Copies the lists. @throws IllegalArgumentException if a name is none in all languages, or a type has two forms */
+    /** Copies the lists. @throws IllegalArgumentException if a type has two forms */
     public BotStub {
         setup = List.copyOf(setup);
         turn = List.copyOf(turn);

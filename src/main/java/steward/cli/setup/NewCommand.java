@@ -163,8 +163,8 @@ public final class NewCommand extends ProgramCommand {
     }
 
     private String readme(List<String> compile, String bot) {
-        return (compile.isEmpty() ? "Run it, with nothing to compile: " : "Compile it: " + compile.get(0) + "\nRun it: ")
-            + match(bot) + " --out match.jsonl --overwrite\n";
+        return (compile.isEmpty() ? "Run it, with nothing to compile: "
+            : "Compile it: " + compile.get(0) + "\nRun it: ") + match(bot) + " --out match.jsonl --overwrite\n";
     }
 
     private static Map<String, byte[]> simulatorFiles() {

@@ -101,8 +101,8 @@ final class StarterSource {
                 language.condition(choice.when(), names), "indent", indent, "inner", nested ? indent + "    " : indent,
                 "parts", parts(choice.command(), names)));
         }
-        return Map.of("name", command.name(), "list", command.list(), "where", language.condition(command.where(), names),
-            "indent", indent, "indexed", command.toString().matches("(?s).*\\bindex\\b.*"), "locals",
+        return Map.of("name", command.name(), "list", command.list(), "where",
+            language.condition(command.where(), names), "indent", indent, "indexed", command.toString().matches("(?s).*\\bindex\\b.*"), "locals",
             command.locals().stream().map(local -> Map.of("name", local.name(), "value",
                 language.expression(local.value(), names))).toList(), "nearest",
             command.nearest().stream().map(this::nearest).toList(), "choices", choices);

@@ -21,8 +21,8 @@ import steward.contest.Contest;
 import steward.match.Protocol;
 
 /**
- * Checks of a correct program on a busy machine. What is measured is made up: the program computes 5 ms for each answer,
- * and by the wall clock it waits for a processor besides, in as many games as the test says.
+ * Checks of a correct program on a busy machine. What is measured is made up: the program computes 5 ms for an answer, and
+ * by the wall clock it waits for a processor besides, in as many games as the test says.
  */
 class BotCheckTest {
 
@@ -40,7 +40,8 @@ class BotCheckTest {
         assertEquals(List.of(TimeBasis.WALL, TimeBasis.WALL, TimeBasis.UNSTARVED), begun);
         assertTrue(check.passes(), () -> check.problems().toString());
         assertTrue(check.steps().stream().anyMatch(step -> step.startsWith("  yes  keeps the limit with room")
-            && step.endsWith("without waiting for processors that other programs used")), () -> check.steps().toString());
+            && step.endsWith("without waiting for processors that other programs used")),
+            () -> check.steps().toString());
     }
 
     @Test

@@ -125,8 +125,8 @@ class RoundsTest {
         }
         Files.writeString(file, whole.replace("a c", "a b"));
         int column = whole.indexOf('[', whole.lastIndexOf("groups")) + 1;
-        assertEquals(file + ":1:" + column + ": rounds[1].groups: found a, b, b, d, expected each program of the field once: "
-            + "a, b, c, d; without the file the rounds begin anew",
+        assertEquals(file + ":1:" + column + ": rounds[1].groups: found a, b, b, d, expected each program of the field "
+            + "once: a, b, c, d; without the file the rounds begin anew",
             assertThrows(InputException.class, () -> rounds("a", "b#2", "c", "d")).getMessage());
         Files.writeString(file, whole);
         assertEquals(rounds.rounds(), rounds("a", "b#2", "c", "d").rounds());

@@ -69,7 +69,8 @@ class SwissTest {
 
     /** Number of stored games that count. */
     private int stored() {
-        return Cli.league(folder, "games", "TMP/out/league", "--limit", "1000", "--json").done().json().get("list").size();
+        return Cli.league(folder, "games", "TMP/out/league", "--limit", "1000", "--json").done().json().get("list")
+            .size();
     }
 
     /** Everybody in the table has so many games. */
