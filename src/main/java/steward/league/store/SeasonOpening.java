@@ -40,8 +40,8 @@ public final class SeasonOpening {
         return new InputException(folder.path() + ": " + (rules
             ? "the rules of the scene " + season.sceneName() + " are those of the live server now"
             : last.difference(season)) + ", and the league has " + TextFormat.count(games, "game")
-            + " of before; expected " + (rules ? "its rules" : "it as it was") + ", or a new season, as 'steward league "
-            + "run " + folder.path() + "' can begin one",
+            + " of before; expected " + (rules ? "its rules" : "it as it was") + ", or a new season, as "
+            + "'steward league run " + folder.path() + "' can begin one",
             Stream.of(new Remedied.Remedy("keep-rules", "goes on by the rules of before"),
                 new Remedied.Remedy("new-season", "begins a new table and keeps the old games"))
                 .filter(each -> rules || !each.option().equals("keep-rules")).toList());
