@@ -306,6 +306,20 @@ class WorkerTest extends ServedLeague {
         }
     }
 
+    /** The scene gives it a minute for the first answer. */
+    @Test
+    void aBotsOwnLimitHoldsOnAWorker() throws Exception {
+        done("init", "TMP/own", "--scene", "TMP/short.json", "--seed", "5");
+        done("add", "TMP/own", "still=codingame:" + bots.idler(0));
+        done("add", "TMP/own", "mute=codingame:sleep 100", "--time-limit", "20,30");
+        WorkerToken token = token("own", "one");
+        CompletableFuture<String> run = serve("own", 2, "--threads", "0");
+        play(worker(token, 1, Long.MAX_VALUE));
+        run.get(200, TimeUnit.SECONDS);
+        String failed = done("games", "TMP/own", "--failed");
+        assertEquals(2, failed.split("mute failed in turn 1: no answer within 30 ms \\(waited ", -1).length - 1, failed);
+    }
+
     /** A worker that is slower than anything: its limits are eight times the league's, which is the most. */
     @Test
     @Tag("campaign")
