@@ -9,7 +9,8 @@ import steward.scene.Time;
  * @param firstNanos the limit of the first answer, in nanoseconds; it includes the start of a process
  * @param turnNanos  the limit of every later answer; {@code Long.MAX_VALUE} is no deadline
  * @param basis      what they are limits of
- * @param factor     by which limits are multiplied that a player has or a game sets itself; {@code POSITIVE_INFINITY} for none
+ * @param factor     by which limits are multiplied that a player has or a game sets itself;
+ *                   {@code POSITIVE_INFINITY} for none
  */
 public record TimeControl(long firstNanos, long turnNanos, TimeBasis basis, double factor) {
 

@@ -66,7 +66,8 @@ public record ReplayHeader(String game, String scene, long seed, List<String> na
 
     /** Returns this header for a version of the law: that of the scene's plan, where it is not the first. */
     public ReplayHeader ofLaw(int version) {
-        return new ReplayHeader(game, scene, seed, names, bots, protocols, timeFactor, version, signer, sandbox, jar, limits);
+        return new ReplayHeader(game, scene, seed, names, bots, protocols, timeFactor, version, signer, sandbox, jar,
+            limits);
     }
 
     /** Returns this header for a game that is from a jar, or from the program for {@code null}. */

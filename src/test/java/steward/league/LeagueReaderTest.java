@@ -50,7 +50,8 @@ class LeagueReaderTest {
                 new LeagueBot("a", "python3 'b c.py'", List.of("b c.py"), true, false)
                     .within(new OwnLimits(60, 500)),
                 new LeagueBot("b", "codingame:./b", "/v1", null, false, true, 0,
-                    List.of(new LeagueBot.ForPlatform("linux-aarch64", "./b-arm", "arm", List.of("b-arm"))), new OwnLimits(9, 0)),
+                    List.of(new LeagueBot.ForPlatform("linux-aarch64", "./b-arm", "arm", List.of("b-arm"))),
+                    new OwnLimits(9, 0)),
                 new LeagueBot("b@linux-arm", "./b-a", null, false, false))), settings);
         assertEquals(settings, read(LeagueText.write(settings)));
         LeagueSettings usual = LeagueSettings.usual("duel", 3);
@@ -96,8 +97,8 @@ class LeagueReaderTest {
         assertEquals("bots[2].platforms[0].platform: found \"linux-x86\", expected none: the bot plays on the platform "
             + "of its name", refusal(WHOLE.replace("\"./b-a\"", "\"./b-a\", \"platforms\": [ { \"platform\": "
                 + "\"linux-x86\", \"command\": \"x\" } ]")).replaceAll("^league.json:\\d+:\\d+: ", ""));
-        assertEquals("bots[1].firstAnswerMs: found 9, expected \"answerMs\" beside it", refusal(WHOLE.replace("\"answerMs\""
-            + ": 9", "\"firstAnswerMs\": 9")).replaceAll("^league.json:\\d+:\\d+: ", ""));
+        assertEquals("bots[1].firstAnswerMs: found 9, expected \"answerMs\" beside it", refusal(WHOLE
+            .replace("\"answerMs\": 9", "\"firstAnswerMs\": 9")).replaceAll("^league.json:\\d+:\\d+: ", ""));
         assertEquals("bots[1].answerMs: found 0, expected a whole number 1..3600000",
             refusal(WHOLE.replace("\"answerMs\": 9", "\"answerMs\": 0")).replaceAll("^league.json:\\d+:\\d+: ", ""));
         assertEquals("league.json:1:27: seed: found nothing, expected a text",

@@ -33,7 +33,8 @@ class RecordCopiesTest {
         Scene scene = TestScenes.open("walled-race").scene();
         return List.of(LAW, new PhysicsParts(LAW, Arithmetic.DOUBLE, new Contacts(2), Arrays.asList(Wall.box(9, 9, 1)),
             null, true), scene, new ReplayHeader("g", "{}", 3, List.of("a"), List.of("b"), List.of(Protocol.JSON), 2, 4,
-            "s", "light", "j", Map.of(0, new Time(5, 6))), LeagueSettings.usual("duel", 5).with("a", 3, KeptReplays.values()[1]));
+            "s", "light", "j", Map.of(0, new Time(5, 6))), LeagueSettings.usual("duel", 5)
+            .with("a", 3, KeptReplays.values()[1]));
     }
 
     @ParameterizedTest

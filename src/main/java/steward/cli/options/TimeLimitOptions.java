@@ -47,8 +47,9 @@ public final class TimeLimitOptions {
             + "Needs Linux.")
     private String time;
 
-    @Option(names = TIME_LIMIT, paramLabel = FORM, description = "Gives one bot limits of its own, in milliseconds: for "
-        + "its answers, and for the first (default: the scene's, but no less than for the others); can be repeated.")
+    @Option(names = TIME_LIMIT, paramLabel = FORM, description = "Gives one bot limits of its own, in milliseconds: "
+        + "for its answers, and for the first (default: the scene's, but no less than for the others); can be "
+        + "repeated.")
     private List<String> limits = new ArrayList<>();
 
     /** By what the limits are multiplied; {@code POSITIVE_INFINITY} for none. */

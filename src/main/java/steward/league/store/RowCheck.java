@@ -106,8 +106,9 @@ final class RowCheck {
         seasons();
         table("version", "'id = ' || id", List.of(Rule.small("id"), Rule.text("bot"),
             Rule.whole("number", 1, Integer.MAX_VALUE, "a whole number from 1 on"), Rule.text("command"),
-            Rule.text("time_limit"), Rule.flag("random"), Rule.whole("began"), Rule.flag("paused"), new Rule("id", "NOT EXISTS (SELECT 1 "
-            + "FROM identity o WHERE o.version = t.id)", "one that a row of the table identity has")));
+            Rule.text("time_limit"), Rule.flag("random"), Rule.whole("began"), Rule.flag("paused"),
+            new Rule("id", "NOT EXISTS (SELECT 1 FROM identity o WHERE o.version = t.id)",
+            "one that a row of the table identity has")));
         table("identity", "'hash = ' || quote(hash)", List.of(Rule.text("hash"),
             Rule.refers("version", "version"), Rule.whole("began")));
         table("machine", "'id = ' || id", List.of(Rule.text("name")));

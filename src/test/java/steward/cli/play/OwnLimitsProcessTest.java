@@ -128,7 +128,8 @@ class OwnLimitsProcessTest {
         assertTrue(told.contains("same changed after 2 games: new version same#2"), told);
         assertEquals(List.of("same 2 45000", "same#2 2 46000", "still 4 40000,50000"), versions());
         String listed = run("league list TMP/night").done().out();
-        assertTrue(listed.contains("same#2: 2 games, program ") && listed.contains(", answers within 46000 ms\n"), listed);
+        assertTrue(listed.contains("same#2: 2 games, program ") && listed.contains(", answers within 46000 ms\n"),
+            listed);
         run("league verify TMP/night").done();
         run("sprt --games 2 --into TMP/night --time-limit same=47000 --time-limit still=40000,50000 --scene " + scene,
             "--bot", driver.replace("still=", "same="), "--bot", driver).done();

@@ -185,7 +185,8 @@ class TranscriptTest {
         String replay = new String(new TranscriptCheck(game.contest()).replay("a game", game.transcript(),
             game.expected()), StandardCharsets.UTF_8);
         String players = "\"time\":{\"firstAnswerMs\":80,\"answerMs\":60}},{\"name\":\"two\","
-            + "\"bot\":\"two=codingame:sleep 5\",\"protocol\":\"codingame\",\"time\":{\"firstAnswerMs\":1000,\"answerMs\":90}}],\"timeFactor\":0.5";
+            + "\"bot\":\"two=codingame:sleep 5\",\"protocol\":\"codingame\","
+            + "\"time\":{\"firstAnswerMs\":1000,\"answerMs\":90}}],\"timeFactor\":0.5";
         assertTrue(replay.contains(players), replay);
         assertTrue(new String(game.replay(), StandardCharsets.UTF_8).contains(players), "where it was played");
     }

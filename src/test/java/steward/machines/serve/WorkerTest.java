@@ -317,7 +317,8 @@ class WorkerTest extends ServedLeague {
         play(worker(token, 1, Long.MAX_VALUE));
         run.get(200, TimeUnit.SECONDS);
         String failed = done("games", "TMP/own", "--failed");
-        assertEquals(2, failed.split("mute failed in turn 1: no answer within 30 ms \\(waited ", -1).length - 1, failed);
+        assertEquals(2, failed.split("mute failed in turn 1: no answer within 30 ms \\(waited ", -1).length - 1,
+            failed);
     }
 
     /** A worker that is slower than anything: its limits are eight times the league's, which is the most. */
