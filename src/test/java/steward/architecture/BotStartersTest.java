@@ -36,7 +36,6 @@ class BotStartersTest {
     private static final Map<String, Games> PLAYERS = new TreeMap<>(Map.ofEntries(
         Map.entry("steward.cli.check.BotCheck", Games.ONE),
         Map.entry("steward.cli.play.RunCommand", Games.ONE),
-        Map.entry("steward.cli.play.SingleMatch", Games.ONE),
         Map.entry("steward.contest.CountedGame", Games.ONE),
         Map.entry("steward.contest.PairedPlay", Games.WATCHED),
         Map.entry("steward.contest.SeriesPlay", Games.WATCHED),
