@@ -1,0 +1,126 @@
+package steward.cli;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/**
+ * Golden files: whole outputs of commands as text, JSON and CSV, to the letter but for times that were measured. A file
+ * {@code outputs/NAME.txt} has calls that follow one another in one folder, in the form of {@link BadInputEntry}; only
+ * standard output counts. With {@code -Dsteward.recordOutputs=FOLDER} the files are written anew to a folder, to be read
+ * before they replace the old ones.
+ */
+@Tag("process")
+@Tag("slow")
+class OutputTableTest {
+
+    private static final List<String> FILES = List.of("bodies", "failures", "league", "match", "series", "sprt");
+    /** Measured numbers within a line; each keeps its first group. */
+    private static final List<Pattern> MEASURED = List.of(
+        Pattern.compile("(\"(?:average|worst|first|mean|p99|meanFirst|worstFirst|meanMs|worstMs|[a-z]+Ms)\":)"
+            + "[0-9.Ee+-]+"),
+        Pattern.compile("(\"(?:worstGame|worstTurn)\":)[0-9]+"),
+        Pattern.compile("(\"answerMs\":)\\[[^]]*]"),
+        Pattern.compile("(,)[0-9.]+,[0-9.]+(?=$)"),
+        Pattern.compile("( )[0-9.]+(?= ms\\b)"),
+        Pattern.compile("(   game )[0-9]+, turn [0-9]+$"));
+    private static final Pattern HEAD = Pattern.compile("(?:average|mean|p99|worst|first) ms|worst in");
+
+    @TempDir
+    private Path folder;
+
+    private static List<BadInputEntry> calls(String name) throws IOException {
+        try (InputStream in = OutputTableTest.class.getResourceAsStream("/outputs/" + name + ".txt")) {
+            assertTrue(in != null, name);
+            return BadInputEntry.read(name, new String(in.readAllBytes(), StandardCharsets.UTF_8));
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"bodies", "failures", "match"})
+    void isWhatItWas(String name) throws IOException {
+        compare(name);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"league", "series", "sprt"})
+    @Tag("campaign")
+    void ofManyGamesIsWhatItWas(String name) throws IOException {
+        compare(name);
+    }
+
+    private void compare(String name) throws IOException {
+        for (BadInputEntry entry : calls(name)) {
+            assertEquals(String.join("\n", entry.expected()), String.join("\n", output(entry, folder.toRealPath())),
+                entry.call());
+        }
+    }
+
+    private static List<String> output(BadInputEntry entry, Path folder) throws IOException {
+        List<String> lines = new ArrayList<>();
+        List<Integer> columns = List.of();
+        for (String line : entry.run(folder)) {
+            if (line.startsWith("!")) {
+                continue;
+            }
+            columns = line.length() < 3 ? List.of() : columns.isEmpty() ? columns(line) : columns;
+            lines.add(masked(line, columns));
+        }
+        return lines;
+    }
+
+    /** The places where right-aligned columns of times end, if this is the head of a table. */
+    private static List<Integer> columns(String head) {
+        List<Integer> columns = new ArrayList<>();
+        for (Matcher found = HEAD.matcher(head); found.find();) {
+            if (!found.group().equals("worst in")) {
+                columns.add(found.end());
+            }
+        }
+        return columns;
+    }
+
+    private static String masked(String line, List<Integer> columns) {
+        StringBuilder text = new StringBuilder(line);
+        for (int end : columns) {
+            for (int k = end - 1; k > 0 && k < text.length() && text.charAt(k) != ' '; k--) {
+                text.setCharAt(k, text.substring(k, k + 1).matches("[0-9.]") ? '#' : text.charAt(k));
+            }
+        }
+        String masked = text.toString().replaceAll("(?<=\\s)\\s*#[#.]*(?= |$)", "#");
+        for (Pattern each : MEASURED) {
+            masked = each.matcher(masked).replaceAll("$1#");
+        }
+        return masked;
+    }
+
+    @Test
+    @EnabledIfSystemProperty(named = "steward.recordOutputs", matches = ".+",
+        disabledReason = "outputs are recorded on demand, -Psteward.recordOutputs=FOLDER")
+    void writesTheFilesAnew() throws IOException {
+        Path target = Files.createDirectories(Path.of(System.getProperty("steward.recordOutputs")));
+        for (String name : FILES) {
+            Path own = Files.createDirectory(folder.resolve(name)).toRealPath();
+            List<String> blocks = new ArrayList<>();
+            for (BadInputEntry entry : calls(name)) {
+                blocks.add(entry.text(output(entry, own)));
+            }
+            Files.writeString(target.resolve(name + ".txt"), String.join("\n", blocks));
+        }
+    }
+}
