@@ -17,9 +17,9 @@ import steward.bot.command.Program;
 import steward.files.InputException;
 
 /**
- * Tells which program a bot is: a hash of its argument list, of its own time limits, of the
- * environment that it is passed, and of its files. A
- * file is read again only when its size, time or place on the disk has changed. Not thread-safe.
+ * Tells which program a bot is: a hash of its argument list, of its own time limits, of the environment that it is
+ * passed, and of its files. A file is read again only when its size, time or place on the disk has changed. Not
+ * thread-safe.
  */
 public final class BotIdentity {
 

@@ -17,6 +17,8 @@ public record OwnLimits(int answerMs, int firstAnswerMs) {
     public static final int MOST_MS = 3_600_000;
     /** Form of limits as they are written. */
     public static final String FORM = "MS[,FIRST]";
+    /** Name of the field with limits as they are written, in everything for programs. */
+    public static final String FIELD = "timeLimit";
     /** Form of limits in words. */
     public static final String EXPECTED = "whole numbers of milliseconds from 1 to " + MOST_MS + " as " + FORM;
 
@@ -27,6 +29,11 @@ public record OwnLimits(int answerMs, int firstAnswerMs) {
             throw new IllegalArgumentException("found limits of " + answerMs + " and " + firstAnswerMs
                 + " ms, expected " + EXPECTED);
         }
+    }
+
+    /** Returns both limits of a player as own ones; {@code null} for {@code null}, those of the scene. */
+    public static OwnLimits of(Time time) {
+        return time == null ? null : new OwnLimits(time.answerMs(), time.firstAnswerMs());
     }
 
     /**
@@ -47,6 +54,11 @@ public record OwnLimits(int answerMs, int firstAnswerMs) {
     /** Returns them as {@link #parse} reads them. */
     public String written() {
         return answerMs + (firstAnswerMs == 0 ? "" : "," + firstAnswerMs);
+    }
+
+    /** Returns limits as {@link #parse} reads them; {@code null} for {@code null}, those of the scene. */
+    public static String writtenOrNull(OwnLimits limits) {
+        return limits == null ? null : limits.written();
     }
 
     /** Returns both limits in a scene. */

@@ -22,8 +22,8 @@ import steward.text.TextFormat;
 
 /** {@code steward league list}: the bots and their versions. */
 @Command(name = "list", description = "Prints the bots of a league, their versions and how many games each has.",
-    footer = {"", "--json: scene, pairing, bots (name, command, listed, retired, random, platforms",
-        "(platform, command), versions (name, games, program, timeLimit, paused)).",
+    footer = {"", "--json: scene, pairing, bots (name, command, listed, retired, random, timeLimit,",
+        "platforms (platform, command), versions (name, games, program, timeLimit, paused)).",
         "", "Example:", "  steward league list night"})
 final class ListCommand extends ProgramCommand {
 
@@ -53,7 +53,7 @@ final class ListCommand extends ProgramCommand {
             versions.stream().filter(version -> settings.bot(version.bot()).isEmpty()).forEach(version ->
                 streams.out().println("  " + version.display() + ": "
                     + TextFormat.count(store.gamesOf(version.id()), "game") + ", not in league.json: "
-                    + TextFormat.plain(version.command())));
+                    + TextFormat.plain(version.command()) + limits(version)));
         }
         return ExitStatus.DONE;
     }
@@ -75,6 +75,8 @@ final class ListCommand extends ProgramCommand {
                     out.writeBooleanProperty("listed", bot.isPresent());
                     out.writeBooleanProperty("retired", bot.map(LeagueBot::retired).orElse(false));
                     out.writeBooleanProperty("random", bot.map(LeagueBot::random).orElse(false));
+                    out.writeStringProperty(OwnLimits.FIELD, bot.map(LeagueBot::limits).map(OwnLimits::written)
+                        .orElse(null));
                     JsonObject.writeAll(out, "platforms", bot.map(LeagueBot::platforms).orElse(List.of()), each -> {
                         out.writeStringProperty("platform", each.platform());
                         out.writeStringProperty("command", each.command());
@@ -83,7 +85,7 @@ final class ListCommand extends ProgramCommand {
                         out.writeStringProperty("name", version.display());
                         out.writeNumberProperty("games", store.gamesOf(version.id()));
                         out.writeStringProperty("program", version.identity());
-                        out.writeStringProperty("timeLimit", version.timeLimit());
+                        out.writeStringProperty(OwnLimits.FIELD, version.timeLimit());
                         out.writeBooleanProperty("paused", version.paused());
                     });
                 });
@@ -101,7 +103,11 @@ final class ListCommand extends ProgramCommand {
             streams.out().println("    " + version.display() + ": "
                 + TextFormat.count(store.gamesOf(version.id()), "game") + ", program "
                 + version.identity().substring(0, 8)
-                + (version.timeLimit() == null ? "" : ", " + OwnLimits.parse(version.timeLimit()))
+                + limits(version)
                 + (version.paused() ? ", paused" : "")));
+    }
+
+    private static String limits(GameStore.Version version) {
+        return version.timeLimit() == null ? "" : ", " + OwnLimits.parse(version.timeLimit());
     }
 }

@@ -14,6 +14,7 @@ import steward.contest.Failure;
 import steward.json.JsonNumbers;
 import steward.json.JsonObject;
 import steward.match.MatchResult;
+import steward.match.OwnLimits;
 import steward.match.MatchResult.PlayerResult;
 import steward.text.TextFormat;
 import tools.jackson.core.JsonGenerator;
@@ -36,7 +37,7 @@ final class MatchJson {
             out.writeBooleanProperty("allFailed", result.allFailed());
             JsonObject.writeAll(out, "players", result.players().size(), k -> {
                 int player = k;
-                writePlayer(out, result.players().get(k), contest.entrants().get(k).bot(),
+                writePlayer(out, result.players().get(k), contest.entrants().get(k),
                     game.failures().stream().filter(failure -> failure.player() == player).findFirst().orElse(null));
             });
             writeData(out, result.data());
@@ -45,9 +46,10 @@ final class MatchJson {
         });
     }
 
-    private static void writePlayer(JsonGenerator out, PlayerResult player, String bot, Failure failure) {
+    private static void writePlayer(JsonGenerator out, PlayerResult player, Contest.Entrant entrant, Failure failure) {
         out.writeStringProperty("name", player.name());
-        out.writeStringProperty("bot", bot);
+        out.writeStringProperty("bot", entrant.bot());
+        out.writeStringProperty(OwnLimits.FIELD, OwnLimits.writtenOrNull(entrant.limits()));
         out.writeNumberProperty("rank", player.rank());
         JsonNumbers.write(out, "score", player.score());
         out.writeStringProperty("out", player.out());

@@ -14,6 +14,7 @@ import steward.contest.Tally;
 import steward.json.JsonNumbers;
 import steward.json.JsonObject;
 import steward.match.MatchResult;
+import steward.match.OwnLimits;
 import tools.jackson.core.JsonGenerator;
 
 /**
@@ -57,6 +58,7 @@ final class SeriesJson {
     private static void writeBot(JsonGenerator out, Contest.Entrant entrant, Tally tally) {
         out.writeStringProperty("name", entrant.name());
         out.writeStringProperty("bot", entrant.bot());
+        out.writeStringProperty(OwnLimits.FIELD, OwnLimits.writtenOrNull(entrant.limits()));
         out.writeNumberProperty("wins", tally.wins());
         out.writeNumberProperty("draws", tally.draws());
         out.writeNumberProperty("losses", tally.losses());

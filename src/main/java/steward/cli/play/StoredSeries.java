@@ -37,6 +37,7 @@ import steward.league.store.GameStore;
 import steward.league.store.GameStore.Version;
 import steward.league.store.SeasonOpening;
 import steward.match.MatchResult;
+import steward.match.OwnLimits;
 import steward.text.TextFormat;
 
 /** Stores games between the bots of a contest in a league ({@code --into}), each when it is over, and finds them. */
@@ -143,8 +144,8 @@ public final class StoredSeries implements AutoCloseable {
             LeagueBot bot = new LeagueBot(name, command, files, false, false)
                 .in(none -> entrant.program().folder().toString()).within(entrant.limits());
             String hash = identity.of(bot);
-            versions.put(k, store.version(hash).orElseGet(() -> store.add(name, command, bot.limits() == null ? null
-                : bot.limits().written(), false, hash, System.currentTimeMillis())));
+            versions.put(k, store.version(hash).orElseGet(() -> store.add(name, command,
+                OwnLimits.writtenOrNull(bot.limits()), false, hash, System.currentTimeMillis())));
         }
     }
 

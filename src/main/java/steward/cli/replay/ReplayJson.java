@@ -13,6 +13,7 @@ import steward.game.GameTypes;
 import steward.json.JsonNumbers;
 import steward.json.JsonObject;
 import steward.match.MatchResult;
+import steward.match.OwnLimits;
 import steward.replay.RecordedTurn;
 import steward.replay.ReplayHeader;
 import steward.replay.ReplayReader;
@@ -54,6 +55,7 @@ record ReplayJson(Streams streams, ReplayReader replay) {
         JsonObject.writeAll(out, "players", header.names().size(), player -> {
             out.writeStringProperty("name", header.names().get(player));
             out.writeStringProperty("bot", header.bots().get(player));
+            out.writeStringProperty(OwnLimits.FIELD, OwnLimits.writtenOrNull(OwnLimits.of(header.limits().get(player))));
             if (result != null) {
                 out.writeNumberProperty("rank", result.players().get(player).rank());
                 out.writeNumberProperty("score", result.players().get(player).score());

@@ -102,7 +102,7 @@ final class TurnTable {
     }
 
     private static String limits(Time own) {
-        return own == null ? "" : ", " + new OwnLimits(own.answerMs(), own.firstAnswerMs());
+        return own == null ? "" : ", " + OwnLimits.of(own);
     }
 
     private static String timeFactor(double factor) {

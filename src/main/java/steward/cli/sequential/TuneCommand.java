@@ -300,6 +300,8 @@ public final class TuneCommand extends ProgramCommand {
             .forEach(names::add);
         Map<String, OwnLimits> own = new HashMap<>(pace.own(names));
         if (own.containsKey(tuned)) {
+            check.that(names.lastIndexOf(tuned) == 0, "--time-limit: found '" + tuned + "' in --bot and in --against, "
+                + "expected another name for one of them, such as NAME=COMMAND");
             List.of(PREFIX + tuned, RESULT, START).forEach(each -> own.put(each, own.get(tuned)));
         }
         return own;

@@ -20,6 +20,7 @@ import steward.league.LeagueBot;
 import steward.league.LeagueSettings;
 import steward.league.store.GameStore;
 import steward.league.store.GameStore.Version;
+import steward.match.OwnLimits;
 import steward.text.TextFormat;
 
 /** Finds out which program each bot is, and gives a bot whose program has changed a new version. Not thread-safe. */
@@ -175,8 +176,8 @@ public final class RosterReader {
             teller.accept(bot.name() + " changed and counts as " + before.get().display() + " as before");
             return before.get();
         }
-        Version version = store.add(bot.name(), bot.command(), bot.limits() == null ? null
-            : bot.limits().written(), bot.random(), hash, clock.getAsLong());
+        Version version = store.add(bot.name(), bot.command(), OwnLimits.writtenOrNull(bot.limits()),
+            bot.random(), hash, clock.getAsLong());
         if (version.number() > 2 && contest.sandbox().equals(SandboxLevel.OFF.word())
                 && gamesBefore(version) < STEADY) {
             unsteady.put(bot.name(), new Unsteady(changed(bot), bot.resumed()));

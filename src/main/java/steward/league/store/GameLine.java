@@ -28,17 +28,16 @@ public final class GameLine {
 
     private static final String TRANSCRIPT = "transcript";
     private static final String VALUES = "values";
-    private static final String TIME_LIMIT = "timeLimit";
 
     /** The fields of the game itself. */
     public static final List<String> GAME = List.of("name", "sceneKey", "limits", "rules", "decision", "seed",
         "attempt", "counts", "turns", "problem", "played", "machine", GameLine.TRANSCRIPT);
     /** The fields of a seat. */
     public static final List<String> SEAT = List.of("bot", "number", "identity", "command", "random", "rank", "score",
-        "fault", "answers", "meanNanos", "worstNanos", "firstNanos", GameLine.VALUES, GameLine.TIME_LIMIT);
+        "fault", "answers", "meanNanos", "worstNanos", "firstNanos", GameLine.VALUES, OwnLimits.FIELD);
     /** Fields that games exported by earlier versions do not have. */
     public static final List<String> OPTIONAL = List.of(GameLine.TRANSCRIPT, GameLine.VALUES,
-        GameLine.TIME_LIMIT);
+        OwnLimits.FIELD);
 
     private static final Predicate<String> IDENTITY = Pattern.compile("[0-9a-f]{1,64}").asMatchPredicate();
     /** Characters of a command or a machine at most. */
@@ -204,11 +203,11 @@ public final class GameLine {
         }
 
         private static String timeLimit(String place, Map<String, String> seat) {
-            String text = seat.getOrDefault(TIME_LIMIT, "");
+            String text = seat.getOrDefault(OwnLimits.FIELD, "");
             try {
                 return text.isEmpty() ? null : OwnLimits.parse(text).written();
             } catch (IllegalArgumentException problem) {
-                throw new InputException(place + ": " + TIME_LIMIT + ": " + inOneLine(problem.getMessage()));
+                throw new InputException(place + ": " + OwnLimits.FIELD + ": " + inOneLine(problem.getMessage()));
             }
         }
 

@@ -17,7 +17,6 @@ public record GameJob(String id, List<Game> games) {
 
     /** How many games a job may have. */
     public static final int MOST_GAMES = 32;
-    private static final String TIME_LIMIT = "timeLimit";
     private static final int MOST_SEATS = 16;
     private static final int MOST_BOTS = MOST_GAMES * MOST_SEATS;
 
@@ -57,8 +56,8 @@ public record GameJob(String id, List<Game> games) {
             texts.add(new HeaderText().put("seed", Long.toString(game.seed())).put("seats", seats));
         }
         List<HeaderText> bots = numbers.keySet().stream().map(bot -> new HeaderText().put("name", bot.name())
-            .put("bundle", bot.bundle()).put("size", bot.size()).put(TIME_LIMIT, bot.limits() == null ? null
-                : bot.limits().written())).toList();
+            .put("bundle", bot.bundle()).put("size", bot.size())
+            .put(OwnLimits.FIELD, OwnLimits.writtenOrNull(bot.limits()))).toList();
         return WireMessage.bytes(new HeaderText().put("type", "job").put("job", id).put("bots", bots)
             .put("games", texts));
     }
@@ -101,9 +100,9 @@ public record GameJob(String id, List<Game> games) {
 
     private static OwnLimits limits(Block bot) {
         try {
-            return bot.has(TIME_LIMIT) ? OwnLimits.parse(bot.text(TIME_LIMIT)) : null;
+            return bot.has(OwnLimits.FIELD) ? OwnLimits.parse(bot.text(OwnLimits.FIELD)) : null;
         } catch (IllegalArgumentException problem) {
-            throw bot.error(TIME_LIMIT, bot.shown(TIME_LIMIT), OwnLimits.EXPECTED);
+            throw bot.error(OwnLimits.FIELD, bot.shown(OwnLimits.FIELD), OwnLimits.EXPECTED);
         }
     }
 
