@@ -15,7 +15,6 @@ public final class LabCommands implements Lab {
             case "stability" -> new StabilityCommand();
             case "tradeoff" -> new TradeoffCommand();
             case "bench" -> new BenchCommand();
-            case "league capacity" -> new CapacityCommand();
             default -> throw new IllegalArgumentException(name);
         };
     }

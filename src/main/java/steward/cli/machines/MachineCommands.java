@@ -3,7 +3,6 @@ package steward.cli.machines;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import steward.cli.league.run.RunCommand;
-import steward.cli.shared.Lab;
 
 /** Commands of a league that are about several machines. */
 public final class MachineCommands {
@@ -17,7 +16,6 @@ public final class MachineCommands {
         commands.put("worker", new LeagueWorkerCommand());
         commands.put("shard", new ShardCommand());
         commands.put("merge", new MergeCommand());
-        commands.put("capacity", Lab.commandOrMissing("league capacity"));
         return commands;
     }
 }

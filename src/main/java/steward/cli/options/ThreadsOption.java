@@ -78,11 +78,6 @@ public final class ThreadsOption {
         }
     }
 
-    /** Returns how busy other programs keep this machine's processors, 0..1; 1 if the system does not tell. */
-    public static double loadOfOthers() {
-        return Load.ofOthers();
-    }
-
     private static int auto(int processors) {
         return auto(processors, processors == 2 && Load.ofOthers() < IDLE);
     }

@@ -12,7 +12,7 @@ import steward.files.InputException;
 /** Commands and checks that the lab's jar offers; the program works without that jar. */
 public interface Lab {
 
-    /** Creates one of the lab's commands: stability, tradeoff, bench or league capacity. */
+    /** Creates one of the lab's commands: stability, tradeoff or bench. */
     Object command(String name);
 
     /**
