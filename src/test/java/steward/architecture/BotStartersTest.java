@@ -40,7 +40,6 @@ class BotStartersTest {
         Map.entry("steward.contest.PairedPlay", Games.WATCHED),
         Map.entry("steward.contest.SeriesPlay", Games.WATCHED),
         Map.entry("steward.league.play.KeptGames", Games.BY_ITS_CALLERS),
-        Map.entry("steward.machines.part.PartPlay", Games.WATCHED),
         Map.entry("steward.machines.worker.BotTrial", Games.OWN),
         Map.entry("steward.machines.worker.JobPlay", Games.OWN)));
 
@@ -77,7 +76,7 @@ class BotStartersTest {
     void whatPlaysManyGamesWatchesThePrograms() {
         PLAYERS.forEach((player, games) -> assertEquals(games == Games.WATCHED, watches(player), player));
         Set<String> leagues = callersOf(HouseClasses.all().get("steward.league.play.GamePlay").reflect(), "play");
-        assertEquals(Set.of("steward.league.play.LeagueRun", "steward.machines.part.PartPlay"), leagues);
+        assertEquals(Set.of("steward.league.play.LeagueRun"), leagues);
         leagues.forEach(each -> assertTrue(watches(each), each));
     }
 

@@ -36,7 +36,7 @@ final class House {
         "codingame.recording", "codingame",
         "league", "league.rating", "league.sequential", "league.pairing",
         "league.tune", "league.store", "league.play", "league.page",
-        "machines.check", "machines.part", "machines.token", "machines.wire", "machines.bundle", "machines.broker",
+        "machines.check", "machines.token", "machines.wire", "machines.bundle", "machines.broker",
         "machines.serve", "machines.worker",
         "cli.streams", "cli.shared", "cli.options", "cli.explain", "cli.replay", "cli.play", "cli.sequential",
         "cli.check", "cli.league.view", "cli.league.run", "cli.league", "cli.tournament", "cli.resident",

@@ -14,8 +14,6 @@ public final class MachineCommands {
         Map<String, Object> commands = new LinkedHashMap<>();
         commands.put("run", new RunCommand(new ServeOptions()));
         commands.put("worker", new LeagueWorkerCommand());
-        commands.put("shard", new ShardCommand());
-        commands.put("merge", new MergeCommand());
         return commands;
     }
 }

@@ -81,66 +81,9 @@ final class Database implements AutoCloseable {
         boolean[] behind = new boolean[1];
         NativeLibrary.prepare(folder.path());
         connect(file, false, isImmutable(folder, false), PATIENCE_MS, database ->
-            behind[0] = SchemaVersion.isBehind(database.connection, file, SchemaVersion.APPLICATION)
+            behind[0] = SchemaVersion.isBehind(database.connection, file)
                 && SchemaVersion.number(database.connection, "user_version") > 0).close();
         return behind[0];
-    }
-
-    /**
-     * Opens the games of a league as they lie there, for reading: also on a disk of another machine, where no other
-     * program may be using them. {@code null} if there are none yet.
-     *
-     * @throws InputException if it cannot be used
-     */
-    static Database unused(LeagueFolder folder) {
-        Path file = folder.database();
-        if (Files.notExists(file)) {
-            return null;
-        }
-        refuseUnusable(file, folder.path(), false);
-        if (log(file).toFile().length() > 0) {
-            throw new InputException(file + ": found " + log(file).getFileName() + " beside it, expected a league that "
-                + "nobody plays or looks at, and whose last run has ended by itself; a run that was killed: "
-                + "'steward league run' on its own machine brings it in order");
-        }
-        NativeLibrary.prepare(folder.path());
-        return connect(file, false, true, PATIENCE_MS, database ->
-            database.prepare(false, false));
-    }
-
-    /**
-     * Opens a part of a league: one file, which one program at a time uses, so that it may be on a disk of another
-     * machine.
-     *
-     * @param write whether it is written to; it is then made if it is not there
-     * @throws InputException if it cannot be used
-     */
-    static Database part(Path file, boolean write) {
-        Path folder = file.toAbsolutePath().getParent();
-        if (!Files.isDirectory(folder)) {
-            throw new InputException(file + ": found no folder " + folder + ", expected one that is there");
-        }
-        if (Files.isDirectory(file) || !write && Files.notExists(file)) {
-            throw new InputException(file + ": found " + (Files.isDirectory(file) ? "a folder" : "no such file")
-                + ", expected a part, as 'steward league shard' makes it");
-        }
-        boolean broken = Files.exists(file.resolveSibling(file.getFileName() + "-journal"));
-        refuseUnusable(file, folder, write || broken);
-        NativeLibrary.prepare(folder);
-        return connect(file, write || broken, false, PATIENCE_MS, database -> {
-            if (write) {
-                database.execute("PRAGMA locking_mode = EXCLUSIVE");
-                database.execute("PRAGMA journal_mode = TRUNCATE");
-                database.execute("PRAGMA synchronous = NORMAL");
-            }
-            if (SchemaVersion.isBehind(database.connection, file, SchemaVersion.PART)) {
-                if (!write) {
-                    throw new InputException(file + ": found " + database.unfit() + ", expected a part, as 'steward "
-                        + "league shard' makes it");
-                }
-                database.before = SchemaVersion.migrate(database, SchemaVersion.PART);
-            }
-        });
     }
 
     /** Preparation of a connection before it is used. */
@@ -194,7 +137,7 @@ final class Database implements AutoCloseable {
 
     private void prepare(boolean write, boolean durable) throws SQLException {
         execute("PRAGMA cache_size = -" + CACHE_KIB);
-        boolean behind = SchemaVersion.isBehind(connection, file, SchemaVersion.APPLICATION);
+        boolean behind = SchemaVersion.isBehind(connection, file);
         if (!write) {
             if (behind) {
                 throw new InputException(file + ": found " + unfit() + ", expected one that 'steward league run' "
@@ -206,7 +149,7 @@ final class Database implements AutoCloseable {
         execute("PRAGMA synchronous = " + (durable ? "FULL" : "NORMAL"));
         execute("PRAGMA foreign_keys = OFF");
         if (behind) {
-            before = SchemaVersion.migrate(this, SchemaVersion.APPLICATION);
+            before = SchemaVersion.migrate(this);
         }
     }
 

@@ -86,12 +86,6 @@ public final class GameStore implements AutoCloseable {
         }
     }
 
-    /** For reading, where nobody else uses it, on a disk of any machine; {@code null} if there are no games yet. */
-    public static GameStore unused(LeagueFolder folder) {
-        Database database = Database.unused(folder);
-        return database == null ? null : checked(database);
-    }
-
     /** For reading and writing; made if it is not there. */
     public static GameStore write(LeagueFolder folder) {
         return checked(Database.open(folder, true, false));
@@ -201,40 +195,6 @@ public final class GameStore implements AutoCloseable {
         return null;
     }
 
-    /** Takes over the versions and identities of another store, with their numbers; this one must have none. */
-    public void copyVersions(GameStore other) {
-        List<Object[]> versions = other.rows("SELECT id, bot, number, command, random, began, "
-            + "time_limit FROM version", 7);
-        List<Object[]> identities = other.rows("SELECT hash, version, began FROM identity", 3);
-        database.inTransaction(() -> {
-            for (Object[] row : versions) {
-                database.update("INSERT INTO version (id, bot, number, command, random, began, time_limit) "
-                    + "VALUES (?, ?, ?, ?, ?, ?, ?)", row);
-            }
-            for (Object[] row : identities) {
-                database.update("INSERT INTO identity (hash, version, began) VALUES (?, ?, ?)", row);
-            }
-            RowDigest.seal(database, VERSION, "1");
-            return null;
-        });
-    }
-
-    private List<Object[]> rows(String sql, int columns) {
-        return database.with(() -> {
-            List<Object[]> rows = new ArrayList<>();
-            try (ResultSet row = database.query(sql)) {
-                while (row.next()) {
-                    Object[] values = new Object[columns];
-                    for (int k = 0; k < columns; k++) {
-                        values[k] = row.getObject(k + 1);
-                    }
-                    rows.add(values);
-                }
-            }
-            return rows;
-        });
-    }
-
     /** Another identity of a version: a change that is said to change nothing. */
     public void same(Version version, String identity, long now) {
         database.inTransaction(() -> addIdentity(version.id(), identity, now));
@@ -339,17 +299,8 @@ public final class GameStore implements AutoCloseable {
      * @return how many are new
      */
     public int add(int season, List<StoredGame> games) {
-        return add(season, games, () -> null);
-    }
-
-    /** Stores games, and something more in the same transaction. */
-    int add(int season, List<StoredGame> games, Database.Work<?> more) {
         try {
-            return database.inTransaction(() -> {
-                int added = gameRows.add(season, games);
-                more.run();
-                return added;
-            });
+            return database.inTransaction(() -> gameRows.add(season, games));
         } catch (InputException failed) {
             gameRows.forget();
             throw failed;

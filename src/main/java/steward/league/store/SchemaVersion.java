@@ -17,8 +17,6 @@ final class SchemaVersion {
 
     /** "Stwd": tells a league's database from others. */
     static final int APPLICATION = 0x53747764;
-    /** "StwP": a part of a league, with the same tables and two more. */
-    static final int PART = 0x53747750;
 
     /** From nothing to 1, from 1 to 2, and so on. */
     private static final List<List<String>> STEPS = List.of(List.of(
@@ -111,24 +109,17 @@ final class SchemaVersion {
     /**
      * Refuses what is no league's database, or a newer one's.
      *
-     * @param wanted {@link #APPLICATION} or {@link #PART}
      * @return whether there is nothing in it yet, or it is of an older form
      */
-    static boolean isBehind(Connection connection, Path file, int wanted) throws SQLException {
+    static boolean isBehind(Connection connection, Path file) throws SQLException {
         int found = number(connection, "user_version");
-        int application = number(connection, "application_id");
-        String expected = wanted == PART ? "a part, as 'steward league shard' makes it" : "a league's";
-        if (found > 0 && application != wanted) {
-            throw new InputException(file + ": found " + (application == PART ? "a part of a league"
-                : application == APPLICATION ? "the database of a league" : "a database of another program")
-                + ", expected " + expected);
+        if (found > 0 ? number(connection, "application_id") != APPLICATION
+                : number(connection, "schema_version") > 0) {
+            throw new InputException(file + ": found a database of another program, expected a league's");
         }
         if (found > NEWEST) {
             throw new InputException(file + ": found a database of form " + found + " of a newer Steward, expected "
                 + NEWEST + " or older");
-        }
-        if (found == 0 && number(connection, "schema_version") > 0) {
-            throw new InputException(file + ": found a database of another program, expected " + expected);
         }
         return found < NEWEST;
     }
@@ -138,7 +129,7 @@ final class SchemaVersion {
      *
      * @return a copy of it as it was, or {@code null} if there was nothing in it
      */
-    static Path migrate(Database database, int application) throws SQLException {
+    static Path migrate(Database database) throws SQLException {
         int before = number(database.connection(), "user_version");
         Path copy = before == 0 ? null : OutputFiles.copyBeside(database.file(), "before-form-" + NEWEST);
         if (copy != null) {
@@ -154,7 +145,7 @@ final class SchemaVersion {
         for (String change : STRICT) {
             database.execute(change);
         }
-        database.execute("PRAGMA application_id = " + application);
+        database.execute("PRAGMA application_id = " + APPLICATION);
         database.execute("PRAGMA user_version = " + NEWEST);
         database.execute("COMMIT");
         return copy;

@@ -70,19 +70,6 @@ public final class AnswerCheck {
         return found[0];
     }
 
-    /**
-     * Asks a bot again that has to answer as it did.
-     *
-     * @throws DisprovedException if it answers something else than is recorded
-     */
-    public void check(RecordedMatch match, int player, Entrant entrant) throws DisprovedException {
-        Otherwise found = difference(match, player, entrant);
-        if (found != null) {
-            throw new DisprovedException(match.source() + ": " + entrant.name() + " answers otherwise when it is asked "
-                + "again: " + found.text());
-        }
-    }
-
     /** Opens the scene of a match only if it is another one than that of the contest. */
     private Resimulation again(RecordedMatch match) {
         ReplayHeader header = match.header();

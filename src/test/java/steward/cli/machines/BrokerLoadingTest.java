@@ -97,13 +97,11 @@ class BrokerLoadingTest {
             .replace("\"maximumTurns\": 200", "\"maximumTurns\": 5")
             .replace("\"answerMs\": 75", "\"answerMs\": 30000"));
         new TextShellBots(folder);
-        Cli.league(folder, "init", "TMP/parts", "--scene", "TMP/short.json").done();
+        Cli.league(folder, "init", "TMP/served", "--scene", "TMP/short.json").done();
         for (String bot : List.of("a=codingame:sh 'text pod.sh' drive 0", "b=codingame:sh 'text pod.sh' stay 0")) {
-            Cli.league(folder, "add", "TMP/parts", bot).done();
+            Cli.league(folder, "add", "TMP/served", bot).done();
         }
-        Path settings = folder.resolve("parts/league.json");
-        Files.writeString(settings, Files.readString(settings).replace("adaptive", "round-robin"));
-        SharedBrokerKey.put(new LeagueFolder(folder.resolve("parts")));
+        SharedBrokerKey.put(new LeagueFolder(folder.resolve("served")));
     }
 
     @Test
@@ -119,12 +117,10 @@ class BrokerLoadingTest {
                 List.of("league", "init", "night", "--scene", "short.json"),
                 List.of("league", "add", "night", "a=codingame:sh 'text pod.sh' drive 0"),
                 List.of("league", "add", "night", "b=codingame:sh 'text pod.sh' stay 0"),
-                List.of("league", "worker", "add", "parts", "attic"),
+                List.of("league", "worker", "add", "served", "attic"),
                 List.of("league", "run", "night", "--games", "2", "--quiet"),
                 List.of("league", "table", "night"),
-                List.of("league", "page", "night", "--out", "night.html"),
-                List.of("league", "shard", "parts", "--part", "1/1", "--games", "2", "--out", "part.db"),
-                List.of("league", "merge", "parts", "part.db"));
+                List.of("league", "page", "night", "--out", "night.html"));
     }
 
     /** Commands that do load it, the second also in vain: {@link #noOtherCommandLoadsTheBroker} would see it. */
@@ -132,14 +128,14 @@ class BrokerLoadingTest {
     @Tag("campaign")
     void aWorkerAndAServedLeagueLoadTheBroker() throws IOException, InterruptedException {
         prepare();
-        Cli.league(folder, "worker", "add", "TMP/parts", "attic", "--out", "TMP/attic.token").done();
+        Cli.league(folder, "worker", "add", "TMP/served", "attic", "--out", "TMP/attic.token").done();
         try (ServerSocket taken = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
             String address = "127.0.0.1:" + taken.getLocalPort();
             List<String> joining = List.of("worker", "--join", "no-such-host.invalid:1", "--token-file", "attic.token",
                 "--sandbox", "off");
-            List<String> serving = List.of("league", "run", "parts", "--games", "2", "--quiet", "--serve",
+            List<String> serving = List.of("league", "run", "served", "--games", "2", "--quiet", "--serve",
                 "127.0.0.1:" + FreePort.next());
-            List<String> inVain = List.of("league", "run", "parts", "--games", "4", "--serve", address);
+            List<String> inVain = List.of("league", "run", "served", "--games", "4", "--serve", address);
             String said = run(0, true, SeveralCalls.class, SeveralCalls.words(List.of(joining, serving, inVain)));
             int joined = said.indexOf(SeveralCalls.line(3, joining));
             assertTrue(said.substring(0, Math.max(0, joined)).contains(BROKER), said);

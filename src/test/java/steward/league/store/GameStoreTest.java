@@ -101,7 +101,14 @@ class GameStoreTest {
         }
     }
 
-    /** Other work of a transaction may fail: then games that come later must not lean on rows that are gone. */
+    private static void execute(GameStore store, String sql) {
+        store.database().with(() -> {
+            store.database().execute(sql);
+            return null;
+        });
+    }
+
+    /** A transaction may fail halfway: then games that come later must not lean on rows that are gone. */
     @Test
     void gamesAfterATransactionThatFailedAreWhole() {
         try (GameStore store = GameStore.write(folder)) {
@@ -109,9 +116,10 @@ class GameStoreTest {
             Version a = store.add("a", "./a", false, "1a", 1);
             Version b = store.add("b", "./b", true, "1b", 2);
             List<StoredGame> games = List.of(game(a, b, 7, -1, 1, false), game(a, b, 7, 1, 2, true));
-            assertThrows(InputException.class, () -> store.add(season, games, () -> {
-                throw new SQLException("no room for the replay");
-            }));
+            execute(store, "CREATE TEMP TRIGGER full BEFORE INSERT ON game WHEN NEW.attempt = 2 BEGIN SELECT "
+                + "RAISE(ABORT, 'no room for the second'); END");
+            assertThrows(InputException.class, () -> store.add(season, games));
+            execute(store, "DROP TRIGGER full");
             assertEquals(0, store.games(season));
             assertEquals(2, store.add(season, games));
             assertEquals(0L, store.database().with(() -> ((Number) store.database().value("SELECT count(*) FROM game "
