@@ -74,7 +74,7 @@ public final class MatchTurn implements TurnKernel {
     public int play(Bodies bodies, double[] targetX, double[] targetY, int[] thrust, int[] shieldTimer,
                     boolean[] boostLeft, int[] passed) {
         load(bodies, shieldTimer, boostLeft, passed);
-        int mayPass = turn.move(state, counts, targetX, targetY, thrust, 0);
+        int mayPass = turn.move(state, counts, targetX, targetY, thrust);
         store(bodies, shieldTimer, boostLeft);
         return mayPass;
     }

@@ -61,7 +61,10 @@ public final class PodCommands {
      * @throws IndexOutOfBoundsException if there is no such pod
      */
     public void set(int pod, double x, double y, int podThrust) {
-        check(pod, x, y, podThrust);
+        if (!(Math.abs(x) <= Double.MAX_VALUE && Math.abs(y) <= Double.MAX_VALUE)) {
+            throw new IllegalArgumentException("pod " + pod + ": target " + x + " " + y + ", expected finite numbers");
+        }
+        checkThrust(pod, podThrust);
         targetX[pod] = x;
         targetY[pod] = y;
         thrust[pod] = podThrust;
@@ -85,7 +88,10 @@ public final class PodCommands {
      * @throws IndexOutOfBoundsException if there is no such pod
      */
     public void turn(int pod, double degrees, int podThrust) {
-        checkTurn(pod, degrees, podThrust);
+        if (Double.isNaN(degrees)) {
+            throw new IllegalArgumentException("pod " + pod + ": turn by NaN degrees, expected a number");
+        }
+        checkThrust(pod, podThrust);
         targetX[pod] = limited(degrees);
         targetY[pod] = Double.NaN;
         thrust[pod] = podThrust;
@@ -94,22 +100,6 @@ public final class PodCommands {
     /** The degrees that a pod turns at most when told to turn by these. */
     static double limited(double degrees) {
         return Math.max(-GREATEST_TURN, Math.min(GREATEST_TURN, degrees));
-    }
-
-    /** Throws if a command by angle is out of range. */
-    static void checkTurn(int pod, double degrees, int thrust) {
-        if (Double.isNaN(degrees)) {
-            throw new IllegalArgumentException("pod " + pod + ": turn by NaN degrees, expected a number");
-        }
-        checkThrust(pod, thrust);
-    }
-
-    /** Throws if a command is out of range. */
-    static void check(int pod, double x, double y, int thrust) {
-        if (!(Math.abs(x) <= Double.MAX_VALUE && Math.abs(y) <= Double.MAX_VALUE)) {
-            throw new IllegalArgumentException("pod " + pod + ": target " + x + " " + y + ", expected finite numbers");
-        }
-        checkThrust(pod, thrust);
     }
 
     private static void checkThrust(int pod, int thrust) {

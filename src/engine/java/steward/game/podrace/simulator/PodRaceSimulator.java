@@ -206,30 +206,15 @@ public final class PodRaceSimulator {
      * @throws IllegalArgumentException if the numbers of pods, players or checkpoints differ
      */
     public void copyFrom(PodRaceSimulator other) {
-        checkAlike(other);
+        if (pods != other.pods || perPlayer != other.perPlayer || checkpoints != other.checkpoints) {
+            throw new IllegalArgumentException(other.words() + ", expected " + words());
+        }
         System.arraycopy(other.state, 0, state, 0, state.length);
         System.arraycopy(other.counts, 0, counts, 0, counts.length);
     }
 
-    /** Checks that a state of the other fits here. */
-    void checkAlike(PodRaceSimulator other) {
-        if (pods != other.pods || perPlayer != other.perPlayer || checkpoints != other.checkpoints) {
-            throw new IllegalArgumentException(other.words() + ", expected " + words());
-        }
-    }
-
     private String words() {
         return "a race of " + pods + " pods, " + perPlayer + " per player, with " + checkpoints + " checkpoints";
-    }
-
-    void copyFrom(double[] fromState, int[] fromCounts) {
-        System.arraycopy(fromState, 0, state, 0, state.length);
-        System.arraycopy(fromCounts, 0, counts, 0, counts.length);
-    }
-
-    void copyTo(double[] toState, int[] toCounts) {
-        System.arraycopy(state, 0, toState, 0, state.length);
-        System.arraycopy(counts, 0, toCounts, 0, counts.length);
     }
 
     /**
@@ -241,7 +226,7 @@ public final class PodRaceSimulator {
         if (commands.thrust.length != pods) {
             throw new IllegalArgumentException("commands for " + commands.pods() + " pods, expected " + pods);
         }
-        turn.play(state, counts, commands.targetX, commands.targetY, commands.thrust, 0);
+        turn.play(state, counts, commands.targetX, commands.targetY, commands.thrust);
     }
 
     public int pods() {

@@ -9,7 +9,7 @@ import steward.physics.event.FarPairs;
 import steward.physics.event.OfficialAdvance;
 
 /**
- * The official turn, fast: the kernel of {@link PodRaceSimulator} and {@link PodRaceBatch}. Pods are steered by
+ * The official turn, fast: the kernel of {@link PodRaceSimulator} and of matches. Pods are steered by
  * certified vectors ({@link Headings}); in a turn in which no pair can meet they fly straight to their rounded ends,
  * otherwise through certified impacts ({@link CertifiedImpacts}), unless impacts are recorded. Where a decision or a
  * rounding is in doubt, the game's own expressions are evaluated. States are in arrays of the caller; this class holds
@@ -172,8 +172,8 @@ final class PodTurn {
     }
 
     /** Plays one turn and counts checkpoints. @param numbers have also the turns left, per player; see {@link #move} */
-    void play(double[] states, int[] numbers, double[] targetX, double[] targetY, int[] thrust, int first) {
-        int mayPass = move(states, numbers, targetX, targetY, thrust, first);
+    void play(double[] states, int[] numbers, double[] targetX, double[] targetY, int[] thrust) {
+        int mayPass = move(states, numbers, targetX, targetY, thrust);
         int last = numbers.length;
         for (int player = COUNTS * pods; player < last; player++) {
             numbers[player]--;
@@ -191,13 +191,12 @@ final class PodTurn {
      * @param targetX  of a command by target; or the degrees of a command by angle
      * @param targetY  of a command by target; NaN for a command by angle: then no target can be steered to by vectors,
      *                 so that commands by target are not delayed by a question
-     * @param first    index of the command of the first pod
      * @return the pods that may have passed their next checkpoint, as bits
      */
-    int move(double[] states, int[] numbers, double[] targetX, double[] targetY, int[] thrust, int first) {
+    int move(double[] states, int[] numbers, double[] targetX, double[] targetY, int[] thrust) {
         state = states;
         counts = numbers;
-        steer(targetX, targetY, thrust, first);
+        steer(targetX, targetY, thrust);
         paths.clear();
         near = pods == 4 && PodPairFilter.allFar(speed, advance.reach()) ? 0
             : PodPairFilter.nearPairs(speed, pods, advance);
@@ -205,7 +204,7 @@ final class PodTurn {
     }
 
     /** Applies headings and thrusts. Rare cases go to {@link #steerExactly}, so that values stay in registers here. */
-    private void steer(double[] targetX, double[] targetY, int[] thrusts, int first) {
+    private void steer(double[] targetX, double[] targetY, int[] thrusts) {
         double[] from = state;
         double[] to = speed;
         int[] count = counts;
@@ -217,12 +216,12 @@ final class PodTurn {
             double y = from[at + Y];
             double vx = from[at + VX];
             double vy = from[at + VY];
-            int command = thrusts[first + pod];
+            int command = thrusts[pod];
             if (command >= 0 && Math.abs(x) < SMALL && Math.abs(y) < SMALL && Math.abs(vx) < SMALL
                 && Math.abs(vy) < SMALL
-                && (Headings.turnQuickly(from, at + HEADING, targetX[first + pod] - x, targetY[first + pod] - y)
-                || Double.isNaN(targetY[first + pod])
-                && Headings.turnByQuickly(from, at + HEADING, targetX[first + pod]))) {
+                && (Headings.turnQuickly(from, at + HEADING, targetX[pod] - x, targetY[pod] - y)
+                || Double.isNaN(targetY[pod])
+                && Headings.turnByQuickly(from, at + HEADING, targetX[pod]))) {
                 int timer = Math.max(0, (count[COUNTS * pod + TIMER] & TIMER_BITS) - 1);
                 count[COUNTS * pod + TIMER] = timer;
                 to[out + X] = x;
@@ -237,7 +236,7 @@ final class PodTurn {
                 to[out + VX] = vx;
                 to[out + VY] = vy;
             } else {
-                steerExactly(pod, targetX[first + pod], targetY[first + pod], command);
+                steerExactly(pod, targetX[pod], targetY[pod], command);
             }
         }
     }

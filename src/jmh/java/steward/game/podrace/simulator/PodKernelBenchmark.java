@@ -51,8 +51,6 @@ public class PodKernelBenchmark {
     private final PodState[][] pods = new PodState[STATES][4];
     private final PodRaceSimulator simulator = new PodRaceSimulator(MAP);
     private final TextbookPodRace textbook = new TextbookPodRace(MAP, 4);
-    private final PodRaceBatch batch = new PodRaceBatch(MAP, STATES);
-    private final PodRaceBatch.Commands batchCommands = new PodRaceBatch.Commands(STATES);
     private PodRaceType.PodRaceSetup setup;
     private EventAdvance plain;
 
@@ -74,7 +72,6 @@ public class PodKernelBenchmark {
                 pods[k][pod] = new PodState(race.x(pod), race.y(pod), race.vx(pod), race.vy(pod), race.heading(pod),
                     race.shieldTimer(pod), race.boostLeft(pod), race.passed(pod));
                 command(race, pod, random, commands[k], k);
-                batchCommands.set(k, pod, commands[k].targetX(pod), commands[k].targetY(pod), commands[k].thrust(pod));
             }
             race.play(commands[k]);
         }
@@ -173,24 +170,5 @@ public class PodKernelBenchmark {
             sum += simulator.x(0);
         }
         return sum;
-    }
-
-    /** {@link PodRaceBatch}, one thread; states are set first. */
-    @Benchmark
-    @OperationsPerInvocation(STATES)
-    public double batch() {
-        batchStates();
-        batch.play(batchCommands);
-        return batch.x(0, 0);
-    }
-
-    /** Only sets the states of a {@link PodRaceBatch}. */
-    @Benchmark
-    @OperationsPerInvocation(STATES)
-    public double batchStates() {
-        for (int k = 0; k < STATES; k++) {
-            batch.set(k, states[k]);
-        }
-        return batch.x(0, 0);
     }
 }

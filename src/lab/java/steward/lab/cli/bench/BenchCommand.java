@@ -67,7 +67,7 @@ public final class BenchCommand extends ProgramCommand {
     private boolean full;
 
     @Option(names = "--threads", paramLabel = "T",
-        description = "Up to how many threads play matches and batches (default: as many as there are processors).")
+        description = "Up to how many threads play matches (default: as many as there are processors).")
     private Integer threads;
 
     @Option(names = "--games", paramLabel = "N", description = "How many matches the threads play (default: 2000).")

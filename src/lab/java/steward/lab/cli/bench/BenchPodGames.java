@@ -1,13 +1,10 @@
 package steward.lab.cli.bench;
 
-import java.util.ArrayList;
 import java.util.List;
 import steward.game.podrace.PodRace;
 import steward.game.podrace.PodSeat;
 import steward.game.podrace.protocol.PodRaceType;
-import steward.game.podrace.simulator.ParallelBatch;
 import steward.game.podrace.simulator.PodCommands;
-import steward.game.podrace.simulator.PodRaceBatch;
 import steward.game.podrace.simulator.PodRaceSimulator;
 import steward.lab.bench.Contender;
 import steward.lab.bench.textbook.TextbookPodRace;
@@ -38,7 +35,6 @@ final class BenchPodGames {
     private final double[][][] targetX = new double[GAMES][TURNS][PODS];
     private final double[][][] targetY = new double[GAMES][TURNS][PODS];
     private final int[][][] thrust = new int[GAMES][TURNS][PODS];
-    private final PodRaceBatch.Commands[] together = new PodRaceBatch.Commands[TURNS];
     private final long end;
 
     /** @param brawl whether pods chase each other */
@@ -46,9 +42,6 @@ final class BenchPodGames {
         this.setup = setup;
         map = setup.create(SEED).checkpoints();
         start = new PodRaceSimulator(map);
-        for (int turn = 0; turn < TURNS; turn++) {
-            together[turn] = new PodRaceBatch.Commands(GAMES);
-        }
         SplitMix64 random = new SplitMix64(SEED);
         PodRaceSimulator race = new PodRaceSimulator(map);
         for (int game = 0; game < GAMES; game++) {
@@ -76,7 +69,6 @@ final class BenchPodGames {
         targetY[game][turn][pod] = y;
         thrust[game][turn][pod] = power;
         commands[game][turn].set(pod, x, y, power);
-        together[turn].set(game, pod, x, y, power);
     }
 
     double[][] map() {
@@ -88,26 +80,12 @@ final class BenchPodGames {
         return commands;
     }
 
-    PodRaceBatch batch() {
-        return new PodRaceBatch(map, GAMES);
-    }
-
     /** A plain port first, with which the others are compared. */
-    List<Contender> alone(String crowd) {
+    List<Contender> contenders(String crowd) {
         PodRaceSimulator simulator = new PodRaceSimulator(map);
-        PodRaceBatch batch = batch();
-        List<Contender> all = new ArrayList<>();
-        all.add(new Contender(crowd + "textbook", () -> checked(playTextbook())));
-        all.add(new Contender(crowd + "engine of matches", () -> checked(playMatches())));
-        all.add(new Contender(crowd + "simulator", () -> checked(playSimulator(simulator))));
-        all.add(new Contender(crowd + "batch", () -> checked(playBatch(batch, batch::play))));
-        return all;
-    }
-
-    Contender onThreads(String crowd, PodRaceBatch batch, ParallelBatch parallel) {
-        int threads = parallel.threads();
-        return new Contender(crowd + "batch, " + threads + (threads == 1 ? " thread" : " threads") + ", wall clock",
-            Contender.Clock.WALL, () -> checked(playBatch(batch, parallel::play)));
+        return List.of(new Contender(crowd + "textbook", () -> checked(playTextbook())),
+            new Contender(crowd + "engine of matches", () -> checked(playMatches())),
+            new Contender(crowd + "simulator", () -> checked(playSimulator(simulator))));
     }
 
     private long checked(long found) {
@@ -163,28 +141,6 @@ final class BenchPodGames {
             }
             for (int pod = 0; pod < PODS; pod++) {
                 hash.add(race.x(pod)).add(race.y(pod));
-            }
-        }
-        return hash.value();
-    }
-
-    /** Plays one turn of every game. */
-    private interface Player {
-
-        void play(PodRaceBatch.Commands commands);
-    }
-
-    private long playBatch(PodRaceBatch batch, Player player) {
-        for (int game = 0; game < GAMES; game++) {
-            batch.set(game, start);
-        }
-        for (int turn = 0; turn < TURNS; turn++) {
-            player.play(together[turn]);
-        }
-        StateHash hash = new StateHash();
-        for (int game = 0; game < GAMES; game++) {
-            for (int pod = 0; pod < PODS; pod++) {
-                hash.add(batch.x(game, pod)).add(batch.y(game, pod));
             }
         }
         return hash.value();

@@ -44,7 +44,7 @@ final class BenchSuite {
     static List<Section> all(int threads, int games, List<Integer> bodies, Path tools, Path sdk) {
         MatchFixture fixture = fixture();
         List<Section> sections = new ArrayList<>();
-        sections.add(new PodTurnSection((PodRaceType.PodRaceSetup) fixture.setup(), threads));
+        sections.add(new PodTurnSection((PodRaceType.PodRaceSetup) fixture.setup()));
         sections.add(new GameTurnSection());
         sections.add(Sections.matches(fixture, threads, games));
         sections.add(Sections.growth(fixture, growth()));

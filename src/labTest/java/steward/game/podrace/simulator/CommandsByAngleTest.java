@@ -40,37 +40,28 @@ class CommandsByAngleTest {
     private final double[] y = new double[4];
     private final double[] heading = new double[4];
 
-    /** Some pods by angle, some by target; and a batch does the same. */
+    /** Some pods by angle, some by target. */
     @Test
     @Tag("slow")
     void everyAngleIsThatOfTheTextbook() {
-        PodRaceBatch batch = new PodRaceBatch(MAP, 1);
-        PodRaceBatch.Commands batchCommands = new PodRaceBatch.Commands(1);
-        PodRaceSimulator ofBatch = new PodRaceSimulator(MAP);
         for (int game = 0; game < 4000; game++) {
             TextbookPodRace textbook = new TextbookPodRace(MAP, 4);
             drawState();
             turns.put(fast);
             turns.put(textbook);
-            batch.set(0, fast);
             for (int turn = 0; turn < 8; turn++) {
                 look();
                 turns.commands(x, y, heading);
                 for (int pod = 0; pod < 4; pod++) {
                     int thrust = turns.commands.thrust(pod);
-                    if (random.nextInt(3) == 0) {
-                        batchCommands.set(0, pod, turns.commands.targetX(pod), turns.commands.targetY(pod), thrust);
-                    } else {
+                    if (random.nextInt(3) > 0) {
                         double degrees = random.nextInt(4) == 0 ? random.nextDouble() * 40 - 20
                             : DEGREES[random.nextInt(DEGREES.length)];
                         turns.commands.turn(pod, degrees, thrust);
-                        batchCommands.turn(0, pod, degrees, thrust);
                     }
                 }
                 fast.play(turns.commands);
                 turns.play(textbook);
-                batch.play(batchCommands);
-                batch.get(0, ofBatch);
                 for (int pod = 0; pod < 4; pod++) {
                     TextbookPodRace.Pod expected = textbook.pod(pod);
                     // A heading that is not read stays deferred, so that chains grow.
@@ -80,7 +71,6 @@ class CommandsByAngleTest {
                     Supplier<String> where = () -> "game " + number + " turn " + count + " from " + turns.text();
                     assertEquals(new PodState(expected.x, expected.y, expected.vx, expected.vy, expected.heading,
                         expected.shieldTimer, expected.boostLeft, expected.passed), state(fast, pod, angle), where);
-                    assertEquals(state(fast, pod, angle), state(ofBatch, pod, angle), where);
                 }
             }
         }
@@ -199,15 +189,11 @@ class CommandsByAngleTest {
     @Test
     void refusesWhatCannotBe() {
         PodCommands commands = new PodCommands(4);
-        PodRaceBatch.Commands batch = new PodRaceBatch.Commands(3);
         assertRefused("pod 1: turn by NaN degrees", () -> commands.turn(1, Double.NaN, 200));
         assertRefused("pod 1: thrust 651", () -> commands.turn(1, 18, 651));
-        assertRefused("pod 2: turn by NaN degrees", () -> batch.turn(0, 2, Double.NaN, 200));
-        assertRefused("pod 2: thrust -4", () -> batch.turn(0, 2, 18, -4));
+        assertRefused("pod 2: thrust -4", () -> commands.turn(2, 18, -4));
         assertRefused("pod 3: turn by NaN degrees", () -> fast.targetX(3, Double.NaN));
         assertThrows(IndexOutOfBoundsException.class, () -> commands.turn(4, 18, 200));
-        assertThrows(IndexOutOfBoundsException.class, () -> batch.turn(0, 4, 18, 200));
-        assertThrows(IndexOutOfBoundsException.class, () -> batch.turn(3, 0, 18, 200));
     }
 
     private static void assertRefused(String said, Executable call) {

@@ -76,7 +76,7 @@ public final class HeaderSpeed {
     }
 
     private void measureJava(String crowd, BenchPodGames games) {
-        for (Contender contender : games.alone(crowd)) {
+        for (Contender contender : games.contenders(crowd)) {
             if (!contender.name().endsWith("engine of matches")) {
                 measure(contender.name(), () -> time(contender));
             }
