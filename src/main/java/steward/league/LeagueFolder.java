@@ -167,24 +167,6 @@ public record LeagueFolder(Path path) {
     }
 
     /**
-     * Gives the league a scene of its own, which the settings then name.
-     *
-     * @throws InputException if it has one already, or it cannot be written
-     */
-    public void write(String scene, LeagueSettings settings) {
-        Path own = path.resolve(SCENE);
-        if (Files.exists(own)) {
-            throw new InputException(own + ": found a scene, expected none: it would be lost");
-        }
-        try {
-            OutputFiles.replace(own, scene.getBytes(StandardCharsets.UTF_8));
-        } catch (IOException problem) {
-            throw new InputException(own + ": cannot be written: " + OutputFiles.reason(own, problem));
-        }
-        write(settings.withScene(SCENE));
-    }
-
-    /**
      * Refuses a folder of another machine.
      *
      * @param folder that exists

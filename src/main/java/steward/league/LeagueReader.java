@@ -50,7 +50,7 @@ public final class LeagueReader {
     private static final String SEED = "seed";
     private static final String FACTOR = "factor";
     private static final String HOLD = "hold";
-    /** Former name of the policy {@code always}, to be read for one version. */
+    /** Name of the policy {@code always} before 0.2.0. */
     private static final String PAUSE = "pauseWaiting";
 
     private final Block root;
@@ -156,14 +156,13 @@ public final class LeagueReader {
                 words.add(each[1]);
             }
         }
-        HoldPolicy former = block.flag(PAUSE, false) ? HoldPolicy.ALWAYS : HoldPolicy.BURNERS;
-        HoldPolicy hold = block.choice(HOLD, words(HoldPolicy.values(), HoldPolicy::word), former);
-        if (former == HoldPolicy.ALWAYS && hold != former) {
-            throw block.error(HOLD, block.shown(HOLD) + " beside \"" + PAUSE + "\"", "one of them: \"" + PAUSE
-                + "\" means \"always\"");
+        if (block.has(PAUSE)) {
+            throw block.error(PAUSE, block.shown(PAUSE), "\"hold\": \"always\" in its place, as Steward 0.2.0 writes "
+                + "it");
         }
-        if (block.has(HOLD) || hold != HoldPolicy.BURNERS) {
-            words.addAll(List.of(LeagueSettings.HOLD, hold.word()));
+        if (block.has(HOLD)) {
+            words.addAll(List.of(LeagueSettings.HOLD, block.choice(HOLD, words(HoldPolicy.values(), HoldPolicy::word),
+                HoldPolicy.BURNERS).word()));
         }
         for (String[] each : new String[][] {{"environment", "--env"}, {"visible", "--visible"}}) {
             if (block.has(each[0])) {

@@ -56,11 +56,6 @@ public record LeagueSettings(String scene, long seed, String gauntlet, boolean a
         return bots.stream().filter(bot -> bot.name().equals(name)).findFirst();
     }
 
-    public LeagueSettings withScene(String other) {
-        return new LeagueSettings(other, seed, gauntlet, adaptive, lag, factor, basis, hiccups, sandbox, keep,
-            keepOf, bots);
-    }
-
     public LeagueSettings withBots(List<LeagueBot> others) {
         return new LeagueSettings(scene, seed, gauntlet, adaptive, lag, factor, basis, hiccups, sandbox, keep,
             keepOf, others);

@@ -1,6 +1,5 @@
 package steward.replay;
 
-import java.util.function.IntPredicate;
 import steward.bot.LineBuffer;
 import steward.game.FrameCodec;
 import steward.game.Game;
@@ -26,26 +25,6 @@ public final class TranscriptDigest {
     public void commands(Turn turn, FrameCodec codec) {
         commands.reset();
         write(out, turn, codec);
-        add();
-    }
-
-    /**
-     * Adds the commands of a turn that is about to be played.
-     *
-     * @param answered true of players with a valid command
-     * @param asked    true of players who had to answer
-     */
-    public void commands(int players, IntPredicate answered, IntPredicate asked, FrameCodec codec) {
-        commands.reset();
-        out.writeStartArray();
-        for (int player = 0; player < players; player++) {
-            write(out, player, answered.test(player), asked.test(player), codec);
-        }
-        out.writeEndArray();
-        add();
-    }
-
-    private void add() {
         out.flush();
         InputHash.add(hash, commands.bytes(), 0, commands.size());
     }
@@ -64,16 +43,12 @@ public final class TranscriptDigest {
     public static void write(JsonGenerator out, Turn turn, FrameCodec codec) {
         out.writeStartArray();
         for (int player = 0; player < turn.players(); player++) {
-            write(out, player, turn.answered(player), turn.asked(player), codec);
+            if (turn.answered(player) || turn.asked(player) && codec.state().hasPartialCommand(player)) {
+                codec.state().writeCommand(out, player);
+            } else {
+                out.writeNull();
+            }
         }
         out.writeEndArray();
-    }
-
-    private static void write(JsonGenerator out, int player, boolean answered, boolean asked, FrameCodec codec) {
-        if (answered || asked && codec.state().hasPartialCommand(player)) {
-            codec.state().writeCommand(out, player);
-        } else {
-            out.writeNull();
-        }
     }
 }

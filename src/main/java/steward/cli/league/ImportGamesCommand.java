@@ -59,7 +59,7 @@ final class ImportGamesCommand extends ProgramCommand {
             List<StoredGame> games = new ArrayList<>();
             GameLine.Reader reader = new GameLine.Reader(store, season);
             read(path, found -> reader.check(found.place(), found.game(), found.seats()));
-            int number = SeasonOpening.open(folder, settings, store, season, false);
+            int number = SeasonOpening.open(folder, store, season, false);
             read(path, found -> games.add(reader.read(found.place(), found.game(), found.seats())));
             int added = 0;
             for (int from = 0; from < games.size(); from += TOGETHER) {

@@ -74,7 +74,6 @@ public final class LeagueCommand extends ProgramCommand {
         commands.put("prune", new PruneCommand());
         commands.put("sprt", new LeagueSprtCommand());
         commands.put("demo", new LeagueDemoCommand());
-        commands.put("generate", new GenerateCommand());
         return commands;
     }
 

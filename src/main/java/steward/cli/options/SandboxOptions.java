@@ -96,9 +96,6 @@ public final class SandboxOptions {
             + "that bots may think on. Not with --no-deadline.")
     private String hold;
 
-    @Option(names = "--pause-waiting", hidden = true, description = "Means --hold always.")
-    private boolean pauseWaiting;
-
     /** The variables that bots are passed by name. */
     public List<String> variables() {
         return List.copyOf(variables);
@@ -112,7 +109,7 @@ public final class SandboxOptions {
 
     /** True if it is said which bots are held. */
     public boolean isHold() {
-        return hold != null || pauseWaiting;
+        return hold != null;
     }
 
     /**
@@ -138,9 +135,6 @@ public final class SandboxOptions {
         BotEnvironment environment = environment();
         List<Path> shown = visiblePaths();
         HoldPolicy policy = hold(word);
-        if (pauseWaiting) {
-            streams.warn("--pause-waiting is now --hold always, and will be removed");
-        }
         OneTime<Isolation> isolation = new OneTime<>(() -> found(streams, word, policy, limits, environment, shown));
         if (!word.equals(AUTO) || !limits.isNone() || !shown.isEmpty() || network) {
             isolation.get();
@@ -152,10 +146,7 @@ public final class SandboxOptions {
         check.that(hold == null || HoldPolicy.of(hold).isPresent(), "--hold: found '" + hold
             + "', expected burners, always or never"
             + NearestName.question(String.valueOf(hold), new HoldWords(), "'"));
-        check.that(!pauseWaiting || hold == null, "--hold and --pause-waiting: expected one of them; --pause-waiting "
-            + "means --hold always");
-        HoldPolicy policy = pauseWaiting ? HoldPolicy.ALWAYS
-            : Optional.ofNullable(hold).flatMap(HoldPolicy::of).orElse(HoldPolicy.BURNERS);
+        HoldPolicy policy = Optional.ofNullable(hold).flatMap(HoldPolicy::of).orElse(HoldPolicy.BURNERS);
         check.that(hold == null || policy != HoldPolicy.BURNERS || !word.equals(SandboxLevel.OFF.word()),
             "--hold burners: expected --sandbox light or strict with it: at off bots can hide what they use");
         return policy;

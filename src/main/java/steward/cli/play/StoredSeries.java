@@ -117,7 +117,7 @@ public final class StoredSeries implements AutoCloseable {
         }
         GameStore store = GameStore.write(folder);
         try {
-            int number = SeasonOpening.open(folder, settings, store, season, false);
+            int number = SeasonOpening.open(folder, store, season, false);
             StoredSeries stored = new StoredSeries(store, season, number, contest, "match, "
                 + System.getProperty("os.name") + " " + System.getProperty("os.arch") + ", Java "
                 + System.getProperty("java.version") + ", sandbox "

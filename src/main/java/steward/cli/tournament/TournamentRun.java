@@ -58,7 +58,7 @@ final class TournamentRun {
     static Roster roster(LeagueFolder league, LeagueSettings settings, Contest contest, Streams streams) {
         LeagueFolder.refuseRemote(league.path());
         try (GameStore store = GameStore.write(league)) {
-            SeasonOpening.open(league, settings, store, Season.of(contest.setup(), settings), false);
+            SeasonOpening.open(league, store, Season.of(contest.setup(), settings), false);
             return league.named(() -> new RosterReader(store, contest, LeagueOpening.environment(settings), false,
                 what -> streams.err().println("steward: " + TextFormat.plain(what)), System::currentTimeMillis)
                 .read(settings));

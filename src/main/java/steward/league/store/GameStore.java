@@ -318,40 +318,6 @@ public final class GameStore implements AutoCloseable {
         });
     }
 
-    /**
-     * A game that counts, whose replay is kept and whose transcript is not known: earlier versions did not keep it.
-     *
-     * @param replay its path in the folder of replays
-     */
-    public record Unknown(long id, String replay) { }
-
-    /** Games whose transcripts can be computed from their replays. */
-    public List<Unknown> unknown() {
-        return database.with(() -> {
-            List<Unknown> games = new ArrayList<>();
-            try (ResultSet row = database.query("SELECT id, replay FROM game WHERE replay IS NOT NULL AND counts = 1 "
-                + "AND transcript IS NULL")) {
-                while (row.next()) {
-                    games.add(new Unknown(row.getLong(1), row.getString(2)));
-                }
-            }
-            return games;
-        });
-    }
-
-    /** Adds the transcript and the own values of a game that is there. */
-    public void add(long game, GameFacts facts) {
-        database.inTransaction(() -> {
-            for (int seat = 0; seat < facts.values().size(); seat++) {
-                database.update("UPDATE seat SET own = ? WHERE game = ? AND seat = ?",
-                    StoredGame.StoredSeat.text(facts.values(seat)), game, seat);
-            }
-            database.update("UPDATE game SET transcript = ? WHERE id = ?", facts.transcript(), game);
-            RowDigest.seal(database, GAME, ID, game);
-            return null;
-        });
-    }
-
     /** Rows that no version of the program writes, at most so many. */
     public List<BadRow> badRows(int most) {
         return database.inSnapshot(() -> RowCheck.of(database, most));

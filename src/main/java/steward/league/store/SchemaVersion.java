@@ -11,15 +11,18 @@ import steward.files.OutputFiles;
 
 /**
  * The form of the database, with its number in {@code PRAGMA user_version}; docs/league.md says what is in each table.
- * An older form is copied, then brought up to date step by step in one transaction; a newer one is refused.
+ * Form 4, that of Steward 0.2.0, is copied, then brought up to date in one transaction; others are refused.
  */
 final class SchemaVersion {
 
     /** "Stwd": tells a league's database from others. */
     static final int APPLICATION = 0x53747764;
 
-    /** From nothing to 1, from 1 to 2, and so on. */
-    private static final List<List<String>> STEPS = List.of(List.of(
+    private static final int OLDEST = 4;
+    /** The newest one. */
+    static final int NEWEST = 5;
+
+    private static final List<String> FORM_4 = List.of(
         """
         CREATE TABLE season (
           id INTEGER PRIMARY KEY,
@@ -29,7 +32,8 @@ final class SchemaVersion {
           limits TEXT NOT NULL,
           rules TEXT NOT NULL,
           players INTEGER NOT NULL,
-          opened INTEGER NOT NULL)""",
+          opened INTEGER NOT NULL,
+          lower_is_better INTEGER NOT NULL)""",
         """
         CREATE TABLE version (
           id INTEGER PRIMARY KEY,
@@ -61,7 +65,8 @@ final class SchemaVersion {
           problem TEXT,
           played INTEGER NOT NULL,
           machine INTEGER NOT NULL REFERENCES machine,
-          replay TEXT)""",
+          replay TEXT,
+          transcript INTEGER)""",
         """
         CREATE TABLE seat (
           season INTEGER NOT NULL REFERENCES season,
@@ -75,27 +80,22 @@ final class SchemaVersion {
           mean_nanos INTEGER NOT NULL,
           worst_nanos INTEGER NOT NULL,
           first_nanos INTEGER NOT NULL,
+          own TEXT,
           PRIMARY KEY (season, version, game, seat)) WITHOUT ROWID""",
         "CREATE INDEX game_by_result ON game (season, counts, lineup, ranks)",
         "CREATE INDEX seat_by_game ON seat (game, seat)",
         "CREATE INDEX game_without_result ON game (id) WHERE counts = 0",
-        "CREATE INDEX game_with_replay ON game (id) WHERE replay IS NOT NULL"),
-        // Form 1 compared all scores as if higher ones were better; its only game for one player was Search Race.
-        List.of("ALTER TABLE season ADD COLUMN lower_is_better INTEGER NOT NULL DEFAULT 0",
-            "UPDATE season SET lower_is_better = 1 WHERE players = 1"),
-        // Earlier games get theirs from their replays, where these are kept.
-        List.of("ALTER TABLE game ADD COLUMN transcript INTEGER", "ALTER TABLE seat ADD COLUMN own TEXT"),
-        // Form 3 rated games in which all players failed in the same turn, see StoredGame.allFailed.
-        List.of("UPDATE game SET counts = 2 WHERE counts = 1 AND id IN (SELECT game FROM seat GROUP BY game "
-            + "HAVING count(*) > 1 AND count(fault) = count(*) AND min(answers) = max(answers))"),
-        // Rows of form 4 had no digests, and values of any type.
-        List.of("ALTER TABLE version ADD COLUMN paused INTEGER NOT NULL DEFAULT 0",
-            "ALTER TABLE version ADD COLUMN time_limit TEXT",
-            "ALTER TABLE season ADD COLUMN digest INTEGER NOT NULL DEFAULT 0",
-            "ALTER TABLE version ADD COLUMN digest INTEGER NOT NULL DEFAULT 0",
-            "ALTER TABLE machine ADD COLUMN digest INTEGER NOT NULL DEFAULT 0",
-            "ALTER TABLE lineup ADD COLUMN digest INTEGER NOT NULL DEFAULT 0",
-            "ALTER TABLE game ADD COLUMN digest INTEGER NOT NULL DEFAULT 0"));
+        "CREATE INDEX game_with_replay ON game (id) WHERE replay IS NOT NULL");
+
+    /** Rows of form 4 had no digests, and values of any type. */
+    private static final List<String> FROM_4 = List.of(
+        "ALTER TABLE version ADD COLUMN paused INTEGER NOT NULL DEFAULT 0",
+        "ALTER TABLE version ADD COLUMN time_limit TEXT",
+        "ALTER TABLE season ADD COLUMN digest INTEGER NOT NULL DEFAULT 0",
+        "ALTER TABLE version ADD COLUMN digest INTEGER NOT NULL DEFAULT 0",
+        "ALTER TABLE machine ADD COLUMN digest INTEGER NOT NULL DEFAULT 0",
+        "ALTER TABLE lineup ADD COLUMN digest INTEGER NOT NULL DEFAULT 0",
+        "ALTER TABLE game ADD COLUMN digest INTEGER NOT NULL DEFAULT 0");
 
     /** Makes tables strict, also those with values of other types: what SQLite stores of a strict table is the same. */
     private static final List<String> STRICT = List.of("PRAGMA writable_schema = ON",
@@ -103,13 +103,10 @@ final class SchemaVersion {
             + "'table' AND name IN ('season', 'version', 'identity', 'machine', 'lineup', 'game', 'seat')",
         "PRAGMA writable_schema = RESET");
 
-    /** The newest one. */
-    static final int NEWEST = STEPS.size();
-
     /**
-     * Refuses what is no league's database, or a newer one's.
+     * Refuses what is no league's database, or of a form that this program does not know.
      *
-     * @return whether there is nothing in it yet, or it is of an older form
+     * @return whether there is nothing in it yet, or it is of form 4
      */
     static boolean isBehind(Connection connection, Path file) throws SQLException {
         int found = number(connection, "user_version");
@@ -117,9 +114,10 @@ final class SchemaVersion {
                 : number(connection, "schema_version") > 0) {
             throw new InputException(file + ": found a database of another program, expected a league's");
         }
-        if (found > NEWEST) {
-            throw new InputException(file + ": found a database of form " + found + " of a newer Steward, expected "
-                + NEWEST + " or older");
+        if (found > NEWEST || found > 0 && found < OLDEST) {
+            throw new InputException(file + ": found a database of form " + found + ", expected " + OLDEST + " or "
+                + NEWEST + (found > NEWEST ? ": it is of a newer Steward" : ": 'steward league run' of Steward 0.2.0 "
+                + "brings it to form " + OLDEST));
         }
         return found < NEWEST;
     }
@@ -136,10 +134,13 @@ final class SchemaVersion {
             database.update("VACUUM INTO ?", copy.toString());
         }
         database.execute("BEGIN IMMEDIATE");
-        for (int step = number(database.connection(), "user_version"); step < NEWEST; step++) {
-            for (String change : STEPS.get(step)) {
-                database.execute(change);
+        if (before == 0) {
+            for (String table : FORM_4) {
+                database.execute(table);
             }
+        }
+        for (String change : FROM_4) {
+            database.execute(change);
         }
         RowDigest.sealAll(database, RowCheck.withoutDigests(database));
         for (String change : STRICT) {

@@ -152,7 +152,7 @@ public final class BrokenRows {
     /** Damages the league as form 4 has it, and brings it up to date; returns what that says. */
     public Cli brought(String change) throws IOException, SQLException {
         with(connection -> null);
-        OlderForm.of(database(), 4);
+        OlderForm.of(database());
         try (Connection connection = DriverManager.getConnection("jdbc:sqlite:" + database());
              Statement statement = connection.createStatement()) {
             statement.executeUpdate(change);

@@ -24,7 +24,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
-import steward.contest.GameFacts;
 import steward.files.InputException;
 import steward.league.GameName;
 import steward.league.LeagueFolder;
@@ -254,56 +253,32 @@ class GameStoreTest {
         Files.delete(folder.database());
         GameStore.write(folder).close();
         run("PRAGMA user_version = 99");
-        assertEquals("DB: found a database of form 99 of a newer Steward, expected " + SchemaVersion.NEWEST
-            + " or older", refusal(true));
+        assertEquals("DB: found a database of form 99, expected 4 or 5: it is of a newer Steward", refusal(true));
+        run("PRAGMA user_version = 3");
+        assertEquals("DB: found a database of form 3, expected 4 or 5: 'steward league run' of Steward 0.2.0 brings it "
+            + "to form 4", refusal(true));
         run("PRAGMA user_version = " + SchemaVersion.NEWEST, "PRAGMA application_id = 5");
         assertEquals("DB: found a database of another program, expected a league's", refusal(false));
     }
 
+    /** On seed 7 both fail in the first turn, on seed 8 a wins. */
     @Test
-    void anOlderFormIsBroughtUpToDateWithItsGames() throws SQLException {
-        Season alone = Season.of("race", "another key", "limits", "rules", 1, true);
-        try (GameStore store = GameStore.write(folder)) {
-            store.open(alone);
-            store.open(SEASON);
-        }
-        OlderForm.of(folder.database(), 1);
-        assertEquals("DB: found a database of an older form, expected one that 'steward league run' has made or "
-            + "'steward league verify' has brought up to date", refusal(false));
-        try (GameStore store = GameStore.write(folder)) {
-            assertEquals(SEASON, store.lastSeason().orElseThrow());
-            store.open(alone);
-            assertEquals(alone, store.lastSeason().orElseThrow());
-        }
-    }
-
-    /** On seed 7 both fail in the first turn, on seed 8 a wins. Form 3 knew no difference between these games. */
-    @Test
-    void gamesInWhichAllFailedAreRatedByNothingAlsoThoseOfAnOlderForm() throws SQLException {
-        StoredGame failed;
+    void gamesInWhichAllFailedAreRatedByNothing() {
         try (GameStore store = GameStore.write(folder)) {
             int season = store.open(SEASON);
             Version a = store.add("a", "./a", false, "1a", 1);
             Version b = store.add("b", "./b", false, "1b", 2);
-            failed = new StoredGame(0, GameName.of(SEASON, 7, List.of("1a", "1b"), 1), 7, 7, 1, true, 1, null, 1007,
+            StoredGame failed = new StoredGame(0, GameName.of(SEASON, 7, List.of("1a", "1b"), 1), 7, 7, 1, true, 1, null, 1007,
                 "here", null, List.of(new StoredSeat(a.id(), 0, 0, "exited", 1, 100, 100, 100),
                 new StoredSeat(b.id(), 0, 0, "exited", 1, 100, 100, 100)));
             store.add(season, List.of(failed, game(a, b, 8, -1, 1, true)));
-        }
-        for (boolean older : List.of(false, true)) {
-            if (older) {
-                run("UPDATE game SET counts = 1");
-                OlderForm.of(folder.database(), 3);
-            }
-            try (GameStore store = GameStore.write(folder)) {
-                assertEquals(List.of(), store.badRows(1));
-                assertTrue(store.outcome(failed.name()).orElseThrow().allFailed());
-                Results results = new GameQueries(store, 1, SEASON).results();
-                assertEquals(1, results.games());
-                assertEquals(1, results.of(1).games());
-                assertEquals(1, results.of(1).allFailed());
-                assertEquals(1, results.points(1, 2), 1e-12);
-            }
+            assertEquals(List.of(), store.badRows(1));
+            assertTrue(store.outcome(failed.name()).orElseThrow().allFailed());
+            Results results = new GameQueries(store, 1, SEASON).results();
+            assertEquals(1, results.games());
+            assertEquals(1, results.of(1).games());
+            assertEquals(1, results.of(1).allFailed());
+            assertEquals(1, results.points(1, 2), 1e-12);
         }
     }
 
@@ -313,21 +288,16 @@ class GameStoreTest {
             int season = store.open(SEASON);
             Version a = store.add("a", "./a", false, "1a", 1);
             Version b = store.add("b", "./b", false, "1b", 2);
-            StoredGame plain = game(a, b, 7, 1, 1, true);
-            store.add(season, List.of(plain));
+            SortedMap<String, Double> own = new TreeMap<>(Map.of("laps", 3.0, "water", -0.125));
+            store.add(season, List.of(game(a, b, 7, 1, 1, true), known(game(a, b, 9, 1, 1, true), -5, own)));
             GameQueries queries = new GameQueries(store, season, SEASON);
             assertEquals(0, queries.game(1).transcript());
             assertEquals(Map.of(), queries.game(1).seats().get(0).values());
-            assertEquals(List.of(new GameStore.Unknown(1, "aa/x.jsonl")), knownAs(store, plain));
-
-            SortedMap<String, Double> own = new TreeMap<>(Map.of("laps", 3.0, "water", -0.125));
-            store.add(1, new GameFacts(-5, List.of(own, new TreeMap<>())));
-            StoredGame read = queries.game(1);
+            StoredGame read = queries.game(2);
             assertEquals(-5, read.transcript());
             assertEquals(own, read.seats().get(0).values());
             assertEquals("laps=3.0 water=-0.125", read.seats().get(0).valuesText());
             assertEquals(Map.of(), read.seats().get(1).values());
-            assertEquals(List.of(), store.unknown());
 
             StoredGame again = new GameLine.Reader(store, SEASON).read("a line", GameLine.game(read, SEASON),
                 List.of(GameLine.seat(read.seats().get(0), a), GameLine.seat(read.seats().get(1), b)));
@@ -358,6 +328,15 @@ class GameStoreTest {
         }
     }
 
+    /** The game with its transcript and the values of the first seat. */
+    private static StoredGame known(StoredGame game, long transcript, SortedMap<String, Double> own) {
+        StoredSeat seat = game.seats().get(0);
+        return new StoredGame(0, game.name(), game.decision(), game.seed(), game.attempt(), game.counts(), game.turns(),
+            game.problem(), game.played(), game.machine(), game.replay(), transcript,
+            List.of(new StoredSeat(seat.version(), seat.rank(), seat.score(), seat.fault(), seat.answers(),
+                seat.meanNanos(), seat.worstNanos(), seat.firstNanos(), own), game.seats().get(1)));
+    }
+
     /** Bots a and b play the same two games on three seeds; on a fourth b wins. */
     @Test
     void equalGamesCountOnceUnlessABotDrawsByLot() {
@@ -366,9 +345,9 @@ class GameStoreTest {
             Version a = store.add("a", "./a", false, "1a", 1);
             Version b = store.add("b", "./b", false, "1b", 2);
             for (int seed = 0; seed < 4; seed++) {
-                store.add(season, List.of(game(a, b, seed, seed < 3 ? -1 : 1, 1, true), game(b, a, seed, 1, 1, true)));
-                store.add(2 * seed + 1, new GameFacts(seed < 3 ? 77 : 78, List.of()));
-                store.add(2 * seed + 2, new GameFacts(99, List.of()));
+                store.add(season, List.of(
+                    known(game(a, b, seed, seed < 3 ? -1 : 1, 1, true), seed < 3 ? 77 : 78, new TreeMap<>()),
+                    known(game(b, a, seed, 1, 1, true), 99, new TreeMap<>())));
             }
             GameQueries queries = new GameQueries(store, season, SEASON);
             Results results = queries.results();
@@ -389,14 +368,6 @@ class GameStoreTest {
             assertEquals(0, queries.results().repeats());
             assertEquals(8, queries.results().games());
         }
-    }
-
-    /** The games whose transcripts are wanted, when the game has a replay. */
-    private List<GameStore.Unknown> knownAs(GameStore store, StoredGame game) {
-        assertEquals(List.of(), store.unknown());
-        store.database().inTransaction(() -> store.database().update("UPDATE game SET replay = 'aa/x.jsonl' "
-            + "WHERE name = ?", (Object) game.name()));
-        return store.unknown();
     }
 
     @Test

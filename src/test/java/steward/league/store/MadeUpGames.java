@@ -4,13 +4,16 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
+import steward.cli.league.view.LeagueOpening;
 import steward.league.GameName;
+import steward.league.LeagueFolder;
+import steward.league.LeagueSettings;
 import steward.league.Season;
 import steward.league.StoredGame;
 import steward.league.StoredGame.StoredSeat;
 import steward.league.rating.RatingFit;
 
-/** Games that were never played, to measure what a large league costs. */
+/** Games that were never played: what a large league is like. */
 public final class MadeUpGames {
 
     /** Games in a transaction. */
@@ -32,7 +35,7 @@ public final class MadeUpGames {
     private int other;
 
     /** @param versions from the strongest */
-    public MadeUpGames(GameStore store, int season, Season key, List<GameStore.Version> versions,
+    MadeUpGames(GameStore store, int season, Season key, List<GameStore.Version> versions,
                        SplittableRandom random) {
         this.store = store;
         this.season = season;
@@ -41,18 +44,27 @@ public final class MadeUpGames {
         this.random = random;
     }
 
+    /** Fills a league that has no games, between bots {@code bot-1}, {@code bot-2} and so on. */
+    public static void fill(LeagueFolder folder, int games, int bots) {
+        LeagueSettings settings = folder.read();
+        Season season = Season.of(LeagueOpening.setup(folder, settings), settings);
+        try (GameStore store = GameStore.write(folder)) {
+            new MadeUpGames(store, store.open(season), season, bots(store, bots), new SplittableRandom(1)).add(games);
+        }
+    }
+
     /** A bot without a program. */
-    public static GameStore.Version bot(GameStore store, int number) {
+    static GameStore.Version bot(GameStore store, int number) {
         return store.add("bot-" + number, "none", false, String.format("%032x", number), 0);
     }
 
     /** So many bots without programs, from the strongest. */
-    public static List<GameStore.Version> bots(GameStore store, int count) {
+    static List<GameStore.Version> bots(GameStore store, int count) {
         return IntStream.rangeClosed(1, count).mapToObj(number -> bot(store, number)).toList();
     }
 
     /** Adds so many games: any two meet on one seed from both sides, as the schedule of a league has it. */
-    public void add(int games) {
+    void add(int games) {
         List<StoredGame> batch = new ArrayList<>(TOGETHER);
         for (int k = 0; k < games; k++) {
             batch.add(game(k));

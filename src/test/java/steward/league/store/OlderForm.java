@@ -6,13 +6,13 @@ import java.sql.DriverManager;
 import java.sql.SQLException;
 import java.sql.Statement;
 
-/** A database as an earlier form of the program had it, with the rows of today. */
+/** A database as Steward 0.2.0 had it, with the rows of today. */
 public final class OlderForm {
 
     private OlderForm() { }
 
-    /** Takes away what later forms have added. */
-    public static void of(Path database, int form) throws SQLException {
+    /** Takes away what form 5 has added. */
+    public static void of(Path database) throws SQLException {
         try (Connection connection = DriverManager.getConnection("jdbc:sqlite:" + database);
              Statement statement = connection.createStatement()) {
             for (String table : new String[] {"season", "version", "machine", "lineup", "game"}) {
@@ -23,14 +23,7 @@ public final class OlderForm {
             statement.execute("PRAGMA writable_schema = ON");
             statement.execute("UPDATE sqlite_schema SET sql = replace(replace(sql, ', STRICT', ''), ' STRICT', '')");
             statement.execute("PRAGMA writable_schema = RESET");
-            if (form < 3) {
-                statement.execute("ALTER TABLE game DROP COLUMN transcript");
-                statement.execute("ALTER TABLE seat DROP COLUMN own");
-            }
-            if (form < 2) {
-                statement.execute("ALTER TABLE season DROP COLUMN lower_is_better");
-            }
-            statement.execute("PRAGMA user_version = " + form);
+            statement.execute("PRAGMA user_version = 4");
         }
     }
 }

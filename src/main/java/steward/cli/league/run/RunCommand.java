@@ -37,7 +37,6 @@ import steward.league.Schedule;
 import steward.league.Season;
 import steward.league.StoredGame;
 import steward.league.pairing.StopRule;
-import steward.league.play.EarlierFacts;
 import steward.league.play.LeagueRun;
 import steward.league.play.Roster;
 import steward.league.play.RosterReader;
@@ -46,7 +45,6 @@ import steward.league.rating.Ratings;
 import steward.league.rating.Results;
 import steward.league.store.GameQueries;
 import steward.league.store.GameStore;
-import steward.league.store.RulesBefore;
 import steward.league.store.SeasonOpening;
 import steward.text.TextFormat;
 
@@ -100,10 +98,6 @@ public final class RunCommand extends ProgramCommand {
         + "old games stay.")
     private boolean anew;
 
-    @Option(names = "--keep-rules", description = "Goes on by the rules of before where those of a shipped scene have "
-        + "become the live server's: writes the scene as it was into the folder.")
-    private boolean keepRules;
-
     @Mixin
     private final WatchOptions watch = new WatchOptions();
 
@@ -153,18 +147,12 @@ public final class RunCommand extends ProgramCommand {
         watch.check(check);
         check.that(watch.watch() || !open, "--open is for --watch, expected both");
         StopRule rule = until.rule();
-        check.that(!anew || !keepRules,
-            "--keep-rules: expected no --new-season with it: it goes on with the old table");
         check.range("--pause-after", pauseAfter, 0, Integer.MAX_VALUE);
         check.range("--games", games, 1, Integer.MAX_VALUE);
         LeagueRun.Limits limits = new LeagueRun.Limits(threads.count(streams), games == null ? Long.MAX_VALUE : games,
             nanos(time));
         LeagueFolder folder = league.openToWrite(streams);
         LeagueFolder.refuseRemote(folder.path());
-        if (keepRules && RulesBefore.keep(folder)) {
-            streams.err().println("steward: " + folder.path().resolve(LeagueFolder.SCENE)
-                + " is the scene with the rules of before, and " + LeagueFolder.SETTINGS + " names it");
-        }
         LeagueSettings settings = folder.read();
         Contest contest = LeagueOpening.contest(folder, settings, streams);
         Season season = Season.of(contest.setup(), settings);
@@ -173,8 +161,7 @@ public final class RunCommand extends ProgramCommand {
              GameStore viewed = GameStore.unchecked(folder, false)) {
             store.before().ifPresent(copy -> streams.err().println("steward: " + folder.database()
                 + ": brought up to date; as it was: " + copy));
-            int number = SeasonOpening.open(folder, settings, store, season, anew);
-            EarlierFacts.add(folder, store, Games.types());
+            int number = SeasonOpening.open(folder, store, season, anew);
             return play(folder, settings, store, new GameQueries(viewed, number, season), season, number, contest,
                 limits, rule);
         }

@@ -22,6 +22,7 @@ import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.cli.Cli;
 import steward.cli.streams.Colour;
+import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
 import steward.league.Season;
 import steward.league.page.EmbeddedReplays;
@@ -31,6 +32,7 @@ import steward.league.page.LeagueView;
 import steward.league.rating.LeagueTable;
 import steward.league.rating.RatingPath;
 import steward.league.rating.Results;
+import steward.league.store.MadeUpGames;
 
 /** A league that has just begun, in all its forms: a bar of which nothing is known is no number. */
 @Execution(ExecutionMode.CONCURRENT)
@@ -124,7 +126,7 @@ class FewGamesTest {
         for (int games : counts) {
             String league = folder.resolve("league" + games).toString();
             done("init", league, "--scene", "duel", "--seed", "1");
-            done("generate", league, "--games", Integer.toString(games), "--bots", "4");
+            MadeUpGames.fill(new LeagueFolder(Path.of(league)), games, 4);
             for (String[] form : new String[][] {{}, {"--json"}, {"--csv"}}) {
                 String[] words = new String[form.length + 2];
                 words[0] = "table";
