@@ -11,10 +11,10 @@ import steward.scene.Field;
  *
  * @param name for people, as in {@code field.bumpers[1]}
  * @param gap  from the edge of a circle to it
- * @param wall the wall, or {@code null} for a bumper
  */
-record Obstacle(String name, Gap gap, Wall wall) {
+record Obstacle(String name, Gap gap) {
 
+    static final String EDGE = "the edge of the field";
     private static final List<String> SIDES = List.of("the left wall", "the top wall", "the right wall",
         "the bottom wall");
 
@@ -29,7 +29,7 @@ record Obstacle(String name, Gap gap, Wall wall) {
         List<Obstacle> obstacles = new ArrayList<>();
         for (int k = 0; k < field.walls().size(); k++) {
             Wall wall = field.walls().get(k);
-            obstacles.add(new Obstacle(box ? SIDES.get(k) : "field.walls[" + k + "]", wall::gap, wall));
+            obstacles.add(new Obstacle(box ? SIDES.get(k) : "field.walls[" + k + "]", wall::gap));
         }
         for (int k = 0; k < field.bumpers().size(); k++) {
             Bumper bumper = field.bumpers().get(k);
@@ -37,15 +37,15 @@ record Obstacle(String name, Gap gap, Wall wall) {
                 double dx = x - bumper.x();
                 double dy = y - bumper.y();
                 return Math.sqrt(dx * dx + dy * dy) - bumper.radius() - radius;
-            }, null));
+            }));
         }
         return obstacles;
     }
 
     /** The edge of the field for the centre of a pod: below 0 outside. */
     static Obstacle edge(Field field) {
-        return new Obstacle("the edge of the field", (x, y, radius) ->
+        return new Obstacle(EDGE, (x, y, radius) ->
             Math.min(Math.min(x - field.x(), field.x() + field.width() - x),
-                Math.min(y - field.y(), field.y() + field.height() - y)), null);
+                Math.min(y - field.y(), field.y() + field.height() - y)));
     }
 }

@@ -3,7 +3,6 @@ package steward.game.podrace;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import steward.scene.Accuracy;
 import steward.scene.Field;
 import steward.scene.Scene;
 import steward.scene.json.Block;
@@ -25,7 +24,7 @@ public final class PlaceCheck {
     }
 
     /**
-     * @return a warning for each checkpoint that is out of reach, at most {@value #MOST_WARNINGS} and one that counts
+     * @return a warning for each checkpoint that one obstacle keeps from all pods, at most {@value #MOST_WARNINGS} and one that counts
      *     the others
      * @throws SceneException if pods overlap each other, a wall or a bumper at a start that can be drawn, or start
      *                        outside the field
@@ -42,7 +41,7 @@ public final class PlaceCheck {
             atStart.add(Obstacle.edge(field));
         }
         check.starts(atStart);
-        return check.checkpoints(obstacles, scene.accuracy().way() == Accuracy.Way.EVENT ? field : null);
+        return check.checkpoints(obstacles);
     }
 
     private void starts(List<Obstacle> obstacles) {
@@ -67,10 +66,9 @@ public final class PlaceCheck {
             return "a checkpoint in one place with the next one" + (settings.jitter() == 0 ? "" : " at some jitter")
                 + across;
         }
-        String depth = String.format(Locale.ROOT, "%.1f", overlap.depth());
-        boolean edge = overlap.obstacle().wall() == null && !overlap.obstacle().name().startsWith("field.");
-        return "pod " + overlap.pod() + " at its start " + depth + " u " + (edge ? "outside " : "deep in ")
-            + overlap.obstacle().name() + draw + across;
+        String name = overlap.obstacle().name();
+        return "pod " + overlap.pod() + String.format(Locale.ROOT, " at its start %.1f u ", overlap.depth())
+            + (name.equals(Obstacle.EDGE) ? "outside " : "deep in ") + name + draw + across;
     }
 
     private String room() {
@@ -79,20 +77,20 @@ public final class PlaceCheck {
             + "this checkpoint, up to " + number(farthest) + " u from it";
     }
 
-    private List<String> checkpoints(List<Obstacle> obstacles, Field field) {
-        CheckpointReach reach = new CheckpointReach(settings, obstacles, field);
+    private List<String> checkpoints(List<Obstacle> obstacles) {
         List<String> warnings = new ArrayList<>();
         int more = 0;
         for (int map = 0; map < settings.maps().size(); map++) {
-            double[][] checkpoints = settings.maps().get(map);
-            int[] shutOut = reach.shutOut(checkpoints);
-            for (int k = 0; k < checkpoints.length; k++) {
-                String barrier = reach.barrier(checkpoints[k][0], checkpoints[k][1]);
-                boolean warned = barrier != null || shutOut[k] >= 0;
-                if (warned && warnings.size() < MOST_WARNINGS) {
-                    warnings.add((barrier != null ? covered(map, k, barrier) : shutIn(map, k, shutOut[k]))
+            for (int k = 0; k < settings.maps().get(map).length; k++) {
+                double[] place = settings.maps().get(map)[k];
+                Obstacle barrier = obstacles.stream().filter(obstacle -> covers(obstacle, place)).findFirst()
+                    .orElse(null);
+                if (barrier != null && warnings.size() < MOST_WARNINGS) {
+                    warnings.add(at(map, k, "a checkpoint that no pod can reach" + (settings.jitter() == 0 ? ""
+                        : " at some jitter") + ": what counts is behind or under " + barrier.name(),
+                        "a place nearer than " + number(settings.checkpointRadius()) + " u to where pods can be")
                         .getMessage());
-                } else if (warned) {
+                } else if (barrier != null) {
                     more++;
                 }
             }
@@ -103,17 +101,14 @@ public final class PlaceCheck {
         return warnings;
     }
 
-    private SceneException covered(int map, int checkpoint, String barrier) {
-        return at(map, checkpoint, "a checkpoint that no pod can reach" + (settings.jitter() == 0 ? ""
-            : " at some jitter") + ": what counts is behind or under " + barrier, "a place nearer than "
-            + number(settings.checkpointRadius()) + " u to where pods can be");
-    }
-
-    private SceneException shutIn(int map, int checkpoint, int first) {
-        return at(map, checkpoint, "a checkpoint that no pod can reach from a start at checkpoint " + first
-            + (first == 0 ? "" : " (shifted: races may start there)") + ": walls and bumpers shut it in or the start",
-            "a gap at least " + number(2 * settings.radius()) + " u wide, for pods of radius "
-            + number(settings.radius()));
+    /** True if an obstacle has all places that count at a corner, the middle of a side or the centre of the jitter. */
+    private boolean covers(Obstacle obstacle, double... place) {
+        boolean covered = false;
+        for (int k = 0; k < 9; k++) {
+            covered |= obstacle.gap().of(place[0] + settings.jitter() * (k % 3 - 1),
+                place[1] + settings.jitter() * (k / 3 - 1), settings.radius()) + settings.checkpointRadius() < 0;
+        }
+        return covered;
     }
 
     /** An error at a checkpoint of the file, or at the word for the official maps. */

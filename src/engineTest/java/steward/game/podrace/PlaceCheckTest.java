@@ -165,7 +165,6 @@ class PlaceCheckTest {
     @CsvSource(delimiter = '|', textBlock = """
         "x": 12000, "y": 9199 |
         "x": 12000, "y": 9201 | the bottom wall
-        "x": 16150, "y": 9150 | two walls, in their corner
         "x": -500, "y": 4500  | the left wall
         """)
     void aCheckpointBehindAWallIsAWarning(String place, String barrier) {
