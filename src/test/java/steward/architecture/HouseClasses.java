@@ -28,7 +28,7 @@ final class HouseClasses {
         Map<String, Class<?>> parts = new LinkedHashMap<>();
         parts.put("engine", Game.class);
         parts.put("main", Main.class);
-        parts.put("lab", Lab.of("the test").getClass());
+        parts.put("lab", Lab.find().orElseThrow().getClass());
         return parts;
     }
 

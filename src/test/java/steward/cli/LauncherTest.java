@@ -163,7 +163,7 @@ class LauncherTest {
     void theLabStandsLastAndOnlyWhereItIsNeeded() throws IOException, InterruptedException {
         String lab = "/lib/steward-lab.jar\nsteward.cli.Main\n";
         for (String call : List.of("bench --quick", "stability", "tradeoff --calibrate duel",
-            "league --self-check", "help", "--help", "completion", "--cli bench", "")) {
+            "help", "--help", "completion", "--cli bench", "")) {
             assertTrue(started("17", LINUX, call.isEmpty() ? new String[0] : call.split(" ")).contains(lab), call);
         }
         for (String call : List.of("match --games 5", "explain duel", "league run night", "worker --join x:1",

@@ -10,6 +10,6 @@ class LabCommandsTest {
 
     @Test
     void theLabIsFoundAsAService() {
-        assertEquals(LabCommands.class, Lab.of("bench").getClass());
+        assertEquals(LabCommands.class, Lab.find().orElseThrow().getClass());
     }
 }

@@ -3,7 +3,6 @@ package steward.cli.league;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
@@ -28,16 +27,12 @@ import steward.cli.options.ProgramCommand;
         "  steward league add night builtin:veteran",
         "  steward league run night --for 8h --watch --open",
         "  steward league table night",
-        "  steward league --self-check --leagues 1000",
         "", "Exit status: 0 done; 1 it could not be carried out to its end; 2 the call or",
         "the league is unusable; 130 interrupted (what was over is stored)."})
 public final class LeagueCommand extends ProgramCommand {
 
     @Spec
     private CommandSpec spec;
-
-    @Mixin
-    private final SelfCheckOptions selfCheck = new SelfCheckOptions();
 
     /**
      * The command with those in it.
@@ -50,7 +45,6 @@ public final class LeagueCommand extends ProgramCommand {
         commands.putAll(more);                         // also in the place of one that is there
         commands.forEach((name, command) ->
             spec.addSubcommand(name, CommandSpec.forAnnotatedObject(command)));
-        spec.parser().allowSubcommandsAsOptionParameters(true);          // --only sprt: a part that is called so
         return spec;
     }
 
@@ -78,10 +72,7 @@ public final class LeagueCommand extends ProgramCommand {
     }
 
     @Override
-    public Integer call() throws InterruptedException {
-        if (selfCheck.isAsked()) {
-            return selfCheck.run(streams);
-        }
+    public Integer call() {
         throw new ParameterException(spec.commandLine(), "found no command, expected one of "
             + String.join(", ", spec.subcommands().keySet()));
     }

@@ -29,12 +29,10 @@ class LabTest {
 
     @Test
     void itsCommandsNameTheMissingJar() {
-        String[][] calls = {{"stability", "--quick"}, {"tradeoff"}, {"bench", "--only", "pods"},
-            {"league", "--self-check"}};
+        String[][] calls = {{"stability", "--quick"}, {"tradeoff"}, {"bench", "--only", "pods"}};
         for (String[] call : calls) {
             Cli cli = withoutLab(call);
-            String asked = call[0].equals("league") ? "--self-check" : call[0];
-            assertEquals("steward: " + asked + ": found no lab, expected steward-lab.jar on the class path (an "
+            assertEquals("steward: " + call[0] + ": found no lab, expected steward-lab.jar on the class path (an "
                 + "installation has it in lib)\n", cli.err());
             assertEquals("", cli.out());
             assertEquals(ExitStatus.UNUSABLE, cli.status());

@@ -1,0 +1,153 @@
+package steward.league.promise;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.IntStream;
+import steward.league.rating.RatingFit;
+import steward.league.rating.Stratum;
+
+/**
+ * Bots of known strength, and the chances of the results of their games.
+ *
+ * @param pooled see {@link RatingFit#of}
+ * @param groups all that can be paired
+ * @param hero   the bot that is in all groups, where all play against one; otherwise -1
+ * @param truth  the fit under uniform pairing of the groups without chance
+ */
+record MadeUpLeague(String name, int bots, boolean pooled, List<MadeUpGroup> groups, int hero, RatingFit truth) {
+
+    /** Number of clusters so large that the prior does not matter. */
+    private static final long MANY = 1L << 40;
+
+    private static MadeUpLeague of(String name, int bots, boolean pooled, List<MadeUpGroup> groups, int hero) {
+        return new MadeUpLeague(name, bots, pooled, groups, hero,
+            RatingFit.of(bots, groups.stream().map(group -> group.truth(MANY)).toList(), pooled));
+    }
+
+    /** Returns these bots with all of them against one; its truth is the fit to such games, not to all pairings. */
+    MadeUpLeague gauntlet(int bot) {
+        return of(name, bots, pooled,
+            groups.stream().filter(group -> IntStream.of(group.bots()).anyMatch(each -> each == bot)).toList(), bot);
+    }
+
+    /** Returns this league with another truth to compare its estimates with. */
+    MadeUpLeague comparedWith(RatingFit other) {
+        return new MadeUpLeague(name, bots, pooled, groups, hero, other);
+    }
+
+    List<Stratum> strata() {
+        return groups.stream().map(MadeUpGroup::stratum).toList();
+    }
+
+    double truth(int i, int j) {
+        return truth.rating(i) - truth.rating(j);
+    }
+
+    int pairs() {
+        return bots * (bots - 1) / 2;
+    }
+
+    /**
+     * Games of two.
+     *
+     * @param ties   weight of ties
+     * @param side   advantage of the first side, in Elo
+     * @param push   advantage that a seed gives to one of the two, in Elo
+     * @param circle by how much bot 0 is better than its strength against bot 1, 1 against 2, and 2 against 0, in Elo
+     */
+    static MadeUpLeague pairs(String name, double[] elo, double ties, double side, double push, double circle) {
+        List<MadeUpGroup> groups = new ArrayList<>();
+        for (int i = 0; i < elo.length; i++) {
+            for (int j = i + 1; j < elo.length; j++) {
+                double turn = j > 2 ? 0 : j - i == 1 ? circle : -circle;
+                groups.add(MadeUpGroup.pairs(natural(elo[i] - elo[j] + turn), ties, side / RatingFit.ELO,
+                    push / RatingFit.ELO, new int[] {i, j}));
+            }
+        }
+        return of(name, elo.length, false, groups, -1);
+    }
+
+    /** Two bots without ties, so many Elo apart. */
+    static MadeUpLeague two(double elo) {
+        return pairs("2 bots, " + Math.round(elo) + " Elo apart", new double[] {elo, 0}, 0, 0, 0, 0);
+    }
+
+    private static MadeUpLeague threes(String name, double push) {
+        double[] strengths = natural(spaced(5, 60));
+        List<MadeUpGroup> groups = new ArrayList<>();
+        for (int i = 0; i < 5; i++) {
+            for (int j = i + 1; j < 5; j++) {
+                for (int k = j + 1; k < 5; k++) {
+                    groups.add(MadeUpGroup.many(new double[] {strengths[i], strengths[j], strengths[k]}, false,
+                        push / RatingFit.ELO, i, j, k));
+                }
+            }
+        }
+        return of(name, 5, false, groups, -1);
+    }
+
+    private static MadeUpLeague sharing(String name, int bots, int[]... pairs) {
+        double[] apart = natural(Arrays.stream(pairs).mapToDouble(pair -> 60 * (pair[1] - pair[0])).toArray());
+        return of(name + ", seeds of 150 Elo", bots, false,
+            List.of(MadeUpGroup.pairs(apart, 0, 0, 150 / RatingFit.ELO, pairs)), -1);
+    }
+
+    private static double[] natural(double... elo) {
+        return Arrays.stream(elo).map(each -> each / RatingFit.ELO).toArray();
+    }
+
+    /** Strengths at equal distances, the strongest first. */
+    private static double[] spaced(int bots, double step) {
+        return IntStream.range(0, bots).mapToDouble(k -> -step * k).toArray();
+    }
+
+    static List<MadeUpLeague> small() {
+        List<MadeUpLeague> all = new ArrayList<>();
+        for (double elo : new double[] {0, 100, 300, 400, 480, 550, 700, 800, 1200}) {
+            all.add(two(elo));
+        }
+        double[] near = {60, 0};
+        all.addAll(List.of(pairs("2 bots, ties", near, 0.8, 0, 0, 0),
+            pairs("2 bots, ties, seeds of 150 Elo", near, 0.5, 50, 150, 0),
+            pairs("2 bots, ties, sides of 300 Elo", near, 0.5, 300, 0, 0), trio(), mixed(),
+            threes("5 bots, 3 players, seeds of 60 Elo", 60), of("4 bots, each alone", 4, true,
+                List.of(MadeUpGroup.many(natural(spaced(4, 60)), true, 0, 0, 1, 2, 3)), -1),
+            sharing("5 bots, one against all on one list of seeds", 5,
+                new int[][] {{0, 1}, {0, 2}, {0, 3}, {0, 4}}),
+            sharing("4 bots, all on one list of seeds", 4,
+                new int[][] {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}})));
+        return all;
+    }
+
+    static MadeUpLeague trio() {
+        return pairs("3 bots, rock, paper, scissors of 150 Elo", spaced(3, 0), 0.1, 0, 0, 150);
+    }
+
+    static MadeUpLeague mixed() {
+        return pairs("6 bots, three of them in a circle, ties, seeds, sides", spaced(6, 40), 0.3, 30, 60, 100);
+    }
+
+    static MadeUpLeague large() {
+        return pairs("30 bots, ties, seeds of 60 Elo", spaced(30, 20), 0.1, 0, 60, 0);
+    }
+
+    static MadeUpLeague threes() {
+        return threes("5 bots, 3 players", 0);
+    }
+
+    /** The leagues in which one wins nearly everything. */
+    static List<MadeUpLeague> won() {
+        return List.of(two(1500), pairs("5 bots, one 1400 Elo ahead", new double[] {1500, 100, 0, -100, -200}, 0.1, 0,
+            0, 0));
+    }
+
+    /** 16 bots, by the steps in Elo between neighbours. */
+    static MadeUpLeague sixteen(double... steps) {
+        double[] elo = new double[steps.length + 1];
+        for (int k = 0; k < steps.length; k++) {
+            elo[k + 1] = elo[k] - steps[k];
+        }
+        return pairs("16 bots", elo, 0.3, 20, 50, 0);
+    }
+}

@@ -1,0 +1,80 @@
+package steward.league.promise;
+
+import java.util.stream.LongStream;
+import steward.league.rating.RatingFit;
+import steward.league.sequential.ExpectedLength;
+import steward.league.sequential.Gsprt;
+import steward.league.sequential.ScoreCounts;
+import steward.league.sequential.SequentialBar;
+import steward.numerics.SplitMix64;
+
+/**
+ * Errors and lengths of sequential tests.
+ *
+ * @param accepted share of the tests that accepted H1
+ * @param mean     observations until they ended
+ * @param theory   what is expected of them
+ * @param held     share of the tests at whose end the truth was in the range
+ */
+record PlayedTests(double accepted, double mean, double theory, double held) {
+
+    private static final long MANY = 1L << 40;
+    private static final long SEED = 21;
+
+    /**
+     * Plays.
+     *
+     * @param at    the true difference, in the test's Elo
+     * @param alike observations at the beginning that are even, as of bots that have not yet met a seed that matters
+     */
+    static PlayedTests of(Gsprt test, long tests, double at, double ties, double push, int alike) {
+        double low = -10;
+        double high = 10;
+        for (int halving = 0; halving < 60; halving++) {
+            double middle = (low + high) / 2;
+            boolean below = elo(test, group(middle, ties, push)) < at;
+            low = below ? middle : low;
+            high = below ? high : middle;
+        }
+        MadeUpGroup group = group(low, ties, push);
+        double[] scores = group.scores();
+        ScoreCounts truth = new ScoreCounts(2);
+        for (int way = 0; way < scores.length; way++) {
+            truth.add(scores[way], Math.round(group.chances()[way] * MANY));
+        }
+        long[] sums = LongStream.range(0, tests).parallel().mapToObj(number -> {
+            SplitMix64 random = new SplitMix64(SEED + number);
+            ScoreCounts counted = new ScoreCounts(2);
+            counted.add(0.5, alike);
+            Gsprt.State state = Gsprt.State.OPEN;
+            while (state == Gsprt.State.OPEN) {
+                for (int step = steps(test, counted); step > 0; step--) {
+                    counted.add(scores[group.draw(random)]);
+                }
+                state = test.state(counted);
+            }
+            SequentialBar range = test.range(counted);
+            return new long[] {state == Gsprt.State.H1 ? 1 : 0, counted.observations(),
+                range.low() <= at && at <= range.high() ? 1 : 0};
+        }).reduce((one, other) -> new long[] {one[0] + other[0], one[1] + other[1], one[2] + other[2]}).orElseThrow();
+        return new PlayedTests((double) sums[0] / tests, (double) sums[1] / tests,
+            ExpectedLength.of(test, truth, 0).observations(), (double) sums[2] / tests);
+    }
+
+    /** Observations that surely decide nothing, and one: half of those that are needed if all go one way. */
+    private static int steps(Gsprt test, ScoreCounts counted) {
+        double ratio = test.ratio(counted);
+        return counted.observations() < Gsprt.LEAST ? 1 : 1 + (int) (Math.min(test.upper() - ratio,
+            ratio - test.lower()) / 2 / test.greatestStep(counted));
+    }
+
+    private static MadeUpGroup group(double apart, double ties, double push) {
+        return MadeUpGroup.pairs(new double[] {apart}, ties, 0, push / RatingFit.ELO, new int[] {0, 1});
+    }
+
+    private static double elo(Gsprt test, MadeUpGroup group) {
+        double[] moments = group.moments();
+        return test.model() == Gsprt.Model.NORMALIZED ? (moments[0] - 0.5) / Math.sqrt(moments[1] * 2) * 800
+            / StrictMath.log(10) : 400 / StrictMath.log(10) * StrictMath.log(moments[0] / (1 - moments[0]));
+    }
+}
