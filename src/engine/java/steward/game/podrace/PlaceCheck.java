@@ -24,8 +24,8 @@ public final class PlaceCheck {
     }
 
     /**
-     * @return a warning for each checkpoint that one obstacle keeps from all pods, at most {@value #MOST_WARNINGS} and one that counts
-     *     the others
+     * @return a warning for each checkpoint that one obstacle keeps from all pods, at most {@value #MOST_WARNINGS} and
+     *     one that counts the others
      * @throws SceneException if pods overlap each other, a wall or a bumper at a start that can be drawn, or start
      *                        outside the field
      */

@@ -34,8 +34,8 @@ public final class SeasonOpening {
 
     private static InputException changed(LeagueFolder folder, Season last, Season season, long games) {
         return new InputException(folder.path() + ": " + last.difference(season) + ", and the league has "
-            + TextFormat.count(games, "game") + " of before; expected it as it was, or a new season, as 'steward league "
-            + "run " + folder.path() + "' can begin one",
+            + TextFormat.count(games, "game") + " of before; expected it as it was, or a new season, as 'steward "
+            + "league run " + folder.path() + "' can begin one",
             List.of(new Remedied.Remedy("new-season", "begins a new table and keeps the old games")));
     }
 }

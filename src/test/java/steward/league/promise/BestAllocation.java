@@ -11,8 +11,8 @@ import steward.league.rating.Stratum;
 /**
  * Fewest clusters with which a pairing that is fixed beforehand separates neighbours, for somebody who knows all
  * strengths. With n[q] clusters of group q the variance of the difference of the neighbours k is the sum over q of
- * c[k][q] / n[q]; each is to be at most that of a bar as wide as their distance. By Lagrange's multipliers m, n[q] is the
- * root of the sum over k of m[k] c[k][q]; they are found by raising those of variances that are too large.
+ * c[k][q] / n[q]; each is to be at most that of a bar as wide as their distance. By Lagrange's multipliers m, n[q] is
+ * the root of the sum over k of m[k] c[k][q]; they are found by raising those of variances that are too large.
  */
 final class BestAllocation {
 

@@ -83,7 +83,8 @@ record PlayedLeagues(MadeUpLeague league, long leagues, long[] looks, long[] end
                     Difference found = fit.difference(i, j);
                     double error = Math.abs(found.elo() - league.truth(i, j));
                     // An anytime bar is never below two standard deviations, which saves time.
-                    boolean in = error <= 2 * RatingFit.ELO * Math.sqrt(found.variance()) || error <= found.anytimeBar();
+                    boolean in = error <= 2 * RatingFit.ELO * Math.sqrt(found.variance())
+                        || error <= found.anytimeBar();
                     end[pair] = in ? 1 : 0;
                     looks[pair] *= end[pair];
                     fixed[pair] = error <= found.bar() ? 1 : 0;

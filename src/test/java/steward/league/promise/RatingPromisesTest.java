@@ -29,7 +29,7 @@ import steward.schema.PublishedTable;
 @Tag("slow")
 class RatingPromisesTest {
 
-    private static final long LEAGUES = Long.getLong("steward.games", TestSize.of(40, 100));
+    private static final long LEAGUES = Long.getLong("steward.games", TestSize.of(15, 100));
     private static final double FOUR = 4 * Math.sqrt(0.95 * 0.05 / LEAGUES);
     private static final int MOST = 5_000_000;
 
@@ -296,6 +296,7 @@ class RatingPromisesTest {
      * least sum of n for it is (sqrt(c1) + sqrt(c2) + sqrt(c3))^2, that of equal n is 3 (c1 + c2 + c3).
      */
     @Test
+    @Tag("sized")
     void theBestAllocationHasItsClosedForm() {
         MadeUpLeague league = MadeUpLeague.pairs("three", new double[] {10, 0, -600}, 0, 0, 0, 0);
         Ratings ratings = new Ratings(List.of(0, 1, 2), RatingFit.of(3, league.groups().stream()

@@ -268,8 +268,8 @@ class GameStoreTest {
             int season = store.open(SEASON);
             Version a = store.add("a", "./a", false, "1a", 1);
             Version b = store.add("b", "./b", false, "1b", 2);
-            StoredGame failed = new StoredGame(0, GameName.of(SEASON, 7, List.of("1a", "1b"), 1), 7, 7, 1, true, 1, null, 1007,
-                "here", null, List.of(new StoredSeat(a.id(), 0, 0, "exited", 1, 100, 100, 100),
+            StoredGame failed = new StoredGame(0, GameName.of(SEASON, 7, List.of("1a", "1b"), 1), 7, 7, 1, true, 1,
+                null, 1007, "here", null, List.of(new StoredSeat(a.id(), 0, 0, "exited", 1, 100, 100, 100),
                 new StoredSeat(b.id(), 0, 0, "exited", 1, 100, 100, 100)));
             store.add(season, List.of(failed, game(a, b, 8, -1, 1, true)));
             assertEquals(List.of(), store.badRows(1));

@@ -57,13 +57,14 @@ class OldLeagueTest {
     void itIsBroughtUpToDateWithAllItsGamesAndGoesOn() throws SQLException {
         assertEquals(4, form(folder.database()));
         String refusal = assertThrows(InputException.class, () -> GameStore.read(folder)).getMessage();
-        assertTrue(refusal.endsWith("found a database of an older form, expected one that 'steward league run' has made "
-            + "or 'steward league verify' has brought up to date"), refusal);
+        assertTrue(refusal.endsWith("found a database of an older form, expected one that 'steward league run' has "
+            + "made or 'steward league verify' has brought up to date"), refusal);
 
         try (GameStore store = GameStore.write(folder)) {
             assertEquals(4, form(store.before().orElseThrow()), "the copy is as it was");
             assertEquals(List.of(), store.badRows(1));
-            assertEquals(List.of("racer", "regular"), store.versions().stream().map(GameStore.Version::display).toList());
+            assertEquals(List.of("racer", "regular"),
+                store.versions().stream().map(GameStore.Version::display).toList());
             Season season = store.lastSeason().orElseThrow();
             Results results = new GameQueries(store, store.season(season).orElseThrow(), season).results();
             assertEquals(2, results.games(), "two games are the others again, on another seed");

@@ -8,7 +8,7 @@ import steward.lab.bench.GroupSection;
 import steward.lab.bench.Row;
 import steward.lab.bench.Section;
 
-/** Bench section on the turn of the official pod race, by every implementation that can play it: {@link BenchPodGames}. */
+/** Bench section on the turn of the official pod race, by all that can play it: {@link BenchPodGames}. */
 record PodTurnSection(PodRaceType.PodRaceSetup setup) implements Section {
 
     /** Number of contenders, in a race and in a brawl. */
