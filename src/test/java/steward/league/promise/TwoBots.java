@@ -103,7 +103,7 @@ final class TwoBots {
         });
     }
 
-    /** For each strength the range of scores with a chance nearest to 95%: no bar that grows with the score is better. */
+    /** For each strength the scores with a chance nearest to 95%: no bar that grows with the score is better. */
     static DoubleSummaryStatistics nearest(int games, double from, double to) {
         return others(games, from, to, (score, chances) -> {
             double best = 0;

@@ -26,7 +26,6 @@ import steward.cli.options.ProgramCommand;
 import steward.cli.options.ThreadsOption;
 import steward.cli.options.WatchOptions;
 import steward.cli.shared.ExitStatus;
-import steward.cli.shared.Games;
 import steward.cli.streams.Interruption;
 import steward.contest.Contest;
 import steward.files.InputException;
