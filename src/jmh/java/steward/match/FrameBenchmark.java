@@ -2,6 +2,7 @@ package steward.match;
 
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.openjdk.jmh.annotations.Benchmark;
@@ -15,6 +16,7 @@ import org.openjdk.jmh.annotations.Scope;
 import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
+import steward.bot.LineBuffer;
 import steward.game.GameSetup;
 import steward.game.GameTypes;
 import steward.game.podrace.PodRace;
@@ -24,9 +26,12 @@ import steward.replay.ReplayHeader;
 import steward.replay.ReplayWriter;
 import steward.scene.SceneFiles;
 import steward.scene.SceneText;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
 
 /**
- * The cost of one line on the official scene: a player's turn frame, an answer, a turn of the replay without impacts.
+ * The cost of one line on the official scene: a player's turn frame, an answer, both by trees of JSON nodes too, a turn
+ * of the replay without impacts.
  * All pods move before every frame and turn, because unchanged values are not written again:
  * {@code ./gradlew jmh -Pbench=Frame}; add {@code -prof gc} to the options to see what is allocated.
  */
@@ -45,6 +50,7 @@ public class FrameBenchmark {
     private Dialogue dialogue;
     private ReplayWriter replay;
     private Turn turn;
+    private JsonNode tree;
     private PodRace race;
     private final PodState[][] states = new PodState[256][];
     private int next;
@@ -66,6 +72,8 @@ public class FrameBenchmark {
         }
         answer();
         dialogue.readAnswer(1, ANSWER, ANSWER.length);
+        LineBuffer line = dialogue.turn(0);
+        tree = JsonMapper.shared().readTree(Arrays.copyOf(line.bytes(), line.size()));
         for (int k = 0; k < states.length; k++) {
             states[k] = new PodState[race.settings().pods()];
             for (int pod = 0; pod < states[k].length; pod++) {
@@ -92,6 +100,18 @@ public class FrameBenchmark {
     public int frame() {
         move();
         return dialogue.turn(0).size() + dialogue.turn(1).size();
+    }
+
+    /** A frame by the textbook: from a tree of JSON nodes, which is there already. */
+    @Benchmark
+    public byte[] frameOfTree() {
+        return JsonMapper.shared().writeValueAsBytes(tree);
+    }
+
+    /** An answer by the textbook: to a tree of JSON nodes. */
+    @Benchmark
+    public JsonNode answerToTree() {
+        return JsonMapper.shared().readTree(ANSWER);
     }
 
     @Benchmark

@@ -4,10 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
-import java.io.ByteArrayInputStream;
-import java.io.DataInputStream;
-import java.io.IOException;
-import java.io.UncheckedIOException;
 import org.junit.jupiter.api.Test;
 import steward.game.Game;
 import steward.game.GameSetup;
@@ -17,7 +13,7 @@ import steward.lab.calibration.SeededPlay;
 import steward.lab.timing.RungJob;
 import steward.lab.timing.Timing;
 import steward.lab.timing.TimingEffort;
-import steward.lab.timing.TurnTimer;
+import steward.lab.timing.WorkTimer;
 import steward.numerics.SplitMix64;
 import steward.scene.json.SceneException;
 
@@ -27,13 +23,8 @@ class PondSeamTest {
     private static final GameSetup POND = PondMatches.changed();
 
     /** Times in this JVM. */
-    private static final Timing HERE = new Timing(new TimingEffort(1, 1, 0, 0, 0), bytes -> {
-        try (DataInputStream job = new DataInputStream(new ByteArrayInputStream(bytes))) {
-            return new TurnTimer(RungJob.read(job).open(POND.physics()));
-        } catch (IOException impossible) {
-            throw new UncheckedIOException(impossible);
-        }
-    });
+    private static final Timing<RungJob> HERE = new Timing<>(new TimingEffort(1, 1, 0, 0, 0),
+        job -> new WorkTimer(job.open(POND.physics())));
 
     private static void command(GameSetup setup, Game game, SplitMix64 random) {
         for (int player = 0; player < game.players(); player++) {

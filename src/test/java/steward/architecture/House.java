@@ -44,7 +44,7 @@ final class House {
         "lab.chart", "lab.oracle", "lab.trial", "lab.stability.pairs", "lab.stability.crowds", "lab.stability.bodies",
         "lab.stability",
         "lab.timing", "lab.calibration", "lab.tradeoff", "lab.tradeoff.report",
-        "lab.bench", "lab.bench.textbook", "lab.bench.section",
+        "lab.bench", "lab.bench.section",
         "lab.cli.bench", "lab.cli");
 
     /** The game for which there are commands and formats of its own. */

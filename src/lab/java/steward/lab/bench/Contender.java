@@ -1,36 +1,19 @@
 package steward.lab.bench;
 
+import steward.lab.timing.TimedPlace;
+import steward.lab.timing.TimedWork;
+import steward.lab.timing.WorkClock;
+import steward.lab.timing.WorkTimer;
+
 /**
- * One way to do a piece of work, to be compared with others.
+ * One way to do some work, to be compared with others.
  *
- * @param work a piece of work, some milliseconds long
+ * @param place where it is timed; never closed
  */
-public record Contender(String name, Clock clock, Work work) {
+public record Contender(String name, TimedPlace place) {
 
-    /** Clock that is counted. */
-    public enum Clock {
-        /** The CPU time of the calling thread, which works alone. */
-        THREAD,
-        /** The CPU time of the whole JVM, because other threads work as well. */
-        JVM,
-        /** Wall-clock time: for threads side by side, and where waiting for other programs counts as well. */
-        WALL
-    }
-
-    /** Some work. */
-    public interface Work {
-
-        /** Does a piece of work and returns how many units it had. */
-        long run() throws Exception;
-    }
-
-    /** Work of the calling thread, or of other threads too: measured by CPU time. */
-    public Contender(String name, boolean threads, Work work) {
-        this(name, threads ? Clock.JVM : Clock.THREAD, work);
-    }
-
-    /** Work of the calling thread alone. */
-    public Contender(String name, Work work) {
-        this(name, Clock.THREAD, work);
+    /** Work in this JVM, by a clock. */
+    public static Contender of(String name, WorkClock clock, TimedWork work) {
+        return new Contender(name, new WorkTimer(clock, work));
     }
 }

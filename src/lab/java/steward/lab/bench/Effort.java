@@ -1,48 +1,36 @@
 package steward.lab.bench;
 
+import steward.lab.timing.TimingEffort;
+
 /** Amount of measuring. */
 public enum Effort {
-    /** Minutes in all: for ratios that differ much. */
-    QUICK(50, 1500, 5, 20),
+    /** A minute in all: for ratios that differ much. */
+    QUICK(new TimingEffort(1, 5, 0.02, 0.05, 1.5), 1),
     /** Minutes. */
-    NORMAL(3000, 9000, 7, 200),
+    NORMAL(new TimingEffort(1, 7, 0.2, 3, 9), 3),
     /** For tables that are kept. */
-    LONG(4000, 12000, 11, 500);
+    LONG(new TimingEffort(1, 11, 0.5, 4, 12), 5);
 
-    private final long warmUpMs;
-    private final long mostWarmUpMs;
-    private final int rounds;
-    private final long roundMs;
+    private final TimingEffort timing;
+    private final int few;
 
-    Effort(long warmUpMs, long mostWarmUpMs, int rounds, long roundMs) {
-        this.warmUpMs = warmUpMs;
-        this.mostWarmUpMs = mostWarmUpMs;
-        this.rounds = rounds;
-        this.roundMs = roundMs;
+    Effort(TimingEffort timing, int few) {
+        this.timing = timing;
+        this.few = few;
     }
 
-    /** Returns how long each contender warms up at least, in milliseconds of CPU time. */
-    public long warmUpMs() {
-        return warmUpMs;
+    /** Returns what is usual. */
+    public TimingEffort timing() {
+        return timing;
     }
 
-    /** Returns how long a contender warms up that does not settle, in milliseconds of CPU time. */
-    long mostWarmUpMs() {
-        return mostWarmUpMs;
+    /** Returns the usual warm-up before few rounds, for those that take many seconds each. */
+    public TimingEffort few() {
+        return timing.withRounds(few);
     }
 
-    /** Returns how many measurements the median is taken of. */
-    public int rounds() {
-        return rounds;
-    }
-
-    /** Returns how many measurements the median is taken of where each takes many seconds. */
-    public int fewRounds() {
-        return this == QUICK ? 1 : this == NORMAL ? 3 : 5;
-    }
-
-    /** Returns the CPU time of one measurement, in milliseconds. */
-    long roundMs() {
-        return roundMs;
+    /** Returns so many rounds in which programs are started, a tenth of them if quick, after a second of warm-up. */
+    public TimingEffort rounds(int number) {
+        return new TimingEffort(1, this == QUICK ? number / 10 : number, 0, Math.min(1, timing.warmLeast()), 1);
     }
 }

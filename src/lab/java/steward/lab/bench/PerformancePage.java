@@ -45,12 +45,8 @@ final class PerformancePage {
     /** A paragraph from the same rows. */
     private static void growth(StringBuilder page, List<Row> rows) {
         StringBuilder said = new StringBuilder();
-        between(said, rows, "crowds", "queue, ", "bodies", "an impact");
+        bodies(said, rows);
         memory(said, rows);
-        between(said, rows, "growth", "", "players, or in matches of other lengths", "a turn");
-        rows.stream().filter(row -> row.section().equals("matches") && row.name().endsWith(" threads"))
-            .reduce((one, other) -> other).ifPresent(row -> said.append("- With cores: ").append(row.name())
-                .append(" play ").append(ratio(row.ratio())).append(" times the matches of one, and the same ones.\n"));
         if (said.length() > 0) {
             page.append("\n## How cost grows\n\n").append(said);
         }
@@ -75,14 +71,13 @@ final class PerformancePage {
         }
     }
 
-    private static void between(StringBuilder said, List<Row> rows, String section, String start, String what,
-                                String unit) {
-        List<Row> own = rows.stream().filter(row -> row.section().equals(section) && row.name().startsWith(start))
-            .collect(Collectors.toList());
+    private static void bodies(StringBuilder said, List<Row> rows) {
+        String start = "queue, ";
+        List<Row> own = rows.stream().filter(row -> row.section().equals("crowds") && row.name().startsWith(start))
+            .toList();
         if (own.size() > 1) {
-            said.append("- With ").append(what).append(": ").append(unit).append(" takes ");
             said.append(own.stream().map(row -> time(row.nanos()) + " (" + row.name().substring(start.length()) + ")")
-                .collect(Collectors.joining(", "))).append(".\n");
+                .collect(Collectors.joining(", ", "- With bodies: an impact takes ", ".\n")));
         }
     }
 

@@ -11,19 +11,14 @@ public interface Section {
     /** Describes the measurement in one or two sentences for the page. */
     String about();
 
-    /** Returns how often {@link #run} will report what is measured, approximately. */
+    /** Returns how many steps of progress {@link #run} makes, approximately. */
     int steps(Effort effort);
-
-    /** True if so few rounds are measured that ratios are not to be compared; notes of the rows say nothing of it. */
-    default boolean isRough(Effort effort) {
-        return false;
-    }
 
     /**
      * Measures; each row is passed on as soon as it is known.
      *
-     * @param about receives what is measured now
+     * @param step called after each step
      * @throws Exception if something cannot be measured, with a readable message
      */
-    void run(Effort effort, Consumer<String> about, Consumer<Row> rows) throws Exception;
+    void run(Effort effort, Runnable step, Consumer<Row> rows) throws Exception;
 }

@@ -144,15 +144,15 @@ public final class Calibration {
     /**
      * Times the rungs on the first states; before this there are no figures.
      *
-     * @param timing times a {@link RungJob} for each
+     * @param timing times the job of each
      * @param step   called after each step of it
      */
-    public void time(Timing timing, Runnable step) {
+    public void time(Timing<RungJob> timing, Runnable step) {
         SeededPlay play = plays.apply(0);
         List<Bodies> timed = Stream.generate(play::next).limit(Math.min(TIMED, states)).toList();
         String scene = setup.scene().json();
         TimingSamples measured = timing.run(rungs.stream()
-            .map(rung -> new RungJob(scene, rung, setup.plan().bodies(), timed).bytes()).toList(), step);
+            .map(rung -> new RungJob(scene, rung, setup.plan().bodies(), timed)).toList(), step);
         synchronized (blocks) {
             samples = measured;
         }

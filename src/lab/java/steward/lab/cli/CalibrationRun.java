@@ -19,6 +19,7 @@ import steward.game.Pilot;
 import steward.lab.calibration.Calibration;
 import steward.lab.calibration.SeededPlay;
 import steward.lab.timing.Machine;
+import steward.lab.timing.RungJob;
 import steward.lab.timing.Timing;
 import steward.lab.timing.TimingEffort;
 import steward.scene.AccuracyFigures;
@@ -42,7 +43,7 @@ final class CalibrationRun {
     private final Path file;
     private final Path unfinished;
     private final Calibration calibration;
-    private final Timing timing;
+    private final Timing<RungJob> timing;
     private final String date = LocalDate.now(ZoneOffset.UTC).toString();
     private boolean written;
 
@@ -50,7 +51,8 @@ final class CalibrationRun {
      * @param file   for the figures
      * @param timing times the rungs
      */
-    CalibrationRun(Streams streams, GameSetup setup, Path file, Calibration calibration, Timing timing) {
+    CalibrationRun(Streams streams, GameSetup setup, Path file, Calibration calibration,
+                   Timing<RungJob> timing) {
         this.timing = timing;
         this.streams = streams;
         this.setup = setup;
@@ -65,7 +67,7 @@ final class CalibrationRun {
             : TimingEffort.NORMAL, TimingMain.class));
     }
 
-    static CalibrationRun of(Streams streams, GameSetup setup, Path file, int states, Timing timing) {
+    static CalibrationRun of(Streams streams, GameSetup setup, Path file, int states, Timing<RungJob> timing) {
         try {
             return new CalibrationRun(streams, setup, file,
                 new Calibration(setup, seed -> new SeededPlay(setup, setup.pilot(Pilot.Aim.WIN), seed), states),

@@ -1,10 +1,9 @@
 package steward.lab.cli;
 
-import java.io.DataInputStream;
 import java.io.IOException;
 import steward.cli.shared.Games;
 import steward.lab.timing.RungJob;
-import steward.lab.timing.TimedTurns;
+import steward.lab.timing.TimedWork;
 import steward.lab.timing.TimingChild;
 import steward.lab.tradeoff.GrazingPasses;
 import steward.physics.PhysicsParts;
@@ -20,9 +19,8 @@ public final class TimingMain {
         TimingChild.serve(System.in, System.out, TimingMain::open);
     }
 
-    static TimedTurns open(DataInputStream job) throws IOException {
-        RungJob rung = RungJob.read(job);
-        return rung.open(parts(rung.scene()));
+    static TimedWork open(RungJob job) {
+        return job.open(parts(job.scene()));
     }
 
     /** @param scene a scene as JSON, or the name of the passes */

@@ -1,10 +1,8 @@
 package steward.lab.timing;
 
-import java.io.ByteArrayOutputStream;
 import java.io.DataInputStream;
 import java.io.DataOutputStream;
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import steward.physics.Bodies;
@@ -12,7 +10,7 @@ import steward.physics.PhysicsParts;
 import steward.scene.Accuracy;
 
 /**
- * The flights of a turn on a rung, timed in another JVM.
+ * The flights of a turn on a rung, to be timed in this JVM or in another.
  *
  * @param scene  what the other JVM needs to make the physics: a scene as JSON, or a name
  * @param rung   to time
@@ -21,42 +19,24 @@ import steward.scene.Accuracy;
  */
 public record RungJob(String scene, Accuracy rung, int bodies, List<Bodies> states) {
 
-    /** The job as it is sent. */
-    public byte[] bytes() {
-        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        try (DataOutputStream out = new DataOutputStream(bytes)) {
-            writeText(out, scene);
-            out.writeUTF(rung.text());
-            out.writeInt(bodies);
-            StateBytes.write(out, states);
-        } catch (IOException impossible) {
-            throw new UncheckedIOException(impossible);
-        }
-        return bytes.toByteArray();
+    /** @throws IOException if the job cannot be written */
+    void write(DataOutputStream out) throws IOException {
+        byte[] text = scene.getBytes(StandardCharsets.UTF_8);      // a text of any length
+        out.writeInt(text.length);
+        out.write(text);
+        out.writeUTF(rung.text());
+        out.writeInt(bodies);
+        StateBytes.write(out, states);
     }
 
-    /**
-     * Reads a job.
-     *
-     * @throws IOException if it is cut off
-     */
-    public static RungJob read(DataInputStream in) throws IOException {
-        return new RungJob(readText(in), Accuracy.parse(in.readUTF()), in.readInt(), StateBytes.read(in));
+    /** @throws IOException if the job is cut off */
+    static RungJob read(DataInputStream in) throws IOException {
+        return new RungJob(new String(in.readNBytes(in.readInt()), StandardCharsets.UTF_8),
+            Accuracy.parse(in.readUTF()), in.readInt(), StateBytes.read(in));
     }
 
     /** @param parts the physics of the scene */
-    public TimedTurns open(PhysicsParts parts) {
+    public TimedWork open(PhysicsParts parts) {
         return new StateTurns(states, rung.advance(parts.withArithmetic(rung.arithmetic()), bodies));
-    }
-
-    /** Writes a text of any length. */
-    private static void writeText(DataOutputStream out, String text) throws IOException {
-        byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
-        out.writeInt(bytes.length);
-        out.write(bytes);
-    }
-
-    private static String readText(DataInputStream in) throws IOException {
-        return new String(in.readNBytes(in.readInt()), StandardCharsets.UTF_8);
     }
 }

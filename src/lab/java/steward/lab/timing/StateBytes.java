@@ -9,12 +9,12 @@ import steward.physics.Bodies;
 import steward.physics.PassingPairs;
 
 /** States as bytes: one JVM draws them, others time turns that begin with them. */
-public final class StateBytes {
+final class StateBytes {
 
     private StateBytes() { }
 
     /** @throws IOException if they cannot be written */
-    public static void write(DataOutputStream out, List<Bodies> states) throws IOException {
+    static void write(DataOutputStream out, List<Bodies> states) throws IOException {
         out.writeInt(states.size());
         for (Bodies bodies : states) {
             out.writeInt(bodies.capacity());
@@ -42,7 +42,7 @@ public final class StateBytes {
     }
 
     /** @throws IOException if they cannot be read */
-    public static List<Bodies> read(DataInputStream in) throws IOException {
+    static List<Bodies> read(DataInputStream in) throws IOException {
         List<Bodies> states = new ArrayList<>();
         for (int left = in.readInt(); left > 0; left--) {
             Bodies bodies = new Bodies(in.readInt(), in.readInt());

@@ -1,9 +1,9 @@
 package steward.lab.timing;
 
 /**
- * A measured stretch of turns.
+ * A measured stretch of work.
  *
- * @param nanos a turn's CPU time, in nanoseconds
- * @param bytes a turn's allocation; NaN where the JVM does not tell it
+ * @param nanos a unit's time by the clock of the measurement, in nanoseconds
+ * @param bytes a unit's allocation; NaN where nobody tells
  */
 public record Stretch(double nanos, double bytes) { }

@@ -1,19 +1,30 @@
 package steward.lab.timing;
 
-/** Place where one kind of turns is timed: a JVM of its own, or this one. */
+import java.util.concurrent.TimeUnit;
+
+/** Place where one kind of work is timed: a JVM of its own, or this one. */
+@FunctionalInterface
 public interface TimedPlace extends AutoCloseable {
 
+    /** Nanoseconds of a second. */
+    double NANOS = TimeUnit.SECONDS.toNanos(1);
+
     /**
-     * Runs without keeping times until these are steady.
+     * Works without keeping times until these are steady; by default for the least time, by the wall clock.
      *
-     * @param least seconds of CPU, at least
-     * @param most  seconds of CPU after which it is given up
+     * @param least seconds, at least
+     * @param most  seconds after which it is given up
      * @return whether they have become steady
      */
-    boolean warmUp(double least, double most);
+    default boolean warmUp(double least, double most) throws Exception {
+        for (long begin = System.nanoTime(); System.nanoTime() - begin < least * NANOS;) {
+            round(0);
+        }
+        return true;
+    }
 
-    /** Measures at least so many seconds of CPU, and all states once in any case. */
-    Stretch round(double least);
+    /** Measures at least so many seconds, and every different piece of work once in any case. */
+    Stretch round(double least) throws Exception;
 
     @Override
     default void close() { }

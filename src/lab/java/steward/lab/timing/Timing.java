@@ -3,60 +3,99 @@ package steward.lab.timing;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.concurrent.Callable;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
 import java.util.function.Function;
 
 /*
  * The kinds take turns in each round, every other round in the opposite order, so that a slow period of the machine
- * affects all of them. Starting and warming up is done for as many at once as there are processors; rounds are measured
- * one at a time, while all the other JVMs wait for a word.
+ * affects all of them. JVMs are started and warmed up by as many at once as there are processors; places in this JVM
+ * by the calling thread, one after the other. Rounds are measured one at a time, while all other JVMs wait for a word.
  */
 
-/** Times some kinds of turns against each other, each in a place of its own. */
-public final class Timing {
+/**
+ * Times some kinds of work against each other, each in a place of its own.
+ *
+ * @param <J> what a place needs to know
+ */
+public final class Timing<J> {
 
     private final TimingEffort effort;
-    private final Function<byte[], TimedPlace> start;
+    private final Function<J, TimedPlace> start;
+    private final int atOnce;
 
-    /** @param start makes the place where a job is timed */
-    public Timing(TimingEffort effort, Function<byte[], TimedPlace> start) {
+    /** @param start makes the place where a job is timed, in this JVM */
+    public Timing(TimingEffort effort, Function<J, TimedPlace> start) {
+        this(effort, start, 1);
+    }
+
+    Timing(TimingEffort effort, Function<J, TimedPlace> start, int atOnce) {
         this.effort = effort;
         this.start = start;
+        this.atOnce = atOnce;
     }
 
     /** In a JVM for each job, whose main class serves as {@link TimingChild}. */
-    public static Timing inJvms(TimingEffort effort, Class<?> main) {
-        return new Timing(effort, job -> new TimingJvm(main, job));
+    public static Timing<RungJob> inJvms(TimingEffort effort, Class<?> main) {
+        return new Timing<>(effort, job -> new TimingJvm(main, job), Runtime.getRuntime().availableProcessors());
     }
 
     /** Returns how many steps of progress {@link #run} makes with so many jobs. */
     public int steps(int jobs) {
-        return effort.repeats() * (jobs + effort.rounds());
+        return effort.steps(jobs);
     }
 
     /**
      * Times all jobs.
      *
      * @param step called after each step, by any thread
-     * @throws IllegalStateException if a place cannot be made or fails
+     * @throws IllegalStateException if a place cannot be made or fails, or this thread is interrupted
      */
-    public TimingSamples run(List<byte[]> jobs, Runnable step) {
-        TimingSamples samples = new TimingSamples(jobs.size(), effort.repeats(), effort.rounds());
+    public TimingSamples run(List<J> jobs, Runnable step) {
+        try {
+            return run(jobs, step, whole -> { });
+        } catch (RuntimeException problem) {
+            throw problem;
+        } catch (InterruptedException interruption) {
+            Thread.currentThread().interrupt();
+            throw new IllegalStateException("interrupted while timing", interruption);
+        } catch (Exception problem) {
+            throw new IllegalStateException(problem.getMessage(), problem);
+        }
+    }
+
+    /**
+     * Times all jobs.
+     *
+     * @param interrupted receives the whole rounds, if there are any, when this thread is interrupted
+     * @throws Exception what a place threw, or of the interruption
+     */
+    public TimingSamples run(List<J> jobs, Runnable step, Consumer<TimingSamples> interrupted) throws Exception {
+        TimingSamples samples = new TimingSamples();
         for (int repeat = 0; repeat < effort.repeats(); repeat++) {
             TimedPlace[] places = new TimedPlace[jobs.size()];
+            samples.begin();
             try {
-                open(jobs, places, samples, step);
+                open(jobs, places, step);
                 for (int round = 0; round < effort.rounds(); round++) {
+                    Stretch[] stretches = new Stretch[places.length];
                     for (int k = 0; k < places.length; k++) {
                         int job = round % 2 == 0 ? k : places.length - 1 - k;
-                        samples.add(job, repeat, round, places[job].round(effort.round()));
+                        stretches[job] = places[job].round(effort.round());
                     }
+                    samples.add(stretches);
                     step.run();
                 }
+            } catch (Exception problem) {              // an interrupt appears as the failure of a write or a match
+                if ((Thread.interrupted() || problem instanceof InterruptedException) && samples.rounds() > 0) {
+                    interrupted.accept(samples);
+                }
+                throw problem;
             } finally {
                 Arrays.stream(places).filter(place -> place != null).forEach(TimedPlace::close);
             }
@@ -64,42 +103,41 @@ public final class Timing {
         return samples;
     }
 
-    private void open(List<byte[]> jobs, TimedPlace[] places, TimingSamples samples, Runnable step) {
-        ExecutorService threads = Executors.newFixedThreadPool(Runtime.getRuntime().availableProcessors(), task -> {
+    private void open(List<J> jobs, TimedPlace[] places, Runnable step) throws Exception {
+        List<Callable<Void>> tasks = new ArrayList<>();
+        for (int k = 0; k < places.length; k++) {
+            int job = k;
+            tasks.add(() -> {
+                places[job] = start.apply(jobs.get(job));
+                places[job].warmUp(effort.warmLeast(), effort.warmMost());
+                step.run();
+                return null;
+            });
+        }
+        if (atOnce == 1) {
+            for (Callable<Void> task : tasks) {
+                task.call();
+            }
+        } else {
+            openAtOnce(tasks);
+        }
+    }
+
+    private void openAtOnce(List<Callable<Void>> tasks) throws Exception {
+        ExecutorService threads = Executors.newFixedThreadPool(atOnce, task -> {
             Thread thread = new Thread(task, "timing");
             thread.setDaemon(true);
             return thread;
         });
         try {
-            List<Future<?>> all = new ArrayList<>();
-            for (int k = 0; k < places.length; k++) {
-                int job = k;
-                all.add(threads.submit(() -> {
-                    places[job] = start.apply(jobs.get(job));
-                    places[job].warmUp(effort.warmLeast(), effort.warmMost());
-                    step.run();
-                }));
-            }
-            for (Future<?> each : all) {
+            for (Future<Void> each : tasks.stream().map(threads::submit).toList()) {
                 each.get();
             }
         } catch (ExecutionException problem) {
-            throw new IllegalStateException(problem.getCause().getMessage(), problem.getCause());
-        } catch (InterruptedException interruption) {
-            Thread.currentThread().interrupt();
-            throw new IllegalStateException("interrupted while timing", interruption);
+            throw problem.getCause() instanceof Exception cause ? cause : problem;
         } finally {
             threads.shutdownNow();
-            awaitEnd(threads);
-        }
-    }
-
-    /** A place that is just being made is closed with the others. */
-    private static void awaitEnd(ExecutorService threads) {
-        try {
-            threads.awaitTermination(1, TimeUnit.MINUTES);
-        } catch (InterruptedException interruption) {
-            Thread.currentThread().interrupt();
+            threads.awaitTermination(1, TimeUnit.MINUTES);         // a place that is just being made is closed too
         }
     }
 }

@@ -5,9 +5,9 @@ package steward.lab.timing;
  *
  * @param repeats    how many times everything is started anew: what a compiler makes of a loop differs from one JVM to
  *                   the next by more than rounds do
- * @param rounds     in each repeat; in a round each kind of turns is measured once
- * @param round      seconds of CPU of a kind in a round, at least; all its states once in any case
- * @param warmLeast  seconds of CPU that each kind runs before it is timed, at least
+ * @param rounds     in each repeat; in a round each kind of work is measured once
+ * @param round      seconds of a kind in a round, at least; all its different pieces once in any case
+ * @param warmLeast  seconds that each kind runs before it is timed, at least
  * @param warmMost   seconds after which it is timed although its times are not steady
  */
 public record TimingEffort(int repeats, int rounds, double round, double warmLeast, double warmMost) {
@@ -22,5 +22,15 @@ public record TimingEffort(int repeats, int rounds, double round, double warmLea
         if (repeats < 1 || rounds < 1) {
             throw new IllegalArgumentException(repeats + " repeats of " + rounds + " rounds, expected at least 1");
         }
+    }
+
+    /** Returns the same with another number of rounds. */
+    public TimingEffort withRounds(int number) {
+        return new TimingEffort(repeats, number, round, warmLeast, warmMost);
+    }
+
+    /** Returns how many steps of progress a timing of so many jobs makes. */
+    public int steps(int jobs) {
+        return repeats * (jobs + rounds);
     }
 }

@@ -14,7 +14,7 @@ import java.util.concurrent.TimeUnit;
  * another kind. It runs the same Java on the same class path as this one, with the JVM's own choice of compilers, and
  * ends when its input does, so it does not outlive this one.
  */
-public final class TimingJvm implements TimedPlace {
+final class TimingJvm implements TimedPlace {
 
     private static final int PATIENCE_SECONDS = 10;
     /** Time for this JVM to end when Ctrl-C ends both, before it complains of the other. */
@@ -31,7 +31,7 @@ public final class TimingJvm implements TimedPlace {
      * @param main the class whose main method serves as {@link TimingChild}
      * @throws IllegalStateException if it cannot be started, or does not understand its job
      */
-    public TimingJvm(Class<?> main, byte[] job) {
+    TimingJvm(Class<?> main, RungJob job) {
         try {
             process = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
                 "-XX:+UseSerialGC", "-XX:-UsePerfData", "-cp", System.getProperty("java.class.path"), main.getName())
@@ -41,10 +41,7 @@ public final class TimingJvm implements TimedPlace {
         }
         out = new DataOutputStream(new BufferedOutputStream(process.getOutputStream()));
         in = new DataInputStream(new BufferedInputStream(process.getInputStream()));
-        ask(() -> {
-            out.writeInt(job.length);
-            out.write(job);
-        }, () -> true);
+        ask(() -> job.write(out), () -> true);
     }
 
     boolean isAlive() {

@@ -1,60 +1,66 @@
 package steward.lab.timing;
 
-import java.util.Arrays;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.DoubleStream;
+import java.util.stream.Stream;
 import steward.numerics.Median;
 
-/** The measured rounds of some kinds of turns, and what is said of them: medians, and ratios of the same medians. */
+/** The measured rounds of some kinds of work, and what is said of them: medians, and ratios of the same medians. */
 public final class TimingSamples {
 
-    private final double[][][] nanos;
-    private final double[] bytes;
+    /** By repeat and round; a round has a stretch of each kind. */
+    private final List<List<Stretch[]>> repeats = new ArrayList<>();
 
-    /** @param jobs how many kinds */
-    TimingSamples(int jobs, int repeats, int rounds) {
-        nanos = new double[jobs][repeats][rounds];
-        bytes = new double[jobs];
-        Arrays.fill(bytes, Double.POSITIVE_INFINITY);
+    /** Begins a repeat, in places of its own. */
+    void begin() {
+        repeats.add(new ArrayList<>());
     }
 
-    void add(int job, int repeat, int round, Stretch stretch) {
-        nanos[job][repeat][round] = stretch.nanos();
-        bytes[job] = Double.isNaN(stretch.bytes()) ? Double.NaN : Math.min(bytes[job], stretch.bytes());
+    void add(Stretch... round) {
+        repeats.get(repeats.size() - 1).add(round);
     }
 
-    /** Returns how many rounds each kind has, of all repeats together. */
+    /** Returns how many whole rounds there are, of all repeats together. */
     public int rounds() {
-        return nanos.length == 0 ? 0 : nanos[0].length * nanos[0][0].length;
+        return repeats.stream().mapToInt(List::size).sum();
     }
 
     /** Returns the number of repeats, each in places of its own. */
     public int repeats() {
-        return nanos.length == 0 ? 0 : nanos[0].length;
+        return repeats.size();
     }
 
-    private double[] all(int job) {
-        return Arrays.stream(nanos[job]).flatMapToDouble(Arrays::stream).sorted().toArray();
+    private Stream<Stretch[]> all() {
+        return repeats.stream().flatMap(List::stream);
     }
 
-    /** Nanoseconds of a turn: the median of all rounds. */
+    /** Nanoseconds of a unit: the median of all rounds. */
     public double median(int job) {
-        return Median.of(all(job));
+        return Median.of(all().mapToDouble(round -> round[job].nanos()).toArray());
     }
 
-    /** The time of a turn as a multiple of another kind's: of the medians. */
+    /** The time of a unit as a multiple of another kind's: of the medians. */
     public double ratio(int job, int other) {
         return median(job) / median(other);
     }
 
-    /** Nanoseconds of a turn in each repeat: the median of its rounds. */
+    /** The same ratio in each round, ascending. */
+    public double[] ratios(int job, int other) {
+        return all().mapToDouble(round -> round[job].nanos() / round[other].nanos()).sorted().toArray();
+    }
+
+    /** Nanoseconds of a unit in each repeat: the median of its rounds. */
     public double[] medians(int job) {
-        return Arrays.stream(nanos[job]).mapToDouble(Median::of).toArray();
+        return repeats.stream().mapToDouble(rounds -> Median.of(rounds.stream()
+            .mapToDouble(round -> round[job].nanos()).toArray())).toArray();
     }
 
     /**
-     * Bytes that a turn allocates, in the round with the fewest: the JVM's own work (a growing buffer) is no cost of a
-     * turn. NaN where the JVM does not tell.
+     * Bytes that a unit allocates, in the round with the fewest: the JVM's own work (a growing buffer) is no cost of a
+     * unit. NaN where nobody tells.
      */
     public double bytes(int job) {
-        return bytes[job];
+        return all().flatMapToDouble(round -> DoubleStream.of(round[job].bytes())).min().orElse(Double.NaN);
     }
 }

@@ -1,30 +1,47 @@
 package steward.lab.timing;
 
+import com.sun.management.OperatingSystemMXBean;
 import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
+import java.util.Arrays;
+import java.util.function.DoubleSupplier;
+import java.util.function.LongSupplier;
 
-/** Use of this thread so far: CPU time, so that other load on the machine does not count, and memory. */
-public final class WorkClock {
+/**
+ * Clock of a measurement, in nanoseconds, and count of the bytes that are allocated meanwhile.
+ *
+ * @param time      so far
+ * @param allocated so far; NaN where nobody tells
+ */
+public record WorkClock(LongSupplier time, DoubleSupplier allocated) {
 
-    private final ThreadMXBean threads =
+    private static final ThreadMXBean THREADS =
         ManagementFactory.getThreadMXBean() instanceof ThreadMXBean known ? known : null;
-    private final boolean cpu = threads != null && threads.isCurrentThreadCpuTimeSupported()
-        && threads.isThreadCpuTimeEnabled();
-    private final boolean bytes = threads != null && threads.isThreadAllocatedMemorySupported()
-        && threads.isThreadAllocatedMemoryEnabled();
+    private static final boolean TELLS_TIME = THREADS != null && THREADS.isCurrentThreadCpuTimeSupported()
+        && THREADS.isThreadCpuTimeEnabled();
+    private static final boolean TELLS_BYTES = THREADS != null && THREADS.isThreadAllocatedMemorySupported()
+        && THREADS.isThreadAllocatedMemoryEnabled();
 
-    /** Nanoseconds of CPU time; of the wall clock where the JVM does not provide it. */
+    /** The wall clock: for work that waits for other programs. */
+    public static final WorkClock WALL = new WorkClock(System::nanoTime, () -> Double.NaN);
+    /** CPU time of the calling thread, which works alone; the wall clock where the JVM does not tell it. */
+    public static final WorkClock THREAD = new WorkClock(
+        TELLS_TIME ? THREADS::getCurrentThreadCpuTime : System::nanoTime,
+        () -> TELLS_BYTES ? THREADS.getThreadAllocatedBytes(Thread.currentThread().getId()) : Double.NaN);
+    /** CPU time of the whole JVM, because other threads work as well; what all threads that live have allocated. */
+    public static final WorkClock JVM = new WorkClock(
+        ManagementFactory.getOperatingSystemMXBean() instanceof OperatingSystemMXBean system
+            ? system::getProcessCpuTime : System::nanoTime,
+        () -> TELLS_BYTES ? Arrays.stream(THREADS.getThreadAllocatedBytes(THREADS.getAllThreadIds()))
+            .filter(bytes -> bytes > 0).sum() : Double.NaN);
+
+    /** Returns the time so far, in nanoseconds. */
     public long nanos() {
-        return cpu ? threads.getCurrentThreadCpuTime() : System.nanoTime();
+        return time.getAsLong();
     }
 
-    /** Bytes allocated; 0 where {@link #tellsBytes} is false. */
-    public long bytes() {
-        return bytes ? threads.getThreadAllocatedBytes(Thread.currentThread().getId()) : 0;
-    }
-
-    /** True if the JVM tells what is allocated. */
-    public boolean tellsBytes() {
-        return bytes;
+    /** Returns the bytes allocated so far. */
+    public double bytes() {
+        return allocated.getAsDouble();
     }
 }

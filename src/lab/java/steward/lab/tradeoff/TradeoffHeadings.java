@@ -69,7 +69,7 @@ public record TradeoffHeadings(String headings, long podTurns, long differing, d
      */
     public static TradeoffHeadings measure(boolean aligned, int podTurns, Runnable step) {
         SplitMix64 random = new SplitMix64(SEED);
-        WorkClock clock = new WorkClock();
+        WorkClock clock = WorkClock.THREAD;
         Block block = new Block();
         int blocks = steps(podTurns);
         double[] angles = new double[blocks];

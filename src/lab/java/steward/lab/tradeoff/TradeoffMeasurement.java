@@ -21,7 +21,7 @@ public final class TradeoffMeasurement {
     private static final int TRIES = 10;
 
     private final TradeoffScene scene;
-    private final Timing timing;
+    private final Timing<RungJob> timing;
     private final List<Accuracy> ladder;
     private final int states;
     private final int freeRuns;
@@ -29,9 +29,9 @@ public final class TradeoffMeasurement {
 
     /**
      * @param effort how much of the scene's states and free runs
-     * @param timing times a {@link RungJob} for each rung
+     * @param timing times the job of each rung
      */
-    public TradeoffMeasurement(TradeoffScene scene, TradeoffEffort effort, Timing timing) {
+    public TradeoffMeasurement(TradeoffScene scene, TradeoffEffort effort, Timing<RungJob> timing) {
         this.scene = scene;
         this.timing = timing;
         ladder = Accuracy.ladder().stream().filter(rung -> rung.steps() <= scene.mostSteps()).toList();
@@ -83,9 +83,8 @@ public final class TradeoffMeasurement {
             throw new IllegalStateException(scene.name() + ": every turn came to the bound on impacts");
         }
         int[] free = freeRuns(starts, rungs, step);
-        List<byte[]> jobs = ladder.stream()
-            .map(rung -> new RungJob(scene.inChild(), rung, first.size(), starts).bytes()).toList();
-        TimingSamples samples = timing.run(jobs, () -> big(step));
+        TimingSamples samples = timing.run(ladder.stream()
+            .map(rung -> new RungJob(scene.inChild(), rung, first.size(), starts)).toList(), () -> big(step));
         return rows(errors, samples, impacts, free);
     }
 

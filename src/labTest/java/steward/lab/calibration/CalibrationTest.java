@@ -19,8 +19,8 @@ import steward.game.GameTypes;
 import steward.game.Pilot;
 import steward.game.podrace.protocol.PodRaceType;
 import steward.lab.oracle.TurnTruth;
+import steward.lab.timing.RungJob;
 import steward.lab.timing.Stretch;
-import steward.lab.timing.TimedPlace;
 import steward.lab.timing.Timing;
 import steward.lab.timing.TimingEffort;
 import steward.lab.trial.Probe;
@@ -44,17 +44,8 @@ class CalibrationTest {
     }
 
     /** Times that say nothing: only the errors are looked at. */
-    private static final Timing NO_TIMES = new Timing(new TimingEffort(1, 1, 0, 0, 0), job -> new TimedPlace() {
-        @Override
-        public boolean warmUp(double least, double most) {
-            return true;
-        }
-
-        @Override
-        public Stretch round(double least) {
-            return new Stretch(job.length, 0);
-        }
-    });
+    private static final Timing<RungJob> NO_TIMES = new Timing<>(new TimingEffort(1, 1, 0, 0, 0),
+        job -> least -> new Stretch(1, 0));
 
     private static Calibration calibration(int states) {
         GameSetup setup = duel();

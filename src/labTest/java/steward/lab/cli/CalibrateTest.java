@@ -5,11 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
-import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
-import java.io.DataInputStream;
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -36,10 +33,9 @@ import steward.lab.calibration.Calibration;
 import steward.lab.calibration.SeededPlay;
 import steward.lab.timing.RungJob;
 import steward.lab.timing.Stretch;
-import steward.lab.timing.TimedPlace;
 import steward.lab.timing.Timing;
 import steward.lab.timing.TimingEffort;
-import steward.lab.timing.TurnTimer;
+import steward.lab.timing.WorkTimer;
 import steward.scene.Accuracy;
 import steward.scene.AccuracyFigures;
 import steward.scene.SceneFiles;
@@ -51,39 +47,18 @@ import steward.scene.SceneKey;
 class CalibrateTest {
 
     /** Times the rungs in this JVM, and as briefly as can be. */
-    static final Timing HERE = new Timing(new TimingEffort(1, 1, 0, 0, 0), bytes -> {
-        try (DataInputStream job = new DataInputStream(new ByteArrayInputStream(bytes))) {
-            return new TurnTimer(TimingMain.open(job));
-        } catch (IOException impossible) {
-            throw new UncheckedIOException(impossible);
-        }
-    });
+    static final Timing<RungJob> HERE = new Timing<>(new TimingEffort(1, 1, 0, 0, 0),
+        job -> new WorkTimer(TimingMain.open(job)));
 
     /** A rung costs the more the farther up it stands, from step/1 on. */
-    private static final Timing MADE_TIMES = madeTimes(rung -> 30 + 30 * Accuracy.ladder().indexOf(rung));
+    private static final Timing<RungJob> MADE_TIMES = madeTimes(rung -> 30 + 30 * Accuracy.ladder().indexOf(rung));
     /** Exact times cost less than any steps. */
-    private static final Timing CHEAP_EVENTS = madeTimes(rung ->
+    private static final Timing<RungJob> CHEAP_EVENTS = madeTimes(rung ->
         rung.steps() == 0 ? 30 * (1 + rung.arithmetic().ordinal()) : 3000);
 
-    private static Timing madeTimes(ToIntFunction<Accuracy> nanos) {
-        return new Timing(new TimingEffort(1, 1, 0, 0, 0), bytes -> {
-            try (DataInputStream job = new DataInputStream(new ByteArrayInputStream(bytes))) {
-                int each = nanos.applyAsInt(RungJob.read(job).rung());
-                return new TimedPlace() {
-                    @Override
-                    public boolean warmUp(double least, double most) {
-                        return true;
-                    }
-
-                    @Override
-                    public Stretch round(double least) {
-                        return new Stretch(each, 0);
-                    }
-                };
-            } catch (IOException impossible) {
-                throw new UncheckedIOException(impossible);
-            }
-        });
+    private static Timing<RungJob> madeTimes(ToIntFunction<Accuracy> nanos) {
+        return new Timing<>(new TimingEffort(1, 1, 0, 0, 0),
+            job -> least -> new Stretch(nanos.applyAsInt(job.rung()), 0));
     }
 
     @TempDir

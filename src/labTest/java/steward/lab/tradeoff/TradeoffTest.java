@@ -7,10 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.image.BufferedImage;
-import java.io.ByteArrayInputStream;
-import java.io.DataInputStream;
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -21,10 +18,9 @@ import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import steward.lab.timing.RungJob;
 import steward.lab.timing.Timing;
 import steward.lab.timing.TimingEffort;
-import steward.lab.timing.TurnTimer;
+import steward.lab.timing.WorkTimer;
 import steward.lab.tradeoff.report.TradeoffPage;
 import steward.lab.tradeoff.report.TradeoffReport;
 import steward.numerics.SplitMix64;
@@ -63,14 +59,9 @@ class TradeoffTest {
 
     /** In this JVM. */
     private static TradeoffMeasurement measurement() {
-        return new TradeoffMeasurement(tunnel(), TINY, new Timing(TINY.timing(), bytes -> {
-            try (DataInputStream job = new DataInputStream(new ByteArrayInputStream(bytes))) {
-                RungJob rung = RungJob.read(job);
-                assertEquals("tunnel", rung.scene());
-                return new TurnTimer(rung.open(PLAIN));
-            } catch (IOException impossible) {
-                throw new UncheckedIOException(impossible);
-            }
+        return new TradeoffMeasurement(tunnel(), TINY, new Timing<>(TINY.timing(), job -> {
+            assertEquals("tunnel", job.scene());
+            return new WorkTimer(job.open(PLAIN));
         }));
     }
 

@@ -17,7 +17,6 @@ import org.openjdk.jmh.annotations.Warmup;
 import steward.game.podrace.PodRace;
 import steward.game.podrace.PodState;
 import steward.game.podrace.protocol.PodRaceType;
-import steward.lab.bench.textbook.TextbookPodRace;
 import steward.numerics.SplitMix64;
 import steward.physics.event.EventAdvance;
 import steward.scene.SceneFiles;

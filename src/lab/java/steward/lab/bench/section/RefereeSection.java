@@ -8,7 +8,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
@@ -21,20 +20,21 @@ import steward.contest.SeriesPlay;
 import steward.files.Folders;
 import steward.game.GameSetup;
 import steward.guest.GuestType;
+import steward.lab.bench.Comparison;
+import steward.lab.bench.Contender;
 import steward.lab.bench.Effort;
-import steward.lab.bench.Meter;
 import steward.lab.bench.Row;
 import steward.lab.bench.Section;
+import steward.lab.timing.Stretch;
 import steward.match.Protocol;
 import tools.jackson.databind.json.JsonMapper;
 
 /** Bench section on referees made with CodinGame's SDK: games of a small one, in residents and in a JVM a game. */
-record RefereeSection(MatchFixture fixture, Path sdk, int threads) implements Section {
+public record RefereeSection(MatchFixture fixture, Path sdk) implements Section {
 
     private static final List<String> SOURCES = List.of("Player.java", "Referee.java");
     private static final String MAIN = "com.codingame.gameengine.core.RefereeMain";
     private static final String BOT = "sh -c 'while read -r line; do echo \"$line\"; done'";
-    private static final double NANOS = 1e9;
 
     /** Ways to run a referee, and games of a round: about ten seconds of each. */
     private enum Way {
@@ -57,39 +57,26 @@ record RefereeSection(MatchFixture fixture, Path sdk, int threads) implements Se
     @Override
     public String about() {
         return "Games of 100 turns on CodinGame's SDK between two shells that answer at once, by the wall clock: with"
-            + " the SDK's own main class in a JVM for each game, and in resident referees after a round of warm-up."
-            + " All are kept apart as bots are.";
+            + " the SDK's own main class in a JVM for each game, and in resident referees after a round of warm-up,"
+            + " on as many threads as there are processors. All are kept apart as bots are.";
     }
 
     @Override
     public int steps(Effort effort) {
-        return Way.values().length * (1 + effort.fewRounds());
+        return effort.few().steps(Way.values().length);
     }
 
     @Override
-    public boolean isRough(Effort effort) {
-        return effort == Effort.QUICK;
-    }
-
-    @Override
-    public void run(Effort effort, Consumer<String> about, Consumer<Row> rows) throws Exception {
+    public void run(Effort effort, Runnable step, Consumer<Row> rows) throws Exception {
         Path folder = Files.createTempDirectory("steward-bench");
         try {
             List<String> classPath = compile(folder);
-            double first = Double.NaN;
+            List<Contender> contenders = new ArrayList<>();
             for (Way way : Way.values()) {
                 GameSetup setup = fixture.types().open(scene(way, classPath), "bench");
-                double[] speeds = new double[effort.fewRounds()];
-                for (int round = -1; round < speeds.length; round++) {
-                    about.accept(way.words);
-                    double speed = speed(setup, way.games);
-                    speeds[Math.max(0, round)] = speed;
-                }
-                double median = Meter.median(speeds);
-                first = way == Way.COLD ? median : first;
-                rows.accept(new Row(name(), way.words, "games", median, median / first, Double.NaN,
-                    String.format(Locale.ROOT, "%d threads", threads)));
+                contenders.add(new Contender(way.words, least -> play(setup, way.games)));
             }
+            new Comparison(name(), "games", contenders).run(effort.few(), step, rows);
         } finally {
             GuestType.endIdle();
             Folders.delete(folder);
@@ -132,13 +119,13 @@ record RefereeSection(MatchFixture fixture, Path sdk, int threads) implements Se
             Map.of("name", "bench", "game", "guest", "players", 2, "referee", referee));
     }
 
-    private double speed(GameSetup setup, int games) throws InterruptedException, IOException {
+    private static Stretch play(GameSetup setup, int games) throws InterruptedException, IOException {
         Contest contest = Contest.of(setup, List.of("one=" + BOT, "other=" + BOT), Protocol.CODINGAME, 1);
         SeriesPlay play = new SeriesPlay(new Series(contest, 1, games, false, null, KeptReplays.NONE), false);
         int[] played = new int[1];
         String[] problem = new String[1];
         long began = System.nanoTime();
-        play.play(threads, (Series.Played game) -> {
+        play.play(Runtime.getRuntime().availableProcessors(), (Series.Played game) -> {
             played[0] += game.result() == null ? 0 : 1;
             problem[0] = game.failure() == null ? problem[0] : game.failure();
         });
@@ -146,6 +133,6 @@ record RefereeSection(MatchFixture fixture, Path sdk, int threads) implements Se
         if (played[0] != games) {
             throw new IOException(played[0] + " games of " + games + " have a result: " + problem[0]);
         }
-        return games * NANOS / nanos;
+        return new Stretch(nanos / games, Double.NaN);
     }
 }

@@ -10,15 +10,17 @@ import java.util.Locale;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import steward.bot.process.PipeRoundTrip;
+import steward.lab.bench.Comparison;
+import steward.lab.bench.Contender;
 import steward.lab.bench.Effort;
-import steward.lab.bench.Meter;
 import steward.lab.bench.Row;
 import steward.lab.bench.Section;
+import steward.lab.timing.Stretch;
 
 /** Bench section on start-up: from the program's start to the first line that a bot is sent. */
-record StartupSection(MatchFixture fixture) implements Section {
+public record StartupSection(MatchFixture fixture) implements Section {
 
-    private static final double NANOS = 1e9;
+    private static final int ROUNDS = 20;
     private static final double NANOS_PER_MS = 1e6;
 
     @Override
@@ -34,37 +36,22 @@ record StartupSection(MatchFixture fixture) implements Section {
 
     @Override
     public int steps(Effort effort) {
-        return effort == Effort.QUICK ? 2 : 20;
+        return effort.rounds(ROUNDS).steps(2);
     }
 
     @Override
-    public boolean isRough(Effort effort) {
-        return effort == Effort.QUICK;
-    }
-
-    @Override
-    public void run(Effort effort, Consumer<String> about, Consumer<Row> rows) throws Exception {
-        int rounds = effort == Effort.QUICK ? 2 : 20;
-        double[] plain = new double[rounds];
-        double[] launched = new double[rounds];
-        for (int round = 0; round < rounds; round++) {
-            about.accept("round " + (round + 1));
-            plain[round] = start(fixture.plain());
-            launched[round] = fixture.launcher() == null ? Double.NaN : start(fixture.launcher());
-        }
-        double one = Meter.median(plain);
-        rows.accept(row("java -cp", one, 1));
+    public void run(Effort effort, Runnable step, Consumer<Row> rows) throws Exception {
+        List<Contender> contenders = new ArrayList<>();
+        contenders.add(new Contender("java -cp", least -> start(fixture.plain())));
         if (fixture.launcher() != null) {
-            rows.accept(row("launcher", Meter.median(launched), one / Meter.median(launched)));
+            contenders.add(new Contender("launcher", least -> start(fixture.launcher())));
         }
+        new Comparison(name(), "starts", contenders, (samples, k) ->
+            String.format(Locale.ROOT, "%.0f ms to the first frame", samples.median(k) / NANOS_PER_MS))
+            .run(effort.rounds(ROUNDS), step, rows);
     }
 
-    private Row row(String how, double nanos, double ratio) {
-        return new Row(name(), how, "starts", NANOS / nanos, ratio, Double.NaN,
-            String.format(Locale.ROOT, "%.0f ms to the first frame", nanos / NANOS_PER_MS));
-    }
-
-    private static double start(List<String> program) throws IOException {
+    private static Stretch start(List<String> program) throws IOException {
         Path told = Files.createTempFile("steward-bench", ".time");
         try {
             List<String> words = new ArrayList<>(program);
@@ -74,7 +61,8 @@ record StartupSection(MatchFixture fixture) implements Section {
             Instant start = Instant.now();
             new PipeRoundTrip(words).close();
             long nanos = Long.parseLong(Files.readString(told).strip());
-            return nanos - (TimeUnit.SECONDS.toNanos(start.getEpochSecond()) + start.getNano());
+            return new Stretch(nanos - (TimeUnit.SECONDS.toNanos(start.getEpochSecond()) + start.getNano()),
+                Double.NaN);
         } catch (NumberFormatException none) {
             throw new IOException("no frame came to a bot, or `date +%s%N` does not tell nanoseconds here", none);
         } finally {

@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
 import steward.files.Folders;
+import steward.lab.timing.Stretch;
 
 /**
  * Games under one of the tools of others, in a folder of its own, in which two compiled bots are. CPU time is counted
@@ -32,6 +33,8 @@ final class ToolGames implements AutoCloseable {
 
     private final Path folder = Files.createTempDirectory("steward-");     // short: a socket is in it
     private final Tool tool;
+    /** By referee, so that all play the games with the same seeds. */
+    private final int[] seeds = new int[Referee.values().length];
 
     /** Programs that play many games with a referee. */
     enum Tool {
@@ -55,7 +58,7 @@ final class ToolGames implements AutoCloseable {
         }
     }
 
-    /** Referees, in the order in which they play. */
+    /** Referees; that in Go is the one the others are compared with. */
     enum Referee {
         IN_GO("Go referee", "./" + GO, "python3 " + SCRIPT + " ./" + GO),
         PLAIN("steward", "./steward referee", "./steward play --json-league"),
@@ -98,11 +101,21 @@ final class ToolGames implements AutoCloseable {
         }
     }
 
-    /** Returns the CPU time of a game, in nanoseconds. */
-    double nanos(Referee referee, int games, int seed) throws IOException, InterruptedException {
+    /** Measures the CPU time of a game, with or without the start of the resident. */
+    Stretch play(Referee referee, int games) throws IOException, InterruptedException {
+        seeds[referee.ordinal()]++;
+        if (referee == Referee.COLD) {
+            endResident();
+        } else if (referee == Referee.WARM && residents().isEmpty()) {
+            nanos(referee, 1);
+        }
+        return new Stretch(nanos(referee, games), Double.NaN);
+    }
+
+    private double nanos(Referee referee, int games) throws IOException, InterruptedException {
         String call = tool == Tool.BRUTALTESTER ? "java -jar cg-brutaltester.jar"
             + (referee == Referee.IN_GO ? " -o" : "") + " -r '" + referee.referee
-            + "' -p1 ./mine -p2 ./other -n " + games + " -i " + seed
+            + "' -p1 ./mine -p2 ./other -n " + games + " -i " + seeds[referee.ordinal()]
             : "rm -f psyleague.games && sed -i 's,^cmd_play_game = .*,cmd_play_game = \"" + referee.play
             + " ./mine ./other\",' psyleague.cfg && ./psyleague run --silent --games " + games
             + " >/dev/null && cat psyleague.games";

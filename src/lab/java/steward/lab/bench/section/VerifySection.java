@@ -11,11 +11,12 @@ import java.util.Locale;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
 import steward.files.Folders;
+import steward.lab.bench.Comparison;
 import steward.lab.bench.Contender;
 import steward.lab.bench.Effort;
-import steward.lab.bench.Meter;
 import steward.lab.bench.Row;
 import steward.lab.bench.Section;
+import steward.lab.timing.WorkClock;
 import steward.replay.RecordedMatch;
 import steward.replay.RecordedTurn;
 import steward.replay.ReplayReader;
@@ -25,10 +26,10 @@ import steward.replay.verify.Verification;
 import tools.jackson.databind.json.JsonMapper;
 
 /** Bench section on verification: recorded matches, played again and compared. */
-record VerifySection(MatchFixture fixture) implements Section {
+public record VerifySection(MatchFixture fixture) implements Section {
 
     private static final int MATCHES = 50;
-    private static final double MEGABYTE = 1e6;
+    private static final double NANOS_PER_MICRO = 1e3;
 
     @Override
     public String name() {
@@ -43,12 +44,11 @@ record VerifySection(MatchFixture fixture) implements Section {
 
     @Override
     public int steps(Effort effort) {
-        return 1 + 3 * (1 + effort.rounds());
+        return effort.timing().steps(3);
     }
 
     @Override
-    public void run(Effort effort, Consumer<String> about, Consumer<Row> rows) throws Exception {
-        about.accept("recording");
+    public void run(Effort effort, Runnable step, Consumer<Row> rows) throws Exception {
         Path folder = Files.createTempDirectory("steward-bench");
         try {
             List<Path> files = new ArrayList<>();
@@ -62,13 +62,15 @@ record VerifySection(MatchFixture fixture) implements Section {
             }
             double mean = (double) bytes / MATCHES;
             int[] next = new int[3];
-            List<Contender> contenders = List.of(
-                new Contender("textbook: read into trees", () -> read(files.get(next[0]++ % MATCHES))),
-                new Contender("verified from files", () -> verify(files.get(next[1]++ % MATCHES))),
-                new Contender("played again from memory", () -> again(decoded.get(next[2]++ % MATCHES))));
-            new Meter().compare(name(), "matches", contenders, effort, about, row -> rows.accept(
-                row.remark(row.name().startsWith("played") ? ""
-                    : String.format(Locale.ROOT, "%.0f MB/s", row.perSecond() * mean / MEGABYTE))));
+            new Comparison(name(), "matches", List.of(
+                Contender.of("textbook: read into trees", WorkClock.THREAD,
+                    () -> read(files.get(next[0]++ % MATCHES))),
+                Contender.of("verified from files", WorkClock.THREAD, () -> verify(files.get(next[1]++ % MATCHES))),
+                Contender.of("played again from memory", WorkClock.THREAD,
+                    () -> again(decoded.get(next[2]++ % MATCHES)))),
+                (samples, k) -> k == 2 ? "" : String.format(Locale.ROOT, "%.0f MB/s",
+                    mean / samples.median(k) * NANOS_PER_MICRO))
+                .run(effort.timing(), step, rows);
         } finally {
             Folders.delete(folder);
         }

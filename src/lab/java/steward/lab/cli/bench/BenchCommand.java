@@ -31,9 +31,9 @@ import steward.lab.bench.Section;
 import steward.lab.timing.Machine;
 import steward.text.TextFormat;
 
-/** {@code steward bench}: how fast pod turns, matches, frames, replays, bot processes and crowds are. */
-@Command(name = "bench", description = "Measures how fast pod turns, matches, frames, replays, bot processes and "
-    + "crowds of bodies are on this machine, with plain textbook ways to do the same beside them.",
+/** {@code steward bench}: how fast matches, replays, bot processes, starts and crowds are. */
+@Command(name = "bench", description = "Measures how fast matches, replays, bot processes, starts and crowds of bodies "
+    + "are on this machine, with plain ways to do the same beside them.",
     footer = {"", "Ratios are between figures of one run and mean more than the figures.",
         "", "Examples:", "  steward bench --quick", "  steward bench --only crowds --bodies 100 --bodies 1000",
         "  steward bench --long --out results",
@@ -66,13 +66,6 @@ public final class BenchCommand extends ProgramCommand {
     @Option(names = "--long", description = "Measures for tables that are kept, and a million bodies.")
     private boolean full;
 
-    @Option(names = "--threads", paramLabel = "T",
-        description = "Up to how many threads play matches (default: as many as there are processors).")
-    private Integer threads;
-
-    @Option(names = "--games", paramLabel = "N", description = "How many matches the threads play (default: 2000).")
-    private Integer games;
-
     @Option(names = "--bodies", paramLabel = "N",
         description = "A crowd of so many; can be repeated (default: 100, 1000, 10000, 100000).")
     private List<Integer> bodies = new ArrayList<>();
@@ -102,8 +95,7 @@ public final class BenchCommand extends ProgramCommand {
     /** The names of the parts. */
     static final class Parts implements Iterable<String> {
 
-        static final List<String> ALL = List.of("pods", "games", "matches", "growth", "frames", "verify", "processes",
-            "league", "start", TOOLS, REFEREES, "crowds");
+        static final List<String> ALL = List.of("matches", "verify", "processes", "start", TOOLS, REFEREES, "crowds");
 
         @Override
         public Iterator<String> iterator() {
@@ -115,8 +107,6 @@ public final class BenchCommand extends ProgramCommand {
     public Integer call() {
         brief.exclusive("--long", full, "--quick", quick);
         tables.check(out);
-        brief.games(games);
-        brief.threads(threads);
         List<Section> sections = brief.chosen("--only", only, sections(), Section::name, ", ");
         sections = where("--tools", tools, TOOLS, sections);
         sections = where("--sdk", sdk, REFEREES, sections);
@@ -158,9 +148,7 @@ public final class BenchCommand extends ProgramCommand {
             crowds.add(MILLION);
         }
         try {
-            return BenchSuite.all(threads == null ? Runtime.getRuntime().availableProcessors() : threads,
-                games == null ? quick ? 200 : 2000 : games, crowds, Path.of(tools == null ? "" : tools),
-                Path.of(sdk == null ? "" : sdk));
+            return BenchSuite.all(crowds, Path.of(tools == null ? "" : tools), Path.of(sdk == null ? "" : sdk));
         } catch (IllegalArgumentException problem) {
             throw new InputException("--bodies: " + problem.getMessage());
         }
@@ -194,7 +182,7 @@ public final class BenchCommand extends ProgramCommand {
         Effort effort = quick ? Effort.QUICK : full ? Effort.LONG : Effort.NORMAL;
         RunProgress progress = new RunProgress(streams,
             sections.stream().map(section -> BenchSeconds.of(section.name(), effort)).toList());
-        if (games == null && bodies.isEmpty()) {
+        if (bodies.isEmpty()) {
             ProgressLine.announce(streams, TextFormat.about(progress.total()));
         }
         shown.out().println(Machine.line());
@@ -203,10 +191,8 @@ public final class BenchCommand extends ProgramCommand {
             table.begin(section);
             progress.begin(section.name());
             try {
-                measureOne(section, effort, progress, measured -> {
+                measureOne(section, effort, progress, row -> {
                     any = true;
-                    boolean rough = section.isRough(effort) && !Double.isNaN(measured.ratio()) && measured.ratio() != 1;
-                    Row row = measured.remark(rough ? "few rounds: ratio not comparable" : "");
                     rows.add(row);
                     if (files != null) {
                         files.add(row);
@@ -238,9 +224,8 @@ public final class BenchCommand extends ProgramCommand {
     /** The line is erased at the end, so that rows and errors can be printed. */
     private static void measureOne(Section section, Effort effort, RunProgress progress, Consumer<Row> rows)
         throws Exception {
-        Runnable step = progress.steps(section.steps(effort));
         try {
-            section.run(effort, about -> step.run(), rows);
+            section.run(effort, progress.steps(section.steps(effort)), rows);
         } finally {
             progress.end();
         }

@@ -11,14 +11,9 @@ final class BenchSeconds {
      * together; league, crowds, a league of a million games and the crowds of {@code --long} are estimates.
      */
     private static final Map<String, int[]> SECONDS = Map.ofEntries(
-        entry("pods", 17, 48, 104),
-        entry("games", 11, 63, 138),
-        entry("matches", 6, 44, 82),
-        entry("growth", 13, 36, 73),
-        entry("frames", 13, 19, 43),
+        entry("matches", 6, 40, 80),
         entry("verify", 17, 26, 32),
-        entry("processes", 30, 20, 34),
-        entry("league", 26, 110, 110),
+        entry("processes", 30, 90, 110),
         entry("start", 4, 22, 42),
         entry("tools", 40, 250, 410),
         entry("referees", 60, 110, 160),

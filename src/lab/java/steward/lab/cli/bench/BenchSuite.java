@@ -2,16 +2,19 @@ package steward.lab.cli.bench;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import steward.cli.shared.Games;
 import steward.game.GameSetup;
-import steward.game.podrace.protocol.PodRaceType;
 import steward.lab.bench.Section;
+import steward.lab.bench.section.CrowdSection;
 import steward.lab.bench.section.FixedAnswerBot;
 import steward.lab.bench.section.MatchFixture;
-import steward.lab.bench.section.Sections;
+import steward.lab.bench.section.MatchSection;
+import steward.lab.bench.section.ProcessSection;
+import steward.lab.bench.section.RefereeSection;
+import steward.lab.bench.section.StartupSection;
+import steward.lab.bench.section.ToolSection;
+import steward.lab.bench.section.VerifySection;
 import steward.scene.SceneFiles;
 import steward.scene.SceneText;
 
@@ -31,35 +34,24 @@ final class BenchSuite {
     private static final String MAXIMUM = "\"maximumTurns\": 500";
     /** Turns of a match long enough to warm up the JVM that plays it. */
     private static final String LONG = "5000";
-    private static final String PLAYERS = "\"players\": 2";
     private static final List<String> QUICK_JVM = List.of("-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC",
         "-Xshare:auto", "-XX:-UsePerfData");
 
     /**
      * All sections, in the order of the table.
      *
-     * @param tools a folder of tools of others
-     * @param sdk   a folder with the jars of CodinGame's SDK
+     * @param bodies the numbers of bodies of the crowds
+     * @param tools  a folder of tools of others
+     * @param sdk    a folder with the jars of CodinGame's SDK
      */
-    static List<Section> all(int threads, int games, List<Integer> bodies, Path tools, Path sdk) {
+    static List<Section> all(List<Integer> bodies, Path tools, Path sdk) {
         MatchFixture fixture = fixture();
-        List<Section> sections = new ArrayList<>();
-        sections.add(new PodTurnSection((PodRaceType.PodRaceSetup) fixture.setup()));
-        sections.add(new GameTurnSection());
-        sections.add(Sections.matches(fixture, threads, games));
-        sections.add(Sections.growth(fixture, growth()));
-        sections.add(Sections.frames(fixture, new BenchRaceStates(fixture.setup()), ANSWER));
-        sections.add(Sections.verify(fixture));
-        sections.add(Sections.processes(fixture,
-            scene(TURNS_LEFT, TURNS_LEFT.replace("100", LONG), MAXIMUM, MAXIMUM.replace("500", LONG)),
-            Integer.parseInt(LONG), scene(MAXIMUM, MAXIMUM.replace("500", "1")),
-            List.of("sh", "-c", "while read -r line; do echo '" + ANSWER + "'; done")));
-        sections.add(Sections.leagues(fixture, threads));
-        sections.add(Sections.start(fixture));
-        sections.add(Sections.tools(fixture, tools));
-        sections.add(Sections.referees(fixture, sdk, threads));
-        sections.add(Sections.crowds(bodies));
-        return sections;
+        return List.of(new MatchSection(fixture), new VerifySection(fixture), new ProcessSection(fixture,
+                scene(TURNS_LEFT, TURNS_LEFT.replace("100", LONG), MAXIMUM, MAXIMUM.replace("500", LONG)),
+                Integer.parseInt(LONG), scene(MAXIMUM, MAXIMUM.replace("500", "1")),
+                List.of("sh", "-c", "while read -r line; do echo '" + ANSWER + "'; done")),
+            new StartupSection(fixture), new ToolSection(fixture, tools), new RefereeSection(fixture, sdk),
+            new CrowdSection(bodies));
     }
 
     static MatchFixture fixture() {
@@ -69,10 +61,7 @@ final class BenchSuite {
         responder.addAll(QUICK_JVM);
         responder.addAll(List.of("-cp", classes, FixedAnswerBot.class.getName(), ANSWER));
         List<String> plain = new ArrayList<>(java);
-        // The entries that the launcher puts on the boot class path are not on the class path.
-        for (String option : List.of("picocli")) {
-            plain.addAll(boot(option));
-        }
+        plain.addAll(boot("picocli"));       // what the launcher puts on the boot class path is not on the class path
         plain.addAll(List.of("-cp", classes, MAIN_CLASS));
         String launcher = System.getProperty(LAUNCHER);
         return new MatchFixture(Games.types(), Games.open(SCENE), BenchDirectBot::new, BenchLineBot::new, responder,
@@ -82,20 +71,6 @@ final class BenchSuite {
     private static List<String> boot(String part) {
         return java.lang.management.ManagementFactory.getRuntimeMXBean().getInputArguments().stream()
             .filter(word -> word.startsWith("-Xbootclasspath/a:") && word.contains(part)).toList();
-    }
-
-    private static Map<String, GameSetup> growth() {
-        Map<String, GameSetup> scenes = new LinkedHashMap<>();
-        scenes.put("2 players", Games.open(SCENE));
-        for (int players : new int[] {1, 4, 8}) {
-            scenes.put(players + (players == 1 ? " player" : " players"),
-                scene(PLAYERS, PLAYERS.replace("2", Integer.toString(players))));
-        }
-        for (int turns : new int[] {50, 100, 200}) {
-            scenes.put("2 players, at most " + turns + " turns",
-                scene(MAXIMUM, MAXIMUM.replace("500", Integer.toString(turns))));
-        }
-        return scenes;
     }
 
     /** The official scene with some texts replaced: pairs of old and new text. */

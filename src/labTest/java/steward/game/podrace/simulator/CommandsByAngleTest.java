@@ -16,7 +16,6 @@ import steward.game.podrace.Headings;
 import steward.game.podrace.PodRace;
 import steward.game.podrace.PodState;
 import steward.game.podrace.Recordings;
-import steward.lab.bench.textbook.TextbookPodRace;
 import steward.numerics.SplitMix64;
 import steward.numerics.StrictAngles;
 

@@ -13,7 +13,6 @@ import steward.game.podrace.PodRace;
 import steward.game.podrace.PodState;
 import steward.game.podrace.Recordings;
 import steward.game.podrace.protocol.PodRaceType;
-import steward.lab.bench.textbook.TextbookPodRace;
 import steward.physics.TurnLog;
 import steward.physics.event.EventAdvance;
 

@@ -16,7 +16,6 @@ import steward.game.podrace.PodState;
 import steward.game.podrace.Races;
 import steward.game.podrace.Recordings;
 import steward.game.podrace.protocol.PodRaceType;
-import steward.lab.bench.textbook.TextbookPodRace;
 import steward.numerics.SplitMix64;
 import steward.physics.event.FarPairs;
 import steward.physics.event.OfficialAdvance;

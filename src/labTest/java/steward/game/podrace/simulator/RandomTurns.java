@@ -3,7 +3,6 @@ package steward.game.podrace.simulator;
 import java.util.Arrays;
 import steward.game.podrace.PodRace;
 import steward.game.podrace.PodState;
-import steward.lab.bench.textbook.TextbookPodRace;
 import steward.numerics.SplitMix64;
 
 /**

@@ -9,7 +9,9 @@ import java.io.ByteArrayOutputStream;
 import java.io.OutputStream;
 import java.lang.management.ManagementFactory;
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -18,8 +20,8 @@ import steward.game.FrameCodec;
 import steward.game.Game;
 import steward.game.podrace.PodRace;
 import steward.game.podrace.PodSeat;
+import steward.game.podrace.PodState;
 import steward.lab.bench.section.MatchFixture;
-import steward.lab.bench.section.ParallelMatches;
 import steward.match.Dialogue;
 import steward.match.DirectBot;
 import steward.match.MatchListener;
@@ -111,23 +113,6 @@ class BenchBotsTest {
             TimeControl.UNLIMITED, NO_LISTENER).play());
     }
 
-    @Test
-    void resultsDoNotDependOnTheNumberOfThreads() throws InterruptedException {
-        long one = ParallelMatches.play(fixture, 30, 1);
-
-        assertEquals(one, ParallelMatches.play(fixture, 30, 3));
-        assertEquals(one, ParallelMatches.play(fixture, 30, 8));
-    }
-
-    @Test
-    void aMatchThatFailsIsNoResult() {
-        MatchFixture failing = new MatchFixture(fixture.types(), fixture.setup(), () -> {
-            throw new IllegalStateException("no bot today");
-        }, fixture.lines(), List.of(), null, List.of());
-        assertEquals("no bot today", assertThrows(IllegalStateException.class,
-            () -> ParallelMatches.play(failing, 30, 2)).getMessage());
-    }
-
     /** Turns without impacts, each played in several matches: what the JVM allocates once does not count. */
     @Test
     void aRecordedTurnAllocatesNothing() throws InterruptedException {
@@ -177,21 +162,40 @@ class BenchBotsTest {
     @Test
     void writingAFrameAndReadingAnAnswerAllocateNothing() {
         ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
-        Game game = fixture.setup().create(1);
+        PodRace game = (PodRace) fixture.setup().create(1);
         Dialogue dialogue = Dialogue.of(Protocol.JSON, fixture.setup(), game, fixture.setup().codec(game));
         byte[] answer = "{\"pods\":[{\"x\":8000,\"y\":4500,\"thrust\":50},{\"x\":-80,\"y\":45,\"shield\":true}]}"
             .getBytes(StandardCharsets.UTF_8);
-        BenchRaceStates states = new BenchRaceStates(fixture.setup());
+        List<PodState[]> states = states();
         long least = Long.MAX_VALUE;
         for (int count = 0; count < 30 && least > 0; count++) {
             long before = threads.getCurrentThreadAllocatedBytes();
             for (int k = 0; k < 300; k++) {
-                states.accept(game);
+                PodState[] pods = states.get(k % states.size());
+                for (int pod = 0; pod < pods.length; pod++) {
+                    game.setPod(pod, pods[pod]);
+                }
                 assertTrue(dialogue.turn(k % 2).size() > 300);
                 assertTrue(dialogue.readAnswer(k % 2, answer, answer.length) == null);
             }
             least = threads.getCurrentThreadAllocatedBytes() - before;
         }
         assertEquals(0, least, "bytes for 300 frames and answers");
+    }
+
+    /** The pods of a race turn by turn, so that all have moved. */
+    private List<PodState[]> states() {
+        PodRace race = (PodRace) fixture.setup().create(1);
+        List<BenchDirectBot> bots = List.of(new BenchDirectBot(), new BenchDirectBot());
+        for (int player = 0; player < bots.size(); player++) {
+            bots.get(player).start(race, player);
+        }
+        List<PodState[]> states = new ArrayList<>();
+        while (!race.isOver()) {
+            bots.forEach(BenchDirectBot::turn);
+            race.play();
+            states.add(IntStream.range(0, 4).mapToObj(race::pod).toArray(PodState[]::new));
+        }
+        return states;
     }
 }

@@ -7,7 +7,6 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Map;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -27,14 +26,14 @@ class BenchCommandTest {
     @Test
     @Tag("slow")
     void theSameRowsInTheTableAndInTheFiles() throws IOException {
-        Cli cli = Cli.run("bench", "--quick", "--only", "crowds", "--bodies", "20", "--only", "frames", "--out",
+        Cli cli = Cli.run("bench", "--quick", "--only", "crowds", "--bodies", "20", "--only", "verify", "--out",
             folder.resolve("out").toString());
 
         assertEquals(0, cli.status(), cli.err());
         List<String> csv = Files.readAllLines(folder.resolve("out/bench.csv"));
         JsonNode rows = JsonMapper.shared().readTree(Files.readString(folder.resolve("out/bench.json"))).get("rows");
-        assertEquals(8, rows.size());
-        assertEquals(9, csv.size());
+        assertEquals(6, rows.size());
+        assertEquals(7, csv.size());
         String page = Files.readString(folder.resolve("out/performance.md"));
         for (int k = 0; k < rows.size(); k++) {
             String name = rows.get(k).get("name").stringValue();
@@ -45,35 +44,10 @@ class BenchCommandTest {
         }
     }
 
-    /**
-     * Five ways, a race and a brawl; an implementation that played another game than the textbook would have ended the
-     * part.
-     */
-    @Test
-    @Tag("campaign")
-    void podTurnsAreMeasuredInEveryWay() throws IOException {
-        Cli cli = Cli.run("bench", "--quick", "--only", "pods", "--threads", "2", "--out",
-            folder.resolve("pods").toString());
-
-        assertEquals(0, cli.status(), cli.err());
-        JsonNode rows = JsonMapper.shared().readTree(Files.readString(folder.resolve("pods/bench.json"))).get("rows");
-        List<String> ways = List.of("textbook", "engine of matches", "simulator", "batch",
-            "batch, 2 threads, wall clock");
-        assertEquals(2 * ways.size(), rows.size());
-        for (int k = 0; k < rows.size(); k++) {
-            JsonNode row = rows.get(k);
-            assertEquals((k < ways.size() ? "race, " : "brawl, ") + ways.get(k % ways.size()),
-                row.get("name").stringValue());
-            assertEquals("turns", row.get("unit").stringValue());
-            double base = rows.get(k - k % ways.size()).get("perSecond").doubleValue();
-            assertEquals(row.get("perSecond").doubleValue() / base, row.get("ratio").doubleValue(), 1e-3);
-        }
-    }
-
     @Test
     void whatIsThereStays() throws IOException {
         Files.writeString(folder.resolve("bench.json"), "mine");
-        Cli cli = Cli.run("bench", "--quick", "--only", "frames", "--out", folder.toString());
+        Cli cli = Cli.run("bench", "--quick", "--only", "verify", "--out", folder.toString());
 
         assertEquals(2, cli.status());
         assertTrue(cli.err().contains("exists already"), cli.err());
@@ -83,12 +57,9 @@ class BenchCommandTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
-        "--games 0          | --games: found 0, expected 1 to 1000000",
-        "--threads 0        | --threads: found 0, expected 1 to 256",
-        "--threads 100000   | --threads: found 100000, expected 1 to 256",
         "--bodies 0         | --bodies: found 0, expected 1 to 10000000",
         "--bodies 20000000  | --bodies: found 20000000, expected 1 to 10000000",
-        "--only frame       | did you mean 'frames'?",
+        "--only crowd       | did you mean 'crowds'?",
         "--quick --long     | --long and --quick exclude each other",
         "--overwrite        | --overwrite: expected --out",
         "--out /dev/null/x  | /dev/null"})
@@ -111,19 +82,8 @@ class BenchCommandTest {
     }
 
     @Test
-    void everyPartIsThere() {
-        Map<String, Integer> names = new java.util.TreeMap<>();
-        BenchSuite.all(1, 1, List.of(10), folder, folder)
-            .forEach(section -> names.merge(section.name(), 1, Integer::sum));
-
-        assertTrue(names.keySet().containsAll(List.of("pods", "games", "matches", "growth", "frames", "verify",
-            "processes", "league", "start", "tools", "referees", "crowds")), names::toString);
-        assertTrue(names.values().stream().allMatch(count -> count == 1), names::toString);
-    }
-
-    @Test
     void theNamesThatAreCompletedAreThoseOfTheParts() {
         assertEquals(BenchCommand.Parts.ALL,
-            BenchSuite.all(1, 1, List.of(1), folder, folder).stream().map(Section::name).toList());
+            BenchSuite.all(List.of(1), folder, folder).stream().map(Section::name).toList());
     }
 }

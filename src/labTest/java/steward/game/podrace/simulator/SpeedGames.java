@@ -1,13 +1,11 @@
-package steward.lab.cli.bench;
+package steward.game.podrace.simulator;
 
-import java.util.List;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.function.LongSupplier;
 import steward.game.podrace.PodRace;
 import steward.game.podrace.PodSeat;
 import steward.game.podrace.protocol.PodRaceType;
-import steward.game.podrace.simulator.PodCommands;
-import steward.game.podrace.simulator.PodRaceSimulator;
-import steward.lab.bench.Contender;
-import steward.lab.bench.textbook.TextbookPodRace;
 import steward.numerics.SplitMix64;
 import steward.numerics.StateHash;
 
@@ -15,7 +13,7 @@ import steward.numerics.StateHash;
  * Games of the official pod race whose commands are known beforehand, and all implementations that can play them. Each
  * is checked to end with the pods where the textbook has them.
  */
-final class BenchPodGames {
+final class SpeedGames {
 
     static final int GAMES = 200;
     static final int TURNS = 80;
@@ -38,7 +36,7 @@ final class BenchPodGames {
     private final long end;
 
     /** @param brawl whether pods chase each other */
-    BenchPodGames(PodRaceType.PodRaceSetup setup, boolean brawl) {
+    SpeedGames(PodRaceType.PodRaceSetup setup, boolean brawl) {
         this.setup = setup;
         map = setup.create(SEED).checkpoints();
         start = new PodRaceSimulator(map);
@@ -80,12 +78,14 @@ final class BenchPodGames {
         return commands;
     }
 
-    /** A plain port first, with which the others are compared. */
-    List<Contender> contenders(String crowd) {
+    /** Ways to play all games, each of which returns how many turns it has played; a plain port first. */
+    Map<String, LongSupplier> ways() {
         PodRaceSimulator simulator = new PodRaceSimulator(map);
-        return List.of(new Contender(crowd + "textbook", () -> checked(playTextbook())),
-            new Contender(crowd + "engine of matches", () -> checked(playMatches())),
-            new Contender(crowd + "simulator", () -> checked(playSimulator(simulator))));
+        Map<String, LongSupplier> ways = new LinkedHashMap<>();
+        ways.put("textbook", () -> checked(playTextbook()));
+        ways.put("engine of matches", () -> checked(playMatches()));
+        ways.put("simulator", () -> checked(playSimulator(simulator)));
+        return ways;
     }
 
     private long checked(long found) {

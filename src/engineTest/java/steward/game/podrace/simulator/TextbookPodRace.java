@@ -1,4 +1,4 @@
-package steward.lab.bench.textbook;
+package steward.game.podrace.simulator;
 
 import java.awt.geom.Line2D;
 import java.awt.geom.Point2D;

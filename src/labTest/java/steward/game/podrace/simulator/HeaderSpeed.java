@@ -1,4 +1,4 @@
-package steward.lab.cli.bench;
+package steward.game.podrace.simulator;
 
 import java.io.IOException;
 import java.io.OutputStream;
@@ -14,16 +14,15 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.function.DoubleSupplier;
+import java.util.function.LongSupplier;
 import steward.game.podrace.protocol.PodRaceType;
-import steward.game.podrace.simulator.PodCommands;
-import steward.lab.bench.Contender;
 import steward.match.TestScenes;
 import steward.numerics.SplitMix64;
 
 /**
- * Time of a turn of {@code steward_podrace.hpp} beside the simulator and the textbook, in the games of {@code steward
- * bench}, {@code gradle headerSpeed -Prounds=20}. All take turns within each round, so that other work on the machine
- * meets them all; the least and the median time per turn are printed. The last rows are playouts by angles.
+ * Time of a turn of {@code steward_podrace.hpp} beside the textbook, the engine of matches and the simulator, in
+ * {@link SpeedGames}: {@code gradle headerSpeed -Prounds=20}. All take turns within each round, so that other work on
+ * the machine meets them all; the least and the median time per turn are printed. The last rows are playouts by angles.
  */
 public final class HeaderSpeed {
 
@@ -51,8 +50,8 @@ public final class HeaderSpeed {
             programs.put(compiler + " -O2", compile(compiler, "-O2"));
         }
         PodRaceType.PodRaceSetup setup = (PodRaceType.PodRaceSetup) TestScenes.open("mad-pod-racing");
-        BenchPodGames race = new BenchPodGames(setup, false);
-        BenchPodGames brawl = new BenchPodGames(setup, true);
+        SpeedGames race = new SpeedGames(setup, false);
+        SpeedGames brawl = new SpeedGames(setup, true);
         Map<String, byte[]> games = new LinkedHashMap<>();
         games.put("race", bytes(race.map(), race.commands()));
         games.put("brawl", bytes(brawl.map(), brawl.commands()));
@@ -75,12 +74,8 @@ public final class HeaderSpeed {
         });
     }
 
-    private void measureJava(String crowd, BenchPodGames games) {
-        for (Contender contender : games.contenders(crowd)) {
-            if (!contender.name().endsWith("engine of matches")) {
-                measure(contender.name(), () -> time(contender));
-            }
-        }
+    private void measureJava(String crowd, SpeedGames games) {
+        games.ways().forEach((name, way) -> measure(crowd + name, () -> time(way)));
     }
 
     private void measure(String name, DoubleSupplier time) {
@@ -88,16 +83,12 @@ public final class HeaderSpeed {
     }
 
     /** The least time of a turn of some repetitions, as the programs print it. */
-    private static double time(Contender contender) {
+    private static double time(LongSupplier way) {
         double least = Double.POSITIVE_INFINITY;
         for (int k = Integer.parseInt(REPETITIONS); k > 0; k--) {
             long begin = System.nanoTime();
-            try {
-                long turns = contender.work().run();
-                least = Math.min(least, (double) (System.nanoTime() - begin) / turns);
-            } catch (Exception problem) {
-                throw new IllegalStateException(problem);
-            }
+            long turns = way.getAsLong();
+            least = Math.min(least, (double) (System.nanoTime() - begin) / turns);
         }
         return least;
     }
@@ -130,7 +121,7 @@ public final class HeaderSpeed {
     /** Random turns to both sides. */
     private static PodCommands[][] angles(boolean full) {
         SplitMix64 random = new SplitMix64(1);
-        PodCommands[][] commands = new PodCommands[BenchPodGames.GAMES][BenchPodGames.TURNS];
+        PodCommands[][] commands = new PodCommands[SpeedGames.GAMES][SpeedGames.TURNS];
         for (PodCommands[] game : commands) {
             for (int turn = 0; turn < game.length; turn++) {
                 game[turn] = new PodCommands(PODS);
