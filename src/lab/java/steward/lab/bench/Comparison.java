@@ -19,7 +19,6 @@ import steward.numerics.Median;
 public record Comparison(String section, String unit, List<Contender> contenders, Remark remark) {
 
     private static final double NANOS = 1e9;
-    private static final double NANOS_PER_MICRO = 1e3;
     /** A ratio whose rounds differ by more is not to be compared: tables are for differences beyond this. */
     private static final double COMPARABLE = 1.25;
     /** With fewer rounds than this ratios are not compared; of each so many, the lowest and the highest do not count. */
@@ -39,9 +38,9 @@ public record Comparison(String section, String unit, List<Contender> contenders
 
     /** Remark on how much longer than the first each takes: the median of the rounds' ratios, and the difference. */
     public static String paired(TimingSamples samples, int contender) {
-        return contender == 0 ? "" : String.format(Locale.ROOT, "%.3f times the first (median of pairs), %+.1f us",
-            Median.of(samples.ratios(contender, 0)),
-            (samples.median(contender) - samples.median(0)) / NANOS_PER_MICRO);
+        double more = samples.median(contender) - samples.median(0);
+        return contender == 0 ? "" : String.format(Locale.ROOT, "%.3f times the first (median of pairs), %s%s",
+            Median.of(samples.ratios(contender, 0)), more < 0 ? "-" : "+", PerformancePage.time(Math.abs(more)));
     }
 
     /**

@@ -5,10 +5,14 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.stream.Collectors;
+import steward.text.TextFormat;
 
 /** The measured table as a page. */
-final class PerformancePage {
+public final class PerformancePage {
+
+    private static final int WIDTH = 118;
+
+    private PerformancePage() { }
 
     static String of(List<Section> sections, List<Row> rows, String machine, String date, String load) {
         StringBuilder page = new StringBuilder();
@@ -21,19 +25,18 @@ final class PerformancePage {
                 + " compared with. Unless a section says otherwise, time is CPU time of the\nthread that works, and"
                 + " each figure is the median of several rounds after a warm-up.\n");
         for (Section section : sections) {
-            List<Row> own = rows.stream().filter(row -> row.section().equals(section.name()))
-                .collect(Collectors.toList());
+            List<Row> own = rows.stream().filter(row -> row.section().equals(section.name())).toList();
             if (!own.isEmpty()) {
-                page.append("\n## ").append(section.name()).append("\n\n").append(wrap(section.about())).append('\n');
+                page.append("\n## ").append(section.name()).append("\n\n").append(TextFormat.wrap(section.about(), " ", WIDTH, "")).append("\n\n");
                 table(page, own);
             }
         }
-        growth(page, rows);
+        memory(page, rows);
         return page.toString();
     }
 
     private static void table(StringBuilder page, List<Row> rows) {
-        page.append("\n| | a second | | each | ratio | bytes | |\n|---|---:|---|---:|---:|---:|---|\n");
+        page.append("| | a second | | each | ratio | bytes | |\n|---|---:|---|---:|---:|---:|---|\n");
         for (Row row : rows) {
             page.append("| ").append(row.name()).append(" | ").append(count(row.perSecond())).append(" | ")
                 .append(row.unit()).append(" | ").append(time(row.nanos())).append(" | ").append(ratio(row.ratio()))
@@ -42,18 +45,8 @@ final class PerformancePage {
         }
     }
 
-    /** A paragraph from the same rows. */
-    private static void growth(StringBuilder page, List<Row> rows) {
-        StringBuilder said = new StringBuilder();
-        bodies(said, rows);
-        memory(said, rows);
-        if (said.length() > 0) {
-            page.append("\n## How cost grows\n\n").append(said);
-        }
-    }
-
     /** Sentence on the limit that memory sets: what crowds take beyond a small one, in lines read from memory. */
-    private static void memory(StringBuilder said, List<Row> rows) {
+    private static void memory(StringBuilder page, List<Row> rows) {
         Map<String, Double> nanos = new HashMap<>();
         rows.stream().filter(row -> row.section().equals("crowds")).forEach(row -> nanos.put(row.name(), row.nanos()));
         double small = nanos.getOrDefault("queue, 1000 bodies", Double.NaN);
@@ -66,37 +59,9 @@ final class PerformancePage {
             }
         }
         if (!parts.isEmpty()) {
-            said.append("- With memory: an impact takes longer than among 1000 bodies by as much as reading ")
+            page.append("\n## How cost grows\n\n- With memory: an impact takes longer than among 1000 bodies by as much as reading ")
                 .append(String.join(", ", parts)).append(" of 64 bytes one after the other.\n");
         }
-    }
-
-    private static void bodies(StringBuilder said, List<Row> rows) {
-        String start = "queue, ";
-        List<Row> own = rows.stream().filter(row -> row.section().equals("crowds") && row.name().startsWith(start))
-            .toList();
-        if (own.size() > 1) {
-            said.append(own.stream().map(row -> time(row.nanos()) + " (" + row.name().substring(start.length()) + ")")
-                .collect(Collectors.joining(", ", "- With bodies: an impact takes ", ".\n")));
-        }
-    }
-
-    /** Wraps lines at the width of the other pages. */
-    private static String wrap(String text) {
-        StringBuilder lines = new StringBuilder();
-        int used = 0;
-        for (String word : text.split(" ")) {
-            if (used + word.length() >= 118) {
-                lines.append('\n');
-                used = 0;
-            } else if (used > 0) {
-                lines.append(' ');
-                used++;
-            }
-            lines.append(word);
-            used += word.length();
-        }
-        return lines.append('\n').toString();
     }
 
     /** Three significant digits, with separators between thousands. */
@@ -107,7 +72,7 @@ final class PerformancePage {
     }
 
     /** In the unit that leaves one to three digits before the decimal point. */
-    static String time(double nanos) {
+    public static String time(double nanos) {
         return nanos < 1e3 ? String.format(Locale.ROOT, "%.0f ns", nanos)
             : nanos < 1e6 ? String.format(Locale.ROOT, "%.2f us", nanos / 1e3)
             : String.format(Locale.ROOT, "%.2f ms", nanos / 1e6);

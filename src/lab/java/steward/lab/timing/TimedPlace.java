@@ -14,13 +14,11 @@ public interface TimedPlace extends AutoCloseable {
      *
      * @param least seconds, at least
      * @param most  seconds after which it is given up
-     * @return whether they have become steady
      */
-    default boolean warmUp(double least, double most) throws Exception {
+    default void warmUp(double least, double most) throws Exception {
         for (long begin = System.nanoTime(); System.nanoTime() - begin < least * NANOS;) {
             round(0);
         }
-        return true;
     }
 
     /** Measures at least so many seconds, and every different piece of work once in any case. */

@@ -3,7 +3,6 @@ package steward.lab.timing;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.concurrent.Callable;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
@@ -14,8 +13,8 @@ import java.util.function.Function;
 
 /*
  * The kinds take turns in each round, every other round in the opposite order, so that a slow period of the machine
- * affects all of them. JVMs are started and warmed up by as many at once as there are processors; places in this JVM
- * by the calling thread, one after the other. Rounds are measured one at a time, while all other JVMs wait for a word.
+ * affects all of them. Places in this JVM are warmed up one after the other, JVMs as many at once as there are
+ * processors. Rounds are measured by the calling thread, one at a time, while all other JVMs wait for a word.
  */
 
 /**
@@ -53,7 +52,7 @@ public final class Timing<J> {
     /**
      * Times all jobs.
      *
-     * @param step called after each step, by any thread
+     * @param step called after each warm-up, by another thread, and after each round
      * @throws IllegalStateException if a place cannot be made or fails, or this thread is interrupted
      */
     public TimingSamples run(List<J> jobs, Runnable step) {
@@ -104,33 +103,23 @@ public final class Timing<J> {
     }
 
     private void open(List<J> jobs, TimedPlace[] places, Runnable step) throws Exception {
-        List<Callable<Void>> tasks = new ArrayList<>();
-        for (int k = 0; k < places.length; k++) {
-            int job = k;
-            tasks.add(() -> {
-                places[job] = start.apply(jobs.get(job));
-                places[job].warmUp(effort.warmLeast(), effort.warmMost());
-                step.run();
-                return null;
-            });
-        }
-        if (atOnce == 1) {
-            for (Callable<Void> task : tasks) {
-                task.call();
-            }
-        } else {
-            openAtOnce(tasks);
-        }
-    }
-
-    private void openAtOnce(List<Callable<Void>> tasks) throws Exception {
         ExecutorService threads = Executors.newFixedThreadPool(atOnce, task -> {
             Thread thread = new Thread(task, "timing");
             thread.setDaemon(true);
             return thread;
         });
         try {
-            for (Future<Void> each : tasks.stream().map(threads::submit).toList()) {
+            List<Future<?>> all = new ArrayList<>();
+            for (int k = 0; k < places.length; k++) {
+                int job = k;
+                all.add(threads.submit(() -> {
+                    places[job] = start.apply(jobs.get(job));
+                    places[job].warmUp(effort.warmLeast(), effort.warmMost());
+                    step.run();
+                    return null;
+                }));
+            }
+            for (Future<?> each : all) {
                 each.get();
             }
         } catch (ExecutionException problem) {

@@ -15,8 +15,8 @@ import java.util.function.Function;
  * more.
  *
  * <p>The job comes first. Then each word is a byte and its arguments: {@link #WARM_UP} with the seconds at least and at
- * most, answered by whether times are steady; {@link #ROUND} with the seconds at least, answered by nanoseconds and
- * bytes of a turn. Every answer begins with {@link #DONE}, or with {@link #FAILED} and a message instead.
+ * most, {@link #ROUND} with the seconds at least. Every answer, also that to the job, is {@link #DONE} with the
+ * nanoseconds and bytes of a turn, 0 if none was measured, or {@link #FAILED} with a message.
  */
 public final class TimingChild {
 
@@ -24,6 +24,7 @@ public final class TimingChild {
     static final byte ROUND = 2;
     static final byte DONE = 3;
     static final byte FAILED = 4;
+    private static final Stretch NONE = new Stretch(0, 0);
 
     private TimingChild() { }
 
@@ -39,10 +40,11 @@ public final class TimingChild {
         try (DataOutputStream out = new DataOutputStream(new BufferedOutputStream(output))) {
             try {
                 TimedPlace place = new WorkTimer(open.apply(RungJob.read(in)));
-                out.writeByte(DONE);
-                for (;;) {
+                for (Stretch measured = NONE;; measured = obey(in.readByte(), in, place)) {
+                    out.writeByte(DONE);
+                    out.writeDouble(measured.nanos());
+                    out.writeDouble(measured.bytes());
                     out.flush();
-                    answer(in.readByte(), in, out, place);
                 }
             } catch (EOFException over) {
                 return;
@@ -53,17 +55,11 @@ public final class TimingChild {
         }
     }
 
-    private static void answer(byte word, DataInputStream in, DataOutputStream out, TimedPlace place)
-        throws Exception {
-        if (word == WARM_UP) {
-            boolean steady = place.warmUp(in.readDouble(), in.readDouble());
-            out.writeByte(DONE);
-            out.writeBoolean(steady);
-        } else {
-            Stretch stretch = place.round(in.readDouble());
-            out.writeByte(DONE);
-            out.writeDouble(stretch.nanos());
-            out.writeDouble(stretch.bytes());
+    private static Stretch obey(byte word, DataInputStream in, TimedPlace place) throws Exception {
+        if (word == ROUND) {
+            return place.round(in.readDouble());
         }
+        place.warmUp(in.readDouble(), in.readDouble());
+        return NONE;
     }
 }

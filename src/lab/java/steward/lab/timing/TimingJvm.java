@@ -41,7 +41,7 @@ final class TimingJvm implements TimedPlace {
         }
         out = new DataOutputStream(new BufferedOutputStream(process.getOutputStream()));
         in = new DataInputStream(new BufferedInputStream(process.getInputStream()));
-        ask(() -> job.write(out), () -> true);
+        ask(job::write);
     }
 
     boolean isAlive() {
@@ -51,23 +51,17 @@ final class TimingJvm implements TimedPlace {
     /** Message to the other JVM. */
     private interface Question {
 
-        void write() throws IOException;
+        void write(DataOutputStream to) throws IOException;
     }
 
-    /** Answer of the other JVM. */
-    private interface Answer<T> {
-
-        T read() throws IOException;
-    }
-
-    private <T> T ask(Question question, Answer<T> answer) {
+    private Stretch ask(Question question) {
         try {
-            question.write();
+            question.write(out);
             out.flush();
             if (in.readByte() != TimingChild.DONE) {
                 throw new IOException(in.readUTF());
             }
-            return answer.read();
+            return new Stretch(in.readDouble(), in.readDouble());
         } catch (IOException problem) {
             String said = said();
             close();
@@ -97,20 +91,20 @@ final class TimingJvm implements TimedPlace {
     }
 
     @Override
-    public boolean warmUp(double least, double most) {
-        return ask(() -> {
-            out.writeByte(TimingChild.WARM_UP);
-            out.writeDouble(least);
-            out.writeDouble(most);
-        }, in::readBoolean);
+    public void warmUp(double least, double most) {
+        ask(to -> {
+            to.writeByte(TimingChild.WARM_UP);
+            to.writeDouble(least);
+            to.writeDouble(most);
+        });
     }
 
     @Override
     public Stretch round(double least) {
-        return ask(() -> {
-            out.writeByte(TimingChild.ROUND);
-            out.writeDouble(least);
-        }, () -> new Stretch(in.readDouble(), in.readDouble()));
+        return ask(to -> {
+            to.writeByte(TimingChild.ROUND);
+            to.writeDouble(least);
+        });
     }
 
     @Override

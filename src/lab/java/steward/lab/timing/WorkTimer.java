@@ -45,7 +45,7 @@ public final class WorkTimer implements TimedPlace {
     }
 
     @Override
-    public boolean warmUp(double least, double most) throws Exception {
+    public void warmUp(double least, double most) throws Exception {
         double[] latest = new double[2 * WINDOW];
         long compiledBefore = compiled.getAsLong();
         double seconds = 0;
@@ -61,7 +61,6 @@ public final class WorkTimer implements TimedPlace {
                 compiledBefore = compiled.getAsLong();
             }
         }
-        return steady;
     }
 
     @Override

@@ -37,14 +37,14 @@ class ComparisonTest {
         return new Contender(name, least -> new Stretch(nanos[next[0]++ % nanos.length], 7));
     }
 
-    /** The median of 200, 220, 240, 260 and 280 is 2.4 times that of 100, and 0.14 us more. */
+    /** The median of 200, 220, 240, 260 and 280 is 2.4 times that of 100, and 140 ns more. */
     @Test
     void everyContenderHasARow() throws Exception {
         compare(new TimingEffort(1, 5, 0, 0, 0), 0, taking("a", 100), taking("b", 280, 240, 200, 220, 260));
 
         assertEquals(7, steps);
         assertEquals(List.of(new Row("section", "a", "units", 1e7, 1, 7, ""), new Row("section", "b", "units",
-            1e9 / 240, 100.0 / 240, 7, "2.400 times the first (median of pairs), +0.1 us")), rows);
+            1e9 / 240, 100.0 / 240, 7, "2.400 times the first (median of pairs), +140 ns")), rows);
     }
 
     @Test

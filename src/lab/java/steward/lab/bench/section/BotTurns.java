@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import steward.bot.Answer;
 import steward.bot.Player;
-import steward.bot.TimeBasis;
 import steward.bot.isolation.Isolation;
 import steward.bot.isolation.Launch;
 import steward.bot.process.BotProcess;
@@ -17,20 +16,15 @@ import steward.lab.timing.TimedPlace;
  * each is asked in its turn as in a match; the unit is a turn. Without turns it times the start up to the first answer.
  *
  * @param command of the bots; answers every line with one
- * @param basis   of their limits, which are never reached; without limits nobody is held or watched
  * @param bots    how many
  * @param frame   that each is asked
  * @param turns   in a round
  */
-record BotTurns(List<String> command, Isolation isolation, TimeBasis basis, int bots, byte[] frame, int turns)
+record BotTurns(List<String> command, Isolation isolation, int bots, byte[] frame, int turns)
         implements TimedPlace {
 
+    /** Never reached; without a limit nobody is held or watched. */
     private static final long LIMIT = TimeUnit.MINUTES.toNanos(1);
-
-    /** Bots at a level of isolation, whose limits are those of the clock. */
-    BotTurns(List<String> command, Isolation isolation, int bots, byte[] frame, int turns) {
-        this(command, isolation, TimeBasis.WALL, bots, frame, turns);
-    }
 
     @Override
     public Stretch round(double least) {
@@ -38,7 +32,9 @@ record BotTurns(List<String> command, Isolation isolation, TimeBasis basis, int 
         try {
             long start = System.nanoTime();
             for (int k = 0; k < bots; k++) {
-                asked.add(start());
+                asked.add(new BotProcess("bot", new Launch(command, isolation, List.of()),
+                    BotProcess.DEFAULT_GRACE_MS));
+                ask(asked.get(k));
             }
             long started = System.nanoTime();
             for (int turn = 0; turn < turns; turn++) {
@@ -49,14 +45,6 @@ record BotTurns(List<String> command, Isolation isolation, TimeBasis basis, int 
         } finally {
             asked.forEach(BotProcess::close);
         }
-    }
-
-    /** Returns a bot that has answered once. */
-    BotProcess start() {
-        BotProcess bot = new BotProcess("bot", new Launch(command, isolation, List.of()), BotProcess.DEFAULT_GRACE_MS);
-        bot.limitBy(basis);
-        ask(bot);
-        return bot;
     }
 
     private void ask(Player bot) {

@@ -7,8 +7,6 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
-import steward.bot.TimeBasis;
-import steward.bot.accounting.TreeSampler;
 import steward.bot.hold.HoldPolicy;
 import steward.bot.isolation.HoldMeans;
 import steward.bot.isolation.Isolation;
@@ -34,7 +32,7 @@ import steward.match.Turn;
 
 /**
  * Turns between bot processes, compared with bare pipes to the same programs; the cost of a match before its turns; and
- * the price of each level of isolation, basis of limits and policy of holding, at the level that is usual here.
+ * the price of each level of isolation, and of each policy of holding at the level that is usual here.
  *
  * @param longGame  a scene in which bots that never reach a checkpoint play many turns
  * @param longTurns how many turns
@@ -46,24 +44,15 @@ public record ProcessSection(MatchFixture fixture, GameSetup longGame, int longT
 
     /** Rounds in which programs are started. */
     private static final int STARTS = 100;
+    /** Rounds in which JVMs are started. */
+    private static final int JVM_STARTS = 50;
     /** Turns of a round in which bots only answer. */
     private static final int TURNS = 500;
-    /** Of bots that compute, or beside busy processes, a turn takes milliseconds. */
-    private static final int SLOW_TURNS = 20;
-    private static final int SLOW_ROUNDS = 50;
     /** Turns before a long game is timed. */
     private static final int WARM_TURNS = 200;
     /** The length of a turn frame of the official scene. */
     private static final int FRAME_BYTES = 480;
     private static final byte[] LINE = {'\n'};
-    /** Counts up for some 10 ms: long enough that the one that waits meanwhile is looked at. */
-    private static final List<String> SEARCHING = List.of("sh", "-c", "while read -r l; do k=0; while [ $k -lt 5000 ];"
-        + " do k=$((k + 1)); done; echo; done");
-    private static final int HOGS = 16;
-    /** Processes that never rest, each in a session of its own. */
-    private static final List<String> BUSY = List.of("sh", "-c", "read -r l; k=0; while [ $k -lt " + HOGS
-        + " ]; do k=$((k + 1)); setsid sh -c 'while :; do :; done' >/dev/null & done; echo; read -r l");
-
     @Override
     public String name() {
         return "processes";
@@ -75,15 +64,13 @@ public record ProcessSection(MatchFixture fixture, GameSetup longGame, int longT
             + " pipes to the same program, asked in sequence with as many bytes. Then whole matches of a single turn"
             + " between two shells, against starting and asking the same shells without a referee, the second when the"
             + " first has answered, as in a match, and ending them. Last, a bot's start up to its first answer at each"
-            + " level of isolation, and a turn after that; and a turn with limits of time by the clock and of CPU time;"
-            + " and a turn of two bots where waiting bots are never held, burners are, and all are, also of bots that"
-            + " compute and beside " + HOGS + " busy processes.";
+            + " level of isolation, and a turn after that; and a turn of two bots where waiting bots are never held,"
+            + " burners are, and all are.";
     }
 
     @Override
     public int steps(Effort effort) {
-        return effort.timing().steps(2) + 4 * effort.rounds(STARTS).steps(3)
-            + 3 * effort.rounds(SLOW_ROUNDS).steps(2);
+        return effort.timing().steps(2) + 3 * effort.rounds(STARTS).steps(3) + effort.rounds(JVM_STARTS).steps(3);
     }
 
     @Override
@@ -103,26 +90,11 @@ public record ProcessSection(MatchFixture fixture, GameSetup longGame, int longT
             level -> new BotTurns(shell, Isolation.at(level), 1, LINE, 0)));
         compare("turns", starts, step, rows, contenders(levels, level -> "turn of a bot, sandbox " + level.word(),
             level -> new BotTurns(shell, Isolation.at(level), 1, LINE, TURNS)));
-        List<TimeBasis> bases = Stream.of(TimeBasis.values())
-            .filter(basis -> basis == TimeBasis.WALL || TreeSampler.showsCpuTime()).toList();
-        compare("turns", effort.rounds(SLOW_ROUNDS), step, rows, contenders(bases, basis -> "turn of a bot, --time " + basis.word(),
-            basis -> new BotTurns(fixture.responder(), Isolation.usual(), basis, 1, frame, TURNS)));
         if (HoldMeans.of(Isolation.usual()) == HoldMeans.INIT) {
-            hold("", fixture.responder(), frame, TURNS, starts, step, rows);
-            hold(" of bots that compute", SEARCHING, frame, SLOW_TURNS, effort.rounds(SLOW_ROUNDS), step, rows);
-            try (BotProcess hogs = new BotTurns(BUSY, Isolation.usual().holding(HoldPolicy.NEVER), 1, frame, 0)
-                    .start()) {
-                hold(", beside " + HOGS + " busy processes", fixture.responder(), frame, SLOW_TURNS,
-                    effort.timing().withRounds(SLOW_ROUNDS / 10), step, rows);
-            }
+            compare("turns", effort.rounds(JVM_STARTS), step, rows, contenders(List.of(HoldPolicy.NEVER, HoldPolicy.BURNERS,
+                HoldPolicy.ALWAYS), policy -> "turn of two bots, --hold " + policy.word(), policy ->
+                new BotTurns(fixture.responder(), Isolation.usual().holding(policy), 2, frame, TURNS)));
         }
-    }
-
-    private void hold(String where, List<String> command, byte[] frame, int turns, TimingEffort effort, Runnable step,
-                      Consumer<Row> rows) throws Exception {
-        compare("turns", effort, step, rows, contenders(List.of(HoldPolicy.NEVER, HoldPolicy.BURNERS,
-            HoldPolicy.ALWAYS), policy -> "a turn, --hold " + policy.word() + where,
-            policy -> new BotTurns(command, Isolation.usual().holding(policy), 2, frame, turns)));
     }
 
     private static <T> List<Contender> contenders(List<T> values, Function<T, String> name,

@@ -1,7 +1,6 @@
 package steward.lab.bench.section;
 
 import java.io.IOException;
-import java.io.InputStream;
 import java.lang.ProcessBuilder.Redirect;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.DirectoryStream;
@@ -16,7 +15,7 @@ import steward.files.Folders;
 import steward.lab.timing.Stretch;
 
 /**
- * Games under one of the tools of others, in a folder of its own, in which two compiled bots are. CPU time is counted
+ * Games under cg-brutaltester, in a folder of its own, in which two compiled bots are. CPU time is counted
  * by Linux, in ticks of 10 ms: that of programs that this JVM has started and that have ended, with what they started
  * in turn; and that of the resident referee, which is nobody's child.
  */
@@ -28,51 +27,24 @@ final class ToolGames implements AutoCloseable {
     private static final int OWN_TICKS = 11;
     private static final int CHILDREN_TICKS = 13;
     private static final int END_OF_TICKS = 15;
-    private static final String GO = "csbref";
-    private static final String SCRIPT = "play_game.py";
+    /** Files in the folder of tools: the tool, and the referee which ours is compared with. */
+    static final List<String> FILES = List.of("cg-brutaltester.jar", "csbref");
 
     private final Path folder = Files.createTempDirectory("steward-");     // short: a socket is in it
-    private final Tool tool;
     /** By referee, so that all play the games with the same seeds. */
     private final int[] seeds = new int[Referee.values().length];
 
-    /** Programs that play many games with a referee. */
-    enum Tool {
-        BRUTALTESTER("cg-brutaltester", "cg-brutaltester.jar"), PSYLEAGUE("psyleague", "bin/psyleague");
-
-        private final String word;
-        private final String file;
-
-        Tool(String word, String file) {
-            this.word = word;
-            this.file = file;
-        }
-
-        String word() {
-            return word;
-        }
-
-        /** Its file and that of the referee which it is compared with. */
-        List<Path> files(Path tools) {
-            return List.of(tools.resolve(file), tools.resolve(GO));
-        }
-    }
-
     /** Referees; that in Go is the one the others are compared with. */
     enum Referee {
-        IN_GO("Go referee", "./" + GO, "python3 " + SCRIPT + " ./" + GO),
-        PLAIN("steward", "./steward referee", "./steward play --json-league"),
-        COLD("resident, its start included", "./steward-referee", "./steward-play --json-league"),
-        WARM("resident", COLD.referee, COLD.play);
+        IN_GO("Go referee", "./csbref"), PLAIN("steward", "./steward referee"),
+        COLD("resident, its start included", "./steward-referee"), WARM("resident", COLD.call);
 
         private final String word;
-        private final String referee;
-        private final String play;
+        private final String call;
 
-        Referee(String word, String referee, String play) {
+        Referee(String word, String call) {
             this.word = word;
-            this.referee = referee;
-            this.play = play;
+            this.call = call;
         }
 
         String word() {
@@ -81,24 +53,16 @@ final class ToolGames implements AutoCloseable {
     }
 
     /** @param launcher the installed program, or {@code null} */
-    ToolGames(List<String> launcher, Path tools, Tool tool) throws IOException, InterruptedException {
-        this.tool = tool;
+    ToolGames(List<String> launcher, Path tools) throws IOException, InterruptedException {
         if (launcher == null) {
             throw new IOException("found no launcher, expected the installed program");
         }
         Path steward = Path.of(launcher.get(0)).toRealPath();
-        for (Path file : List.of(steward, steward.resolveSibling("steward-referee"),
-                steward.resolveSibling("steward-play"), tools.resolve(GO), tools.resolve(tool.file))) {
+        for (Path file : List.of(steward, steward.resolveSibling("steward-referee"), tools.resolve(FILES.get(0)),
+                tools.resolve(FILES.get(1)))) {
             Files.createSymbolicLink(folder.resolve(file.getFileName()), file.toRealPath());
         }
-        try (InputStream script = ToolGames.class.getResourceAsStream(SCRIPT)) {
-            Files.copy(script, folder.resolve(SCRIPT));
-        }
         run("./steward new cpp bot && g++ -O2 -o mine bot/bot.cpp && cp mine other");
-        if (tool == Tool.PSYLEAGUE) {
-            run("./psyleague config && mkdir bots && sed -i 's,^cmd_bot_setup = .*,cmd_bot_setup = \"true\",'"
-                + " psyleague.cfg && ./psyleague bot add mine && ./psyleague bot add other");
-        }
     }
 
     /** Measures the CPU time of a game, with or without the start of the resident. */
@@ -113,18 +77,14 @@ final class ToolGames implements AutoCloseable {
     }
 
     private double nanos(Referee referee, int games) throws IOException, InterruptedException {
-        String call = tool == Tool.BRUTALTESTER ? "java -jar cg-brutaltester.jar"
-            + (referee == Referee.IN_GO ? " -o" : "") + " -r '" + referee.referee
-            + "' -p1 ./mine -p2 ./other -n " + games + " -i " + seeds[referee.ordinal()]
-            : "rm -f psyleague.games && sed -i 's,^cmd_play_game = .*,cmd_play_game = \"" + referee.play
-            + " ./mine ./other\",' psyleague.cfg && ./psyleague run --silent --games " + games
-            + " >/dev/null && cat psyleague.games";
+        String call = "java -jar cg-brutaltester.jar" + (referee == Referee.IN_GO ? " -o" : "") + " -r '" + referee.call
+            + "' -p1 ./mine -p2 ./other -n " + games + " -i " + seeds[referee.ordinal()];
         double before = ticks();
         List<String> said = run(call);
         double spent = ticks() - before;
-        long played = said.stream().filter(line -> line.contains("End of game ") || line.contains("[0, 0]")).count();
+        long played = said.stream().filter(line -> line.contains("End of game ")).count();
         if (played < games) {
-            throw new IOException(tool.word + " has played " + played + " games of " + games + ", and said: "
+            throw new IOException("cg-brutaltester has played " + played + " games of " + games + ", and said: "
                 + String.join(" ", said));
         }
         return spent * NANOS_PER_TICK / played;

@@ -3,7 +3,6 @@ package steward.lab.bench.section;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
@@ -15,8 +14,8 @@ import steward.lab.bench.Section;
 import steward.lab.timing.TimingEffort;
 
 /**
- * Bench section on tools of others: the CPU time of their games with our referee, beside the same tool with a referee
- * in Go.
+ * Bench section on a tool of others: the CPU time of its games with our referee, beside the same tool with a referee in
+ * Go.
  */
 public record ToolSection(MatchFixture fixture, Path tools) implements Section {
 
@@ -31,16 +30,15 @@ public record ToolSection(MatchFixture fixture, Path tools) implements Section {
 
     @Override
     public String about() {
-        return "Games of two bots of `steward new cpp` under the tools of others, by the CPU time of everything"
-            + " together: the tool, the referee, the bots, and the resident referee. Compared with the tool and the"
-            + " referee in Go of robostac/coders-strike-back-referee, which has the old mode of cg-brutaltester (for"
-            + " psyleague, by a script in Python of 30 lines). A run is of " + 2 * GAMES + " games under"
-            + " cg-brutaltester and of " + GAMES + " under psyleague.";
+        return "Games of two bots of `steward new cpp` under cg-brutaltester, by the CPU time of everything together:"
+            + " the tool, the referee, the bots, and the resident referee. Compared with the referee in Go of"
+            + " robostac/coders-strike-back-referee, which has the tool's old mode. A run is of " + 2 * GAMES
+            + " games.";
     }
 
     @Override
     public int steps(Effort effort) {
-        return 2 * timing(effort).steps(ToolGames.Referee.values().length);
+        return timing(effort).steps(ToolGames.Referee.values().length);
     }
 
     private static TimingEffort timing(Effort effort) {
@@ -49,22 +47,16 @@ public record ToolSection(MatchFixture fixture, Path tools) implements Section {
 
     @Override
     public void run(Effort effort, Runnable step, Consumer<Row> rows) throws Exception {
-        List<String> missing = new ArrayList<>();
-        int games = effort == Effort.QUICK ? QUICK_GAMES : GAMES;
-        for (ToolGames.Tool tool : ToolGames.Tool.values()) {
-            List<Path> absent = tool.files(tools).stream().filter(file -> !Files.exists(file)).toList();
-            if (!absent.isEmpty()) {
-                missing.add(tool.word() + " is skipped: there is no " + absent.get(0));
-                continue;
-            }
-            try (ToolGames played = new ToolGames(fixture.launcher(), tools, tool)) {
-                List<Contender> contenders = Stream.of(ToolGames.Referee.values()).map(referee -> new Contender(
-                    tool.word() + ", " + referee.word(), least -> played.play(referee, games))).toList();
-                new Comparison(name(), "games", contenders, Comparison::paired).run(timing(effort), step, rows);
+        for (String file : ToolGames.FILES) {
+            if (!Files.exists(tools.resolve(file))) {
+                throw new IOException("found no " + tools.resolve(file));
             }
         }
-        if (!missing.isEmpty()) {
-            throw new IOException(String.join("; ", missing));
+        int games = effort == Effort.QUICK ? QUICK_GAMES : GAMES;
+        try (ToolGames played = new ToolGames(fixture.launcher(), tools)) {
+            List<Contender> contenders = Stream.of(ToolGames.Referee.values()).map(referee ->
+                new Contender("cg-brutaltester, " + referee.word(), least -> played.play(referee, games))).toList();
+            new Comparison(name(), "games", contenders, Comparison::paired).run(timing(effort), step, rows);
         }
     }
 }

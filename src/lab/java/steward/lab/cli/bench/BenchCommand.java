@@ -70,8 +70,8 @@ public final class BenchCommand extends ProgramCommand {
         description = "A crowd of so many; can be repeated (default: 100, 1000, 10000, 100000).")
     private List<Integer> bodies = new ArrayList<>();
 
-    @Option(names = "--tools", paramLabel = "DIR", description = "Measures games under tools of others too, which are "
-        + "in this folder: cg-brutaltester.jar, bin/psyleague and csbref, a referee in Go.")
+    @Option(names = "--tools", paramLabel = "DIR", description = "Measures games under cg-brutaltester too, which is "
+        + "in this folder: cg-brutaltester.jar, and csbref, a referee in Go.")
     private String tools;
 
     @Option(names = "--sdk", paramLabel = "DIR", description = "Measures referees made with CodinGame's SDK too, whose "
@@ -96,6 +96,13 @@ public final class BenchCommand extends ProgramCommand {
     static final class Parts implements Iterable<String> {
 
         static final List<String> ALL = List.of("matches", "verify", "processes", "start", TOOLS, REFEREES, "crowds");
+        /** What each takes, about, on two processors: with {@code --quick}, as usual, and with {@code --long}. */
+        private static final int[][] SECONDS = {{15, 60, 130}, {10, 30, 50}, {15, 70, 90}, {4, 22, 25}, {20, 130, 210},
+            {60, 110, 160}, {8, 50, 300}};
+
+        static double seconds(String part, Effort effort) {
+            return SECONDS[ALL.indexOf(part)][effort.ordinal()];
+        }
 
         @Override
         public Iterator<String> iterator() {
@@ -181,7 +188,7 @@ public final class BenchCommand extends ProgramCommand {
         Runtime.getRuntime().addShutdownHook(new Thread(table::release, "bench-interrupted"));
         Effort effort = quick ? Effort.QUICK : full ? Effort.LONG : Effort.NORMAL;
         RunProgress progress = new RunProgress(streams,
-            sections.stream().map(section -> BenchSeconds.of(section.name(), effort)).toList());
+            sections.stream().map(section -> Parts.seconds(section.name(), effort)).toList());
         if (bodies.isEmpty()) {
             ProgressLine.announce(streams, TextFormat.about(progress.total()));
         }

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import steward.cli.streams.Streams;
+import steward.lab.bench.PerformancePage;
 import steward.lab.bench.Row;
 import steward.lab.bench.Section;
 import steward.text.TextFormat;
@@ -46,14 +47,9 @@ final class BenchTable {
     void add(Row row) {
         String line = "  " + TextFormat.left(row.name(), NAME)
             + TextFormat.right(String.format(Locale.ROOT, "%,.0f", row.perSecond()), FIGURE)
-            + TextFormat.right(time(row.nanos()), TIME) + TextFormat.right(TextFormat.fixed(row.ratio(), 2), RATIO)
+            + TextFormat.right(PerformancePage.time(row.nanos()), TIME) + TextFormat.right(TextFormat.fixed(row.ratio(), 2), RATIO)
             + TextFormat.right(TextFormat.fixed(row.bytes(), 0), RATIO);
         streams.out().println(row.note().isEmpty() ? line : line + "  " + row.note());
         streams.out().flush();
-    }
-
-    private static String time(double nanos) {
-        return nanos < 1e3 ? TextFormat.fixed(nanos, 0) + " ns" : nanos < 1e6 ? TextFormat.fixed(nanos / 1e3, 2) + " us"
-            : TextFormat.fixed(nanos / 1e6, 2) + " ms";
     }
 }
