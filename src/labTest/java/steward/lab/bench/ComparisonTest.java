@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 import steward.lab.timing.Stretch;
 import steward.lab.timing.TimingEffort;
@@ -15,14 +16,17 @@ import steward.lab.timing.WorkTimer;
 /** Rows of contenders, also when the run is interrupted. */
 class ComparisonTest {
 
+    private static final TimingEffort BRIEF = new TimingEffort(1, 5, 0.001, 0, 0);
+
     private final List<Row> rows = new ArrayList<>();
-    private int steps;
+    private final AtomicInteger steps = new AtomicInteger();
 
     /** The thread is interrupted at the so-manieth step: two warm-ups, and then the rounds. */
     private void compare(TimingEffort effort, int interruptedAt, Contender... contenders) throws Exception {
+        Thread measuring = Thread.currentThread();
         new Comparison("section", "units", List.of(contenders), Comparison::paired).run(effort, () -> {
-            if (++steps == interruptedAt) {
-                Thread.currentThread().interrupt();
+            if (steps.incrementAndGet() == interruptedAt) {
+                measuring.interrupt();
             }
         }, rows::add);
     }
@@ -42,7 +46,7 @@ class ComparisonTest {
     void everyContenderHasARow() throws Exception {
         compare(new TimingEffort(1, 5, 0, 0, 0), 0, taking("a", 100), taking("b", 280, 240, 200, 220, 260));
 
-        assertEquals(7, steps);
+        assertEquals(7, steps.get());
         assertEquals(List.of(new Row("section", "a", "units", 1e7, 1, 7, ""), new Row("section", "b", "units",
             1e9 / 240, 100.0 / 240, 7, "2.400 times the first (median of pairs), +140 ns")), rows);
     }
@@ -75,7 +79,7 @@ class ComparisonTest {
 
     @Test
     void anInterruptedMeasurementTellsItsWholeRounds() {
-        assertThrows(InterruptedException.class, () -> compare(Effort.QUICK.timing(), 3, idle("a"), idle("b")));
+        assertThrows(InterruptedException.class, () -> compare(BRIEF, 3, idle("a"), idle("b")));
 
         assertEquals(List.of("a", "b"), rows.stream().map(Row::name).toList());
         assertTrue(rows.stream().allMatch(row -> row.note().contains("1 of 5 rounds")), rows.toString());
@@ -84,7 +88,7 @@ class ComparisonTest {
 
     @Test
     void withoutAWholeRoundThereIsNothingToTell() {
-        assertThrows(InterruptedException.class, () -> compare(Effort.QUICK.timing(), 2, idle("a"), idle("b")));
+        assertThrows(InterruptedException.class, () -> compare(BRIEF, 2, idle("a"), idle("b")));
 
         assertEquals(List.of(), rows);
     }
@@ -98,12 +102,8 @@ class ComparisonTest {
             }
             return new Stretch(1, 0);
         });
-        TimingEffort effort = new TimingEffort(1, 5, 0, 0, 0);
-        assertThrows(IllegalStateException.class, () -> compare(effort, 2, writer, writer));
-        assertEquals(List.of(), rows, "in the first round");
-        assertFalse(Thread.interrupted(), "it has been told");
-        steps = 0;
-        assertThrows(IllegalStateException.class, () -> compare(effort, 4, writer, writer));
+        assertThrows(IllegalStateException.class,
+            () -> compare(new TimingEffort(1, 5, 0, 0, 0), 4, writer, writer));
         assertEquals(List.of("2 of 5 rounds", "2 of 5 rounds"), rows.stream().map(row ->
             row.note().replaceFirst(".*, ", "")).toList());
     }

@@ -103,7 +103,7 @@ class CalibrateTest {
         assertPlayedAsCalibrated(scene, figures);
     }
 
-    private static void calibrate(Path scene, Path figures, Timing timing) throws Exception {
+    private static void calibrate(Path scene, Path figures, Timing<RungJob> timing) throws Exception {
         CalibrationRun.of(new Streams(new ByteArrayOutputStream(), new ByteArrayOutputStream(), false, false),
             Games.open(scene.toString(), Calibration.PLAYED_ON), figures, 1000, timing).run();
     }

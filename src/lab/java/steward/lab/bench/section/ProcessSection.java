@@ -91,8 +91,8 @@ public record ProcessSection(MatchFixture fixture, GameSetup longGame, int longT
         compare("turns", starts, step, rows, contenders(levels, level -> "turn of a bot, sandbox " + level.word(),
             level -> new BotTurns(shell, Isolation.at(level), 1, LINE, TURNS)));
         if (HoldMeans.of(Isolation.usual()) == HoldMeans.INIT) {
-            compare("turns", effort.rounds(JVM_STARTS), step, rows, contenders(List.of(HoldPolicy.NEVER, HoldPolicy.BURNERS,
-                HoldPolicy.ALWAYS), policy -> "turn of two bots, --hold " + policy.word(), policy ->
+            compare("turns", effort.rounds(JVM_STARTS), step, rows, contenders(List.of(HoldPolicy.NEVER,
+                HoldPolicy.BURNERS, HoldPolicy.ALWAYS), policy -> "turn of two bots, --hold " + policy.word(), policy ->
                 new BotTurns(fixture.responder(), Isolation.usual().holding(policy), 2, frame, TURNS)));
         }
     }
