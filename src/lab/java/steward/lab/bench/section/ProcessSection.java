@@ -92,7 +92,7 @@ public record ProcessSection(MatchFixture fixture, GameSetup longGame, int longT
             level -> new BotTurns(shell, Isolation.at(level), 1, LINE, TURNS)));
         if (HoldMeans.of(Isolation.usual()) == HoldMeans.INIT) {
             compare("turns", effort.rounds(JVM_STARTS), step, rows, contenders(List.of(HoldPolicy.NEVER,
-                HoldPolicy.BURNERS, HoldPolicy.ALWAYS), policy -> "turn of two bots, --hold " + policy.word(), policy ->
+                HoldPolicy.BURNERS, HoldPolicy.ALWAYS), policy -> "a turn, --hold " + policy.word(), policy ->
                 new BotTurns(fixture.responder(), Isolation.usual().holding(policy), 2, frame, TURNS)));
         }
     }
