@@ -23,6 +23,7 @@ import steward.lab.bench.Section;
 import steward.lab.timing.Stretch;
 import steward.lab.timing.TimedPlace;
 import steward.lab.timing.TimingEffort;
+import steward.lab.timing.WorkClock;
 import steward.match.MatchListener;
 import steward.match.Protocol;
 import steward.match.Referee;
@@ -53,6 +54,7 @@ public record ProcessSection(MatchFixture fixture, GameSetup longGame, int longT
     /** The length of a turn frame of the official scene. */
     private static final int FRAME_BYTES = 480;
     private static final byte[] LINE = {'\n'};
+
     @Override
     public String name() {
         return "processes";
@@ -61,16 +63,16 @@ public record ProcessSection(MatchFixture fixture, GameSetup longGame, int longT
     @Override
     public String about() {
         return "By the wall clock: turns of a match between two bot processes that answer at once, against two bare"
-            + " pipes to the same program, asked in sequence with as many bytes. Then whole matches of a single turn"
-            + " between two shells, against starting and asking the same shells without a referee, the second when the"
-            + " first has answered, as in a match, and ending them. Last, a bot's start up to its first answer at each"
-            + " level of isolation, and a turn after that; and a turn of two bots where waiting bots are never held,"
-            + " burners are, and all are.";
+            + " pipes to the same program, asked in sequence with as many bytes; also by the CPU time of the asking"
+            + " thread alone. Then whole matches of a single turn between two shells, against starting and asking the"
+            + " same shells without a referee, the second when the first has answered, as in a match, and ending them."
+            + " Last, a bot's start up to its first answer at each level of isolation, and a turn after that; and a"
+            + " turn of two bots where waiting bots are never held, burners are, and all are.";
     }
 
     @Override
     public int steps(Effort effort) {
-        return effort.timing().steps(2) + 3 * effort.rounds(STARTS).steps(3) + effort.rounds(JVM_STARTS).steps(3);
+        return 2 * effort.timing().steps(2) + 3 * effort.rounds(STARTS).steps(3) + effort.rounds(JVM_STARTS).steps(3);
     }
 
     @Override
@@ -78,8 +80,12 @@ public record ProcessSection(MatchFixture fixture, GameSetup longGame, int longT
         byte[] frame = new byte[FRAME_BYTES];
         Arrays.fill(frame, (byte) 'x');
         frame[FRAME_BYTES - 1] = '\n';
-        compare("turns", effort.timing(), step, rows, List.of(new Contender("bare pipes", least -> bare(frame)),
-            new Contender("match", least -> match())));
+        for (WorkClock clock : List.of(WorkClock.WALL, WorkClock.THREAD)) {
+            String by = clock == WorkClock.WALL ? ", wall clock" : ", CPU time of the asking thread";
+            compare("turns", effort.timing(), step, rows, List.of(
+                new Contender("bare pipes" + by, least -> bare(clock, frame)),
+                new Contender("match" + by, least -> match(clock))));
+        }
         TimingEffort starts = effort.rounds(STARTS);
         compare("matches", starts, step, rows, List.of(
             new Contender("two shells, started and ended", least -> twoShells()),
@@ -107,16 +113,16 @@ public record ProcessSection(MatchFixture fixture, GameSetup longGame, int longT
         new Comparison(name(), unit, contenders, Comparison::paired).run(effort, step, rows);
     }
 
-    private Stretch bare(byte... frame) throws IOException {
+    private Stretch bare(WorkClock clock, byte... frame) throws IOException {
         try (PipeRoundTrip one = new PipeRoundTrip(fixture.responder());
                 PipeRoundTrip other = new PipeRoundTrip(fixture.responder())) {
             long start = 0;
             for (int turn = 0; turn < longTurns; turn++) {
-                start = turn == WARM_TURNS ? System.nanoTime() : start;
+                start = turn == WARM_TURNS ? clock.nanos() : start;
                 one.exchange(frame, frame.length);
                 other.exchange(frame, frame.length);
             }
-            return turns(start, System.nanoTime());
+            return turns(start, clock.nanos());
         }
     }
 
@@ -124,15 +130,17 @@ public record ProcessSection(MatchFixture fixture, GameSetup longGame, int longT
         return new Stretch((end - start) / (double) (longTurns - WARM_TURNS), Double.NaN);
     }
 
-    private Stretch match() throws InterruptedException {
-        long[] ends = new long[longTurns + 1];
+    private Stretch match(WorkClock clock) throws InterruptedException {
+        long[] ends = new long[2];
         play(longGame, fixture.responder(), new MatchListener() {
             @Override
             public void played(Turn turn) {
-                ends[turn.number()] = System.nanoTime();
+                if (turn.number() == WARM_TURNS || turn.number() == longTurns) {
+                    ends[turn.number() / longTurns] = clock.nanos();
+                }
             }
         });
-        return turns(ends[WARM_TURNS], ends[longTurns]);
+        return turns(ends[0], ends[1]);
     }
 
     private static void play(GameSetup setup, List<String> command, MatchListener listener)
