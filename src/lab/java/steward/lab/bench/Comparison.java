@@ -21,7 +21,7 @@ public record Comparison(String section, String unit, List<Contender> contenders
     private static final double NANOS = 1e9;
     /** A ratio whose rounds differ by more is not to be compared: tables are for differences beyond this. */
     private static final double COMPARABLE = 1.25;
-    /** With fewer rounds than this ratios are not compared; of each so many, the lowest and the highest do not count. */
+    /** With fewer rounds ratios are not compared; of each so many the lowest and the highest do not count. */
     private static final int MANY_ROUNDS = 5;
 
     /** Makes a remark on a contender, which may be empty. */

@@ -27,7 +27,8 @@ public final class PerformancePage {
         for (Section section : sections) {
             List<Row> own = rows.stream().filter(row -> row.section().equals(section.name())).toList();
             if (!own.isEmpty()) {
-                page.append("\n## ").append(section.name()).append("\n\n").append(TextFormat.wrap(section.about(), " ", WIDTH, "")).append("\n\n");
+                page.append("\n## ").append(section.name()).append("\n\n")
+                    .append(TextFormat.wrap(section.about(), " ", WIDTH, "")).append("\n\n");
                 table(page, own);
             }
         }
@@ -59,8 +60,9 @@ public final class PerformancePage {
             }
         }
         if (!parts.isEmpty()) {
-            page.append("\n## How cost grows\n\n- With memory: an impact takes longer than among 1000 bodies by as much as reading ")
-                .append(String.join(", ", parts)).append(" of 64 bytes one after the other.\n");
+            page.append("\n## How cost grows\n\n- With memory: an impact takes longer than among 1000 bodies by as"
+                + " much as reading ").append(String.join(", ", parts))
+                .append(" of 64 bytes one after the other.\n");
         }
     }
 

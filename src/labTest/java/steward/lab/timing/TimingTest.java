@@ -81,7 +81,7 @@ class TimingTest {
         assertEquals(12.5, samples.median(0), "of all rounds");
         assertEquals(225, samples.median(1));
         assertEquals(225 / 12.5, samples.ratio(1, 0), "of the medians that are shown");
-        assertArrayEquals(new double[] {8, 11, 17.5, 230 / 13.0, 20, 260 / 11.0}, samples.ratios(1, 0), "of each round");
+        assertArrayEquals(new double[] {8, 11, 17.5, 230 / 13.0, 20, 260 / 11.0}, samples.ratios(1, 0), "by round");
         assertArrayEquals(new double[] {20, 12}, samples.medians(0), "of each repeat");
         assertEquals(6, samples.bytes(0));
         assertEquals(6, samples.rounds());

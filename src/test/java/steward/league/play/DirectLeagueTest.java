@@ -34,8 +34,8 @@ import steward.match.TestSize;
 import steward.numerics.Median;
 
 /**
- * A league between bots in this JVM, whose games take so little that its own work shows. How much that is beside a series
- * of the same games is reported, by turns: {@code ./gradlew campaigns --tests '*DirectLeagueTest'}.
+ * A league between bots in this JVM, whose games take so little that its own work shows. How much that is beside a
+ * series of the same games is reported, by turns: {@code ./gradlew campaigns --tests '*DirectLeagueTest'}.
  */
 @Tag("slow")
 @Tag("sized")
@@ -109,7 +109,8 @@ class DirectLeagueTest {
     }
 
     private double league(LeagueFolder into) throws InterruptedException {
-        LeagueSettings kept = LeagueSettings.usual(setup.scene().name(), 1).with(null, Double.POSITIVE_INFINITY, KeptReplays.NONE)
+        LeagueSettings kept = LeagueSettings.usual(setup.scene().name(), 1)
+            .with(null, Double.POSITIVE_INFINITY, KeptReplays.NONE)
             .withBots(PAIR.stream().map(bot -> new LeagueBot(bot.substring(bot.indexOf(':') + 1), bot, null, false,
                 false)).toList());
         into.write(kept);

@@ -101,7 +101,7 @@ public final class CrowdSection implements Section {
         for (Gas gas : gases) {
             int size = gas.count();
             String bodies = size + (size == 1 ? " body" : " bodies");
-            long impacts = Math.max(effort == Effort.QUICK ? 2_000 : 200_000, effort == Effort.QUICK ? size : 5L * size);
+            long impacts = effort == Effort.QUICK ? Math.max(2_000, size) : Math.max(200_000, 5L * size);
             Play queue = new Play(gas, impacts);
             List<Contender> contenders = new ArrayList<>();
             if (size <= MOST_FOR_TEXTBOOK) {

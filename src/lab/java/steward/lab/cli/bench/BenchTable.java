@@ -47,7 +47,8 @@ final class BenchTable {
     void add(Row row) {
         String line = "  " + TextFormat.left(row.name(), NAME)
             + TextFormat.right(String.format(Locale.ROOT, "%,.0f", row.perSecond()), FIGURE)
-            + TextFormat.right(PerformancePage.time(row.nanos()), TIME) + TextFormat.right(TextFormat.fixed(row.ratio(), 2), RATIO)
+            + TextFormat.right(PerformancePage.time(row.nanos()), TIME)
+            + TextFormat.right(TextFormat.fixed(row.ratio(), 2), RATIO)
             + TextFormat.right(TextFormat.fixed(row.bytes(), 0), RATIO);
         streams.out().println(row.note().isEmpty() ? line : line + "  " + row.note());
         streams.out().flush();
