@@ -35,13 +35,14 @@ import steward.numerics.Median;
 
 /**
  * A league between bots in this JVM, whose games take so little that its own work shows. How much that is beside a
- * series of the same games is reported, by turns: {@code ./gradlew campaigns --tests '*DirectLeagueTest'}.
+ * series of the same games is reported, by turns:
+ * {@code ./gradlew campaigns --tests '*DirectLeagueTest' -Psteward.games=20000}.
  */
 @Tag("slow")
 @Tag("sized")
 class DirectLeagueTest {
 
-    private static final int GAMES = Integer.getInteger("steward.games", TestSize.of(100, 10_000));
+    private static final int GAMES = Integer.getInteger("steward.games", TestSize.of(100, 3_000));
     private static final int ROUNDS = TestSize.of(1, 7);
     private static final int THREADS = 2;
     private static final double NANOS_PER_MICRO = 1e3;
