@@ -31,6 +31,12 @@ public record TeeSink(TurnSink target, TurnSink other) implements TurnSink {
     }
 
     @Override
+    public void rest(double time, double energy) {
+        other.rest(time, energy);
+        target.rest(time, energy);
+    }
+
+    @Override
     public void impactLimit(double time, int[] bodyIds) {
         other.impactLimit(time, bodyIds);
         target.impactLimit(time, bodyIds);

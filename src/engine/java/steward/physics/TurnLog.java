@@ -31,6 +31,7 @@ public final class TurnLog implements TurnSink {
     private double[] factNumbers = new double[FACT_NUMBERS * 8];
     private int facts;
 
+    private double restEnergy;
     private double limitTime = Double.NaN;
     private int[] limitBodies = NO_BODIES;
 
@@ -56,6 +57,7 @@ public final class TurnLog implements TurnSink {
         impacts = 0;
         knots = 0;
         facts = 0;
+        restEnergy = 0;
         limitTime = Double.NaN;
         limitBodies = NO_BODIES;
     }
@@ -127,6 +129,11 @@ public final class TurnLog implements TurnSink {
         factNumbers[k++] = y;
         factNumbers[k++] = p;
         factNumbers[k] = q;
+    }
+
+    @Override
+    public void rest(double time, double energy) {
+        restEnergy += energy;
     }
 
     @Override
@@ -246,6 +253,11 @@ public final class TurnLog implements TurnSink {
 
     public double factQ(int k) {
         return factNumbers[FACT_NUMBERS * k + 4];
+    }
+
+    /** The energy that rest took in the turn, as {@link TurnSink#rest} tells it. */
+    public double restEnergy() {
+        return restEnergy;
     }
 
     /** True if the turn ended at the bound on impacts. */

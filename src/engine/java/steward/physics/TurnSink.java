@@ -31,6 +31,14 @@ public interface TurnSink {
     default void fact(double time, int kind, int a, int b, double x, double y, double p, double q) { }
 
     /**
+     * A heap came to rest where no force acts.
+     *
+     * @param energy what bounces would have given back: of the kinetic energy that each contact took, its restitution's
+     *               square
+     */
+    default void rest(double time, double energy) { }
+
+    /**
      * The bound on impacts was reached. The bodies that are then still in contact, and those that come into contact
      * later, keep their place for the rest of the turn and keep their velocities; the others fly on.
      *

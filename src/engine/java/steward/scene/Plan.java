@@ -151,21 +151,27 @@ public final class Plan {
     private Part restitution() {
         boolean in = lowestRestitution < 1;
         return new Part(Part.RESTITUTION, in,
-            in ? "restitution as low as " + Wording.number(lowestRestitution) + ", " + rest()
-                : "everything has restitution 1");
+            in ? "restitution as low as " + Wording.number(lowestRestitution) + ", law of rest: " + rest()
+                : "everything has restitution 1, law of rest: none, elastic bodies do not rest");
     }
 
     /** The law of rest, and why it is that one. */
     private String rest() {
         ImpactLaw law = impacts();
         if (!law.bodiesRest()) {
-            return "nothing rests: minimumImpulse";
+            return "none, minimumImpulse drives bodies apart";
+        }
+        if (law.separatingPairsReact()) {
+            return "none, separatingPairs react";
+        }
+        if (scene.accuracy().way() == Accuracy.Way.STEP) {
+            return "none, fixed steps have none";
         }
         if (!Double.isNaN(law.restSpeed())) {
-            return "restSpeed " + Wording.number(law.restSpeed());
+            return "a rebound at up to restSpeed " + Wording.number(law.restSpeed());
         }
-        return own.forces().act() ? "rest where a rebound takes less than a turn: forces act"
-            : "rest below 2^-40 of the energy: no forces act";
+        return own.forces().act() ? "a rebound that takes less than a turn, forces act"
+            : "an impact below 2^-40 of the energy, no forces act";
     }
 
     private Part minimumImpulse() {

@@ -27,7 +27,7 @@ class PlanTest {
         assertEquals("""
             in   pair impacts       bodies meet
             out  walls              no field
-            out  restitution        everything has restitution 1
+            out  restitution        everything has restitution 1, law of rest: none, elastic bodies do not rest
             out  minimum impulse    no minimumImpulse
             out  push-out           no body is moved apart
             out  batch window       only approach reacts, one impact at a time
@@ -56,7 +56,7 @@ class PlanTest {
         assertEquals("""
             in   pair impacts       bodies meet, scanOrder descending
             in   walls              4 walls
-            in   restitution        restitution as low as 0.8, nothing rests: minimumImpulse
+            in   restitution        restitution as low as 0.8, law of rest: none, minimumImpulse drives bodies apart
             in   minimum impulse    minimumImpulse 30, at walls too, deadZone 1.5
             in   push-out           pushOut 1e-5
             in   batch window       separatingPairs react, batchWindow 1e-5
@@ -85,12 +85,14 @@ class PlanTest {
             + "\"walls\": { \"type\": \"box\", \"restitution\": 0.5 } }");
         Plan ghosts = Plan.of(scene, new Contacts(1).setWall(0, Meaning.NONE), 1, false, List.of());
         assertEquals(new Part("walls", false, "no kind of bodies meets walls"), ghosts.parts().get(1));
+        assertEquals(new Part("restitution", false, "everything has restitution 1, law of rest: none, elastic bodies "
+            + "do not rest"), ghosts.parts().get(2));
         assertEquals(Restitution.ELASTIC, ghosts.physics(null).law().restitution());
         assertEquals(List.of(), ghosts.physics(null).walls());
 
         Plan solid = Plan.of(scene, ALL, 1, false, List.of());
-        assertEquals(new Part("restitution", true, "restitution as low as 0.5, rest below 2^-40 of the energy: "
-            + "no forces act"), solid.parts().get(2));
+        assertEquals(new Part("restitution", true, "restitution as low as 0.5, law of rest: an impact below "
+            + "2^-40 of the energy, no forces act"), solid.parts().get(2));
         assertEquals(Restitution.MINIMUM, solid.physics(null).law().restitution());
     }
 

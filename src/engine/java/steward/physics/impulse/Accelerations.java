@@ -11,6 +11,11 @@ import steward.physics.PhysicsParts;
  * the parabola was as much above the chord: an elastic bounce on a level wall keeps the energy (v + a/2)^2 / 2 - a x at
  * the ends of turns.
  *
+ * A body that its support carries lies exactly where its parabola is. Lifted off it at s, at the speed w, it has the
+ * energy w^2 / 2 there; the chord of v' = w - a (s - 1/2) would end with a^2 s (1 - s) / 2 more, by which it is above
+ * the parabola. So it leaves at (w^2 - a^2 s (1 - s))^(1/2), which exists: a hop of more than a turn has w > a / 2.
+ * Otherwise a pile that bounces in itself would gain a part of a^2 / 8 with every hop, and boil for ever.
+ *
  * If v' still approaches, the hop is shorter than what is left of the turn. An elastic body has it if its energy above
  * the wall is below a^2 / 8: w^2 / 2 + a^2 s (1 - s) / 2 with w < a (1/2 - s) is less than that.
  */
@@ -50,15 +55,21 @@ public final class Accelerations {
     }
 
     /**
-     * Returns a body from the instant of an impact to its flight. What an impulse has lifted off its support, for more
-     * than a turn, is accelerated by the whole force again.
+     * Returns a body from the instant of an impact to its flight. One that an impulse has lifted off its support, for
+     * more than a turn, is accelerated by the whole force again, and keeps the energy that it has at the instant.
      *
-     * @param vx velocity before the impact
+     * @param vx with vy, velocity before the impact
      */
     void leave(Bodies bodies, int i, double half, double vx, double vy) {
         double heldX = forces.x(bodies, i) - x[i];
         double heldY = forces.y(bodies, i) - y[i];
-        if (2 * (heldX * (vx - bodies.vx[i]) + heldY * (vy - bodies.vy[i])) > heldX * heldX + heldY * heldY) {
+        double held = heldX * heldX + heldY * heldY;
+        double lifted = heldX * (vx - bodies.vx[i]) + heldY * (vy - bodies.vy[i]);
+        if (2 * lifted > held) {
+            double left = lifted * lifted - held * held * (0.25 - half * half);
+            double share = (lifted - Math.sqrt(Math.max(0, left))) / held;
+            bodies.vx[i] += heldX * share;
+            bodies.vy[i] += heldY * share;
             x[i] += heldX;
             y[i] += heldY;
         }

@@ -47,12 +47,12 @@ final class InelasticSystem {
     double[] normalY = new double[0];
     double[] impulse = new double[0];
     /** The approach speed that a contact may keep. */
-    private double[] allowed = new double[0];
+    double[] allowed = new double[0];
     private double[] approach = new double[0];
     private double[] trial = new double[0];
     private boolean[] blocked = new boolean[0];
     /** True for a contact that may not open either: its impulse may be negative. */
-    private boolean[] held = new boolean[0];
+    boolean[] held = new boolean[0];
     /** Velocities before the impulses. */
     private double[] fromX = new double[0];
     private double[] fromY = new double[0];
@@ -89,7 +89,7 @@ final class InelasticSystem {
         restart(bodies, at);
     }
 
-    /** Adds a contact that may keep an approach speed; at 0 it has to part. */
+    /** Adds a contact that may keep an approach speed; at 0 it is closed, and has to part. */
     void add(Bodies bodies, int body, int other, double nx, double ny, double may) {
         if (size == a.length) {
             grow(2 * size + 8);
@@ -103,8 +103,15 @@ final class InelasticSystem {
         enter(bodies, size++);
     }
 
+    /** Gives a contact another normal and another speed that it may keep; solved from the next restart on. */
+    void turn(int k, double nx, double ny, double may) {
+        normalX[k] = nx;
+        normalY[k] = ny;
+        allowed[k] = may;
+    }
+
     private void enter(Bodies bodies, int k) {
-        approach[k] = approach(k, fromX, fromY) + (allowed[k] > 0 ? -allowed[k] : parting);
+        approach[k] = approach(k, fromX, fromY) + (allowed[k] != 0 ? -allowed[k] : parting);
         impulse[k] = 0;
         blocked[k] = false;
         entries += ROUNDS;
@@ -159,16 +166,6 @@ final class InelasticSystem {
         return -1;
     }
 
-    /** True if a contact of these two has this normal, to a share of it. */
-    boolean has(int body, int other, double nx, double ny, double share) {
-        for (int k = 0; k < size; k++) {
-            if (a[k] == body && b[k] == other && Math.abs(normalX[k] * ny - normalY[k] * nx) < share) {
-                return true;
-            }
-        }
-        return false;
-    }
-
     /** Returns the approach speed of a contact after the impulses. */
     double approach(int k) {
         return approach(k, vx, vy);
@@ -184,42 +181,35 @@ final class InelasticSystem {
         return normalX[k] * x + normalY[k] * y;
     }
 
-    /** True if a contact has no gap and has taken an impulse. */
+    /** True if a contact has taken an impulse, or may not open. */
     boolean carries(int k) {
-        return allowed[k] == 0 && (impulse[k] > 0 || held[k]);
+        return impulse[k] > 0 || held[k];
     }
 
     /** Adds a contact without a gap that does not open, or lets one not open; solved from the next restart on. */
-    void hold(Bodies bodies, int body, int other, double nx, double ny) {
-        int k = 0;
-        while (k < size && !(a[k] == body && b[k] == other && normalX[k] == nx && normalY[k] == ny)) {
-            k++;
-        }
-        if (k == size) {
+    int hold(Bodies bodies, int body, int other, double nx, double ny) {
+        int k = find(body, other);
+        if (k < 0) {
+            k = size;
             add(bodies, body, other, nx, ny, 0);
         }
         allowed[k] = 0;
         held[k] = true;
+        return k;
     }
 
-    /** Removes the contacts of these two but the first of the system; solved from the next restart on. */
-    void removeAfterFirst(int body, int other) {
-        for (int k = size - 1; k > 0; k--) {
-            if (a[k] == body && b[k] == other) {
-                swap(k, --size);
-            }
-        }
-    }
-
-    /** Removes all contacts but those that {@link #carries}. */
-    void keepCarrying() {
-        int kept = 0;
+    /** Solves a system anew of which normals were turned: from the set that it has, if that still is one. */
+    void resume(Bodies bodies) {
         for (int k = 0; k < size; k++) {
-            if (carries(k)) {
-                swap(kept++, k);
-            }
+            approach[k] = approach(k, fromX, fromY) + (allowed[k] != 0 ? -allowed[k] : parting);
+            blocked[k] = false;
         }
-        size = kept;
+        entries += ROUNDS;
+        if (active > 0 && factorize(bodies, 0)) {
+            descend(bodies);
+        } else {
+            restart(bodies, parting);
+        }
     }
 
     /** Forgets all impulses; contacts have to part at another speed. */
@@ -270,7 +260,7 @@ final class InelasticSystem {
         double speed = tolerance;
         for (int k = 0; k < size; k++) {
             if (impulse[k] == 0 && !blocked[k]) {
-                double left = approach(k) + (allowed[k] > 0 ? -allowed[k] : parting);
+                double left = approach(k) + (allowed[k] != 0 ? -allowed[k] : parting);
                 left = held[k] ? Math.abs(left) : left;
                 if (left > speed) {
                     speed = left;

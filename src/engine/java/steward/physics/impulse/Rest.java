@@ -1,7 +1,6 @@
 package steward.physics.impulse;
 
 import java.util.Arrays;
-import steward.physics.Arena;
 import steward.physics.Bodies;
 import steward.physics.Contacts;
 import steward.physics.ImpactLaw;
@@ -14,7 +13,10 @@ import steward.physics.Wall;
  * velocity v the distance is at least its part along n, so they do not meet in a time tau if n.v tau <= g; the same
  * holds for a straight wall. The places inside an arena are convex, so a body on a straight path stays inside if its
  * end is inside, and that holds if n'.(x + v tau) <= room for the normal n' there. All of these are linear conditions
- * on the velocities, and those of rest satisfy them.
+ * on the velocities, and those of rest satisfy them. A rim has one condition; its normal is turned until it is that of
+ * the end of the path. So the impulse of a rim stands against the motion by half of the angle that the path covers: a
+ * heap that swings in an arena of the room R loses a / 4R of its swing a turn. Nothing else can take it: what a round
+ * wall exerts goes through its centre, and the angular momentum about that stays.
  *
  * On level ground with the acceleration a, a rebound at the speed r is back after 2 r / a turns: r = e u <= a / 2 is
  * less than a turn. A body that lies on it is accelerated by a at the start of each turn, so u* = a - a / 2, and 2 e u*
@@ -24,7 +26,10 @@ import steward.physics.Wall;
  * a turn later, were nothing in the way. A contact along which they approach is one to which the bodies would come back
  * within a turn: w.n + a.n / 2 >= 0. So the contacts that carry an impulse in the projection of v + a s are closed, and
  * the flights of the rest of the turn are v, projected where closed contacts may not open either: they then take the
- * same part of the accelerations and of the velocities. At the start of a turn the two are one.
+ * same part of the accelerations and of the velocities. At the start of a turn the two are one. A contact with a gap
+ * that the flights are kept from leaves so much of the accelerations that the bodies approach no faster at the instant
+ * than they did: with all of it they would part at up to a / 2 there, with none they might approach without cause.
+ * Both would be energy from nowhere, and heaps would not come to rest.
  */
 
 /**
@@ -58,11 +63,7 @@ public final class Rest {
     /** The share of a gap that is used up until the end of the turn: the rest is room for rounding. */
     private static final double USED = 0.99;
     /** Gaps below this share of the radii are closed: rounding may be as large as what is left of them. */
-    private static final double CLOSED = 0x1p-30;
-    /** A path that ends this share of the room outside an arena ends on its rim. */
-    private static final double RIM = 0x1p-40;
-    /** Tangents at a smaller angle depend on each other: pivots of a system vanish. */
-    private static final double TANGENT = 0x1p-16;
+    static final double CLOSED = 0x1p-30;
     /** The shortest rest of a turn that is divided by. */
     private static final double LEAST_LEFT = 0x1p-20;
     private final Wall[] walls;
@@ -72,6 +73,7 @@ public final class Rest {
     private final Accelerations accelerations;
     private final InelasticSystem system = new InelasticSystem();
     private final RestImpulses impulses;
+    private final RestRims rims;
     /** True if a body's heap has come to rest in this turn. */
     private boolean[] rested = new boolean[0];
     private int[] heap = new int[0];
@@ -98,7 +100,8 @@ public final class Rest {
     private Rest(PhysicsParts parts, Wall[] walls, Accelerations accelerations) {
         this.walls = walls;
         this.accelerations = accelerations;
-        impulses = new RestImpulses(system, walls);
+        rims = new RestRims(system, walls);
+        impulses = new RestImpulses(system, walls, rims);
         contacts = parts.contacts();
         law = new RestLaw(parts, walls, accelerations);
     }
@@ -185,9 +188,16 @@ public final class Rest {
             squeezed = !rests && system.approach(0) > impulses.tolerance();
         }
         if (rests) {
-            exchanged = impulses.exchange(bodies, time, sink);
-            if (accelerations != null) {
-                carry(bodies);
+            exchanged = impulses.exchange(bodies, law, time, sink);
+            if (accelerations == null) {
+                sink.rest(time, impulses.lost);
+            } else {
+                forceAhead(bodies);
+                impulses.carry(bodies, law, time, aheadX, aheadY);
+                for (int k = 0; k < heapSize; k++) {
+                    accelerations.x[heap[k]] = system.vx[heap[k]];
+                    accelerations.y[heap[k]] = system.vy[heap[k]];
+                }
             }
         }
         if (!rests) {
@@ -226,11 +236,18 @@ public final class Rest {
 
     private void meetAll(Bodies bodies, double left) {
         int before;
+        int rounds = RestRims.MOST_TURNS;
+        boolean turned;
         do {
             before = system.size;
             impulses.solve(bodies);
             addMet(bodies, left);
-        } while (system.size > before);
+            turned = left > 0 && rounds > 0 && rims.turn(bodies, left);
+            if (turned) {
+                impulses.resume(bodies);
+                rounds--;
+            }
+        } while (system.size > before || turned);
     }
 
     /** Finds the contacts that are closed, and gives the heap the velocities of whole flights by all forces. */
@@ -273,15 +290,16 @@ public final class Rest {
             law.look(bodies, a, b);
             double x = system.vx[a] - (b < 0 ? 0 : system.vx[b]);
             double y = system.vy[a] - (b < 0 ? 0 : system.vy[b]);
-            if (impulses.opens(law.normalX * x + law.normalY * y) && system.size < InelasticSystem.MOST) {
-                if (b < 0 && walls[~b] instanceof Arena arena) {
-                    turnToChord(arena.radius() - bodies.radius[a], (law.normalX * y - law.normalY * x) * left);
-                    if (!impulses.opens(law.normalX * x + law.normalY * y)) {
-                        continue;
-                    }
-                    system.removeAfterFirst(a, b);
+            boolean rim = rims.isRim(b);
+            if (rim) {
+                rims.look(bodies, a, ~b, left);
+            }
+            if ((rim ? rims.beyond < 0 : impulses.opens(law.normalX * x + law.normalY * y))
+                && system.size < InelasticSystem.MOST) {
+                int held = system.hold(bodies, a, b, law.normalX, law.normalY);
+                if (rim) {
+                    system.turn(held, rims.normalX, rims.normalY, rims.allowed);
                 }
-                system.hold(bodies, a, b, law.normalX, law.normalY);
                 closed--;
                 closedA[k] = closedA[closed];
                 closedB[k] = closedB[closed];
@@ -293,34 +311,15 @@ public final class Rest {
         return closed < before;
     }
 
-    /** Turns the normal at a rim to the one of the chord of a length that begins there. */
-    private void turnToChord(double room, double length) {
-        double sin = Math.max(-0.5, Math.min(0.5, length / (2 * room)));
-        double cos = Math.sqrt(1 - sin * sin);
-        double x = law.normalX * cos - law.normalY * sin;
-        law.normalY = law.normalY * cos + law.normalX * sin;
-        law.normalX = x;
-    }
-
     private void restore(Bodies bodies) {
         System.arraycopy(flightX, 0, bodies.vx, 0, size);
         System.arraycopy(flightY, 0, bodies.vy, 0, size);
     }
 
-    /** Gives the bodies of the heap the accelerations that its closed contacts leave. */
-    private void carry(Bodies bodies) {
-        double largest = 0;
+    private void forceAhead(Bodies bodies) {
         for (int i = 0; i < size; i++) {
             aheadX[i] = accelerations.forces.x(bodies, i);
             aheadY[i] = accelerations.forces.y(bodies, i);
-            largest = Math.max(largest, Math.abs(aheadX[i]) + Math.abs(aheadY[i]));
-        }
-        system.keepCarrying();
-        system.beginFrom(bodies, aheadX, aheadY, 0);
-        system.solve(bodies, RestLaw.ROUNDING * largest);
-        for (int k = 0; k < heapSize; k++) {
-            accelerations.x[heap[k]] = system.vx[heap[k]];
-            accelerations.y[heap[k]] = system.vy[heap[k]];
         }
     }
 
@@ -338,8 +337,8 @@ public final class Rest {
                 if (contacts.withWall(bodies.kind[i]) != Contacts.Meaning.BOUNCE) {
                     continue;
                 }
-                if (walls[w] instanceof Arena arena && left > 0) {
-                    addRim(bodies, i, w, arena, left);
+                if (left > 0 && rims.isRim(~w)) {
+                    addRim(bodies, i, w, left);
                 } else if (reachesWall(bodies, i, walls[w], left)) {
                     addOnce(bodies, i, ~w, left);
                 }
@@ -408,19 +407,14 @@ public final class Rest {
     }
 
     /** Adds the tangent of the rim that a body would leave, where it would be at the end of the turn. */
-    private void addRim(Bodies bodies, int i, int w, Arena arena, double left) {
-        double x = bodies.x[i] - arena.x();
-        double y = bodies.y[i] - arena.y();
-        double endX = x + system.vx[i] * left;
-        double endY = y + system.vy[i] * left;
-        double distance = Math.sqrt(endX * endX + endY * endY);
-        double room = arena.radius() - bodies.radius[i];
-        if (room > 0 && distance > room * (1 + RIM)) {
-            double nx = endX / distance;
-            double ny = endY / distance;
+    private void addRim(Bodies bodies, int i, int w, double left) {
+        if (system.find(i, ~w) < 0) {
+            rims.look(bodies, i, w, left);
+            double nx = rims.normalX;
+            double ny = rims.normalY;
             law.look(bodies, i, ~w);
-            if (!system.has(i, ~w, nx, ny, TANGENT) && joins(bodies, i, ~w, nx, ny)) {
-                add(bodies, i, ~w, nx, ny, room - (nx * x + ny * y), left);
+            if (rims.beyond > 0 && system.size < InelasticSystem.MOST && joins(bodies, i, ~w, nx, ny)) {
+                system.add(bodies, i, ~w, nx, ny, rims.allowed);
             }
         }
     }

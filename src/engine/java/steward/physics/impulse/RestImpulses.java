@@ -15,17 +15,23 @@ final class RestImpulses {
 
     /** Contacts of a system part at this share of its speeds, above the rounding of velocities and normals. */
     private static final double PARTING = 0x1p-42;
+    /** Share of the largest change of a velocity by one impulse that is a speed of the system: its rounding counts. */
+    private static final double CHANGES = 0x1p-8;
     /** Where contacts cannot part, velocities below this share of the speeds are 0. */
     private static final double STILL = 0x1p-40;
 
     private final InelasticSystem system;
     private final Wall[] walls;
+    private final RestRims rims;
     private double speed;
     private boolean parts;
+    /** Energy that bounces would have given back in the last {@link #exchange}. */
+    double lost;
 
-    RestImpulses(InelasticSystem system, Wall[] walls) {
+    RestImpulses(InelasticSystem system, Wall[] walls, RestRims rims) {
         this.system = system;
         this.walls = walls;
+        this.rims = rims;
     }
 
     /** Begins an empty system of bodies with these velocities. */
@@ -53,13 +59,68 @@ final class RestImpulses {
         system.restart(bodies, parts ? PARTING * speed : 0);
     }
 
-    /** Solves the system; contacts do not part if they cannot. */
+    /** Solves the system anew after normals were turned. */
+    void resume(Bodies bodies) {
+        system.resume(bodies);
+    }
+
+    /** Solves the system; contacts do not part if they cannot, and faster where large changes cancel each other. */
     void solve(Bodies bodies) {
+        solveOnce(bodies);
+        double change = 0;
+        for (int k = 0; k < system.size; k++) {
+            double inverse = bodies.inverseMass[system.a[k]];
+            inverse = Math.max(inverse, system.b[k] < 0 ? 0 : bodies.inverseMass[system.b[k]]);
+            change = Math.max(change, Math.abs(system.impulse[k]) * inverse);
+        }
+        if (parts && change * CHANGES > speed) {
+            speed = change * CHANGES;
+            system.restart(bodies, PARTING * speed);
+            solveOnce(bodies);
+        }
+    }
+
+    private void solveOnce(Bodies bodies) {
         if (!system.solve(bodies, tolerance()) && parts) {
             parts = false;
             system.restart(bodies, 0);
             system.solve(bodies, tolerance());
         }
+    }
+
+    /**
+     * Solves the accelerations that the contacts of a solved system leave; the system has them instead of velocities.
+     *
+     * @param x with y, the accelerations by all forces
+     */
+    void carry(Bodies bodies, RestLaw law, double time, double[] x, double[] y) {
+        double largest = 0;
+        for (int i = 0; i < bodies.size(); i++) {
+            largest = Math.max(largest, Math.abs(x[i]) + Math.abs(y[i]));
+        }
+        int carrying = 0;
+        for (int k = 0; k < system.size; k++) {
+            double may = system.carries(k) ? acceleration(k, law, time) : Double.POSITIVE_INFINITY;
+            if (may < Double.POSITIVE_INFINITY) {
+                system.turn(k, system.normalX[k], system.normalY[k], may);
+                system.swap(carrying++, k);
+            }
+        }
+        system.size = carrying;
+        system.beginFrom(bodies, x, y, 0);
+        system.solve(bodies, RestLaw.ROUNDING * largest);
+    }
+
+    /**
+     * The acceleration along its normal that a contact leaves: none if it is closed. With a gap, so much that the
+     * bodies approach no faster at the instant than they did: v = w + a (1/2 - s).
+     */
+    private double acceleration(int k, RestLaw law, double time) {
+        if (system.held[k] || !(system.allowed[k] > 0) || rims.isRim(system.b[k])) {
+            return 0;
+        }
+        return time < 0.5 ? Math.max(0, (system.allowed[k] - system.approach(k, law.instantX, law.instantY))
+            / (0.5 - time)) : Double.POSITIVE_INFINITY;
     }
 
     /**
@@ -96,8 +157,9 @@ final class RestImpulses {
     }
 
     /** Applies the impulses one after the other, ascending by ids, and records them. @return how many there are */
-    int exchange(Bodies bodies, double time, TurnSink sink) {
+    int exchange(Bodies bodies, RestLaw law, double time, TurnSink sink) {
         sort();
+        lost = 0;
         double still = parts ? 0 : STILL * speed;
         int exchanged = 0;
         for (int k = 0; k < system.size; k++) {
@@ -115,6 +177,8 @@ final class RestImpulses {
                 double vby = b < 0 ? 0 : bodies.vy[b];
                 double inverse = bodies.inverseMass[a] + (b < 0 ? 0 : bodies.inverseMass[b]);
                 double energy = j * (j * inverse / 2 - system.approach(k, bodies.vx, bodies.vy));
+                double restitution = law.restitution(bodies, a, b);
+                lost -= energy * restitution * restitution;
                 accelerate(bodies, a, -j * bodies.inverseMass[a], nx, ny, last ? still : 0);
                 if (b >= 0) {
                     accelerate(bodies, b, j * bodies.inverseMass[b], nx, ny, still > 0 && isLastOf(b, k) ? still : 0);

@@ -10,12 +10,14 @@ import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import steward.numerics.SplitMix64;
 import steward.physics.Advance;
 import steward.physics.Arena;
 import steward.physics.Arithmetic;
 import steward.physics.Bodies;
 import steward.physics.Contacts;
+import steward.physics.Forces;
 import steward.physics.HalfPlane;
 import steward.physics.PhysicsParts;
 import steward.physics.TurnLog;
@@ -24,8 +26,8 @@ import steward.physics.queue.QueueAdvance;
 
 /**
  * Random piles without restitution that are pressed together anew each turn, on every event rung, by all pairs and as a
- * crowd. That they come to rest within 500 impacts a turn without a bound, and never gain energy, is what {@code Rest}
- * promises.
+ * crowd: they come to rest within 500 impacts a turn without a bound, and never gain energy. Piles with restitution
+ * that forces press, which have no more impacts once they lie still.
  */
 @Execution(ExecutionMode.CONCURRENT)
 class PilesTest {
@@ -86,6 +88,62 @@ class PilesTest {
             pile(arithmetic, place, 8, 0);
             pile(arithmetic, place, 2, 1);
         }
+    }
+
+    /**
+     * Piles with restitution fall into a place by their weight: at rest they have few impacts, on all rungs. Masses are 1
+     * to 1,000; in the narrow wedge they are equal, since others collapse there in more impacts than a turn may have.
+     */
+    @ParameterizedTest
+    @EnumSource(names = {"CORNER", "WEDGE", "NARROW_WEDGE"})
+    @Tag("slow")
+    void fallenPilesRest(Place place) {
+        for (double restitution : new double[] {0, 0.3, 0.6, 0.9}) {
+            for (int count : new int[] {3, 12, 40}) {
+                fall(Arithmetic.values()[count % 4], count, place == Place.NARROW_WEDGE ? 1 : 2, restitution, 1200,
+                    place.walls(1));
+            }
+        }
+    }
+
+    /**
+     * In an arena of the room R, where all that a wall exerts goes through the centre, a pile swings: 4R/a turns take a
+     * part e of it. So from at most 3 u a turn it lies still to 1e-6 after 4R/a ln(3e6).
+     */
+    @ParameterizedTest
+    @ValueSource(doubles = {0, 0.6, 0.9})
+    @Tag("slow")
+    void fifteenInAnArenaComeToRest(double restitution) {
+        double radius = 80;
+        int turns = (int) (200 + 4 * radius / 2 * StrictMath.log(3e6));
+        fall(Arithmetic.DOUBLE, 15, 2, restitution, turns, new Arena(0, radius, radius, 1));
+    }
+
+    private static void fall(Arithmetic arithmetic, int count, double ratio, double restitution, int turns,
+                             Wall... walls) {
+        Forces gravity = new Forces(0, 0, 0, -2);
+        PhysicsParts parts = new PhysicsParts(Scenes.WITH_RESTITUTION, arithmetic, new Contacts(1), List.of(walls),
+            null, true).withForces(gravity);
+        Bodies bodies = bodies(new SplitMix64(count), count, ratio, restitution, walls);
+        Advance advance = new EventAdvance(parts);
+        TurnLog log = new TurnLog();
+        int still = 0;
+        for (int turn = 1; turn <= turns && still < 20; turn++) {
+            for (int k = 0; k < count; k++) {
+                gravity.accelerate(bodies, k, 0, 0);
+            }
+            log.clear();
+            advance.turn(bodies, log);
+            String where = arithmetic + ", " + count + " bodies, e " + restitution + ", turn " + turn + ": ";
+            assertTrue(!log.limited() && (still == 0 || log.impacts() <= MOST_IMPACTS), where + log.impacts());
+            assertTrue(Scenes.deepestOverlap(bodies, walls) <= 1e-11, where + "overlap");
+            double fastest = 0;
+            for (int k = 0; k < count; k++) {
+                fastest = Math.max(fastest, Math.abs(bodies.vx[k]) + Math.abs(bodies.vy[k]));
+            }
+            still = fastest < 1e-6 ? still + 1 : 0;
+        }
+        assertEquals(20, still, arithmetic + ", " + count + " bodies, e " + restitution + ": they still move");
     }
 
     private static void pile(Place place, double ratio, double busy) {

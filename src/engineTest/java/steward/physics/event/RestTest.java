@@ -9,11 +9,13 @@ import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import steward.numerics.SplitMix64;
 import steward.physics.Advance;
 import steward.physics.Arithmetic;
 import steward.physics.Bodies;
 import steward.physics.Contacts;
+import steward.physics.Forces;
 import steward.physics.HalfPlane;
 import steward.physics.Impact;
 import steward.physics.PhysicsParts;
@@ -287,6 +289,96 @@ class RestTest {
                     assertTrue(!log.limited() && log.impacts() <= 500, where + log.impacts() + " impacts");
                     assertTrue(Scenes.energy(bodies) <= energy, where + "energy grew");
                 }
+            }
+        }
+    }
+
+    /** Without restitution a rebound is 0, at most any rest speed: nothing is given back, and the heap lies still. */
+    @ParameterizedTest
+    @MethodSource("rungs")
+    void bodiesWithoutRestitutionRestAlsoAtRestSpeedZero(Arithmetic arithmetic) {
+        PhysicsParts parts = new PhysicsParts(Scenes.WITH_RESTITUTION.withRestSpeed(0), arithmetic, new Contacts(1),
+            List.of(floor(0)), null, true);
+        for (Advance advance : List.of(new EventAdvance(parts), new QueueAdvance(parts))) {
+            Bodies bodies = new Bodies(3);
+            for (int body = 0; body < 3; body++) {
+                Scenes.add(bodies, 0, 10 + 20 * body, 0, -20, 1);
+                bodies.setRestitution(body, 0);
+            }
+            TurnLog log = new TurnLog();
+            advance.turn(bodies, log);
+            assertTrue(!log.limited() && log.impacts() <= 5, log.impacts() + " impacts");
+            assertEquals(0, Scenes.energy(bodies), 1e-18);
+        }
+    }
+
+    /** Gases, squeezes and corners without forces: rest takes at most 1e-6 of the energy that a turn begins with. */
+    @ParameterizedTest
+    @MethodSource("rungs")
+    void restTakesNextToNothingWhereNoForceActs(Arithmetic arithmetic) {
+        SplitMix64 random = new SplitMix64(55);
+        double taken = 0;
+        for (int n = 0; n < 24; n++) {
+            double e = n % 4 == 3 ? 0.3 + 0.3 * random.nextDouble()
+                : 1 - StrictMath.pow(10, -1 - 3 * random.nextDouble());
+            Wall[] walls = n % 3 == 0 ? new Wall[] {floor(1)}
+                : Wall.box(n % 3 == 1 ? 400 : 60, n % 3 == 1 ? 400 : 60, 1);
+            for (Advance advance : both(arithmetic, walls)) {
+                SplitMix64 same = new SplitMix64(n);
+                Bodies bodies = n % 3 == 1 ? Scenes.grid(same, 5, 400, 25, 700) : new Bodies(2);
+                if (n % 3 == 0) {
+                    Scenes.add(bodies, 0, 10 + 5 * same.nextDouble(), 0, 0, 1);
+                    Scenes.add(bodies, 0, 60, 0, -50, StrictMath.pow(10, 4 * same.nextDouble()));
+                } else if (n % 3 == 2) {
+                    Scenes.add(bodies, 30, 30.001, 500, 500, 1);
+                }
+                for (int k = 0; k < bodies.size(); k++) {
+                    bodies.setRestitution(k, e);
+                }
+                TurnLog log = new TurnLog();
+                for (int turn = 1; turn <= 20; turn++) {
+                    double energy = Scenes.energy(bodies);
+                    log.clear();
+                    advance.turn(bodies, log);
+                    double rest = log.restEnergy();
+                    taken += rest;
+                    String where = n + ", e " + e + ", turn " + turn + ": " + rest + " of " + energy;
+                    assertTrue(rest >= -1e-15 * energy && rest <= 1e-6 * energy, where);
+                }
+            }
+        }
+        assertTrue(taken > 0, "some have rested");
+    }
+
+    /** Thirty that forces press into a corner, in rows of five or one a row: few impacts once they lie still. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0, 0.3, 0.6, 0.9})
+    void pilesThatForcesPressIntoACornerComeToRest(double e) {
+        Forces forces = new Forces(0, 0, -1, -2);
+        for (int perRow : new int[] {1, 5}) {
+            PhysicsParts parts = new PhysicsParts(Scenes.WITH_RESTITUTION, Arithmetic.DOUBLE, new Contacts(1),
+                List.of(floor(e), new HalfPlane(0, 0, 1, 0, e)), null, true).withForces(forces);
+            for (Advance advance : List.of(new EventAdvance(parts), new QueueAdvance(parts))) {
+                SplitMix64 random = new SplitMix64(26);
+                Bodies bodies = new Bodies(30);
+                for (int k = 0; k < 30; k++) {
+                    double x = 10 + 20.5 * (k % perRow) + (perRow == 1 ? 0 : 0.5 * random.nextDouble());
+                    Scenes.add(bodies, x, 10 + 20.5 * (k / perRow) + 0.5 * random.nextDouble(), 0, 0,
+                        1 + 2 * random.nextDouble());
+                    bodies.setRestitution(k, e);
+                }
+                int still = 0;
+                for (int turn = 1; turn <= 600 && still < 20; turn++) {
+                    for (int k = 0; k < 30; k++) {
+                        forces.accelerate(bodies, k, 0, 0);
+                    }
+                    TurnLog log = new TurnLog();
+                    advance.turn(bodies, log);
+                    String where = perRow + " a row, e " + e + ", turn " + turn + ": ";
+                    assertTrue(!log.limited() && (still == 0 || log.impacts() <= 500), where + log.impacts());
+                    still = Scenes.energy(bodies) < 1e-12 ? still + 1 : 0;
+                }
+                assertEquals(20, still, perRow + " a row, e " + e + ": they still move");
             }
         }
     }

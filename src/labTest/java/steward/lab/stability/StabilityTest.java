@@ -239,7 +239,7 @@ class StabilityTest {
             }
         }));
         assertEquals(List.of("pi-blocks", "degenerate contacts", "masses", "extreme speeds", "corners and ends",
-            "sliding", "Newton's cradle", "random cradles", "rest", "inelastic collapse", "official edges",
+            "sliding", "Newton's cradle", "random cradles", "rest", "piles", "inelastic collapse", "official edges",
             "dense packing",
             "long run of 10",
             "long run of 100"), noticed);

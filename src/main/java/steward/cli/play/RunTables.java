@@ -40,6 +40,8 @@ final class RunTables implements MatchListener, AutoCloseable {
     private Game game;
     private Runnable step = () -> { };
     private int impactsOfTurn;
+    /** Energy that rest took in the turn. */
+    private double restOfTurn;
     /** When the turn reached the bound on impacts; NaN if it did not. */
     private double limitTime = Double.NaN;
     private Forces forces = Forces.NONE;
@@ -62,7 +64,7 @@ final class RunTables implements MatchListener, AutoCloseable {
             .forEach(name -> OutputFiles.check(folder.resolve(name), overwrite));
         try {
             return new RunTables(file(folder, "turns.csv",
-                "turn,energy,momentumX,momentumY,impacts,potential,limitTime"),
+                "turn,energy,momentumX,momentumY,impacts,potential,limitTime,rest,restSum"),
                 file(folder, "states.csv", "turn,id,x,y,vx,vy"),
                 file(folder, "impacts.csv", "turn,time,a,b,wall,ax,ay,bx,by,impulse,energy"));
         } catch (IOException problem) {
@@ -89,6 +91,11 @@ final class RunTables implements MatchListener, AutoCloseable {
                     write(impacts, game.turn() + "," + number(time) + "," + a + "," + (b < 0 ? "," + ~b : b + ",")
                         + cells(ax, ay, bx, by, impulse, energy));
                 }
+            }
+
+            @Override
+            public void rest(double time, double energy) {
+                restOfTurn += energy;
             }
 
             @Override
@@ -135,8 +142,10 @@ final class RunTables implements MatchListener, AutoCloseable {
     /** Adds a row. The speed at the end of a turn is v + a / 2, since v is that of the middle of a parabola. */
     private void add() {
         Bodies bodies = game.bodies();
-        double[] row = {game.turn(), 0, 0, 0, impactsOfTurn, potential(bodies) - start, limitTime};
+        double[] row = {game.turn(), 0, 0, 0, impactsOfTurn, potential(bodies) - start, limitTime, restOfTurn,
+            restOfTurn + (rows.isEmpty() ? 0 : rows.get(rows.size() - 1)[8])};
         impactsOfTurn = 0;
+        restOfTurn = 0;
         limitTime = Double.NaN;
         for (int k = 0; k < bodies.size(); k++) {
             if (bodies.inverseMass[k] > 0) {
@@ -154,7 +163,8 @@ final class RunTables implements MatchListener, AutoCloseable {
         rows.add(row);
         if (turns != null) {
             write(turns, (int) row[0] + cells(row[1], row[2], row[3]).stripTrailing() + "," + (int) row[4]
-                + cells(row[5]).stripTrailing() + "," + (Double.isNaN(row[6]) ? "" : number(row[6])) + "\n");
+                + cells(row[5]).stripTrailing() + "," + (Double.isNaN(row[6]) ? "" : number(row[6]))
+                + cells(row[7], row[8]));
         }
     }
 
@@ -179,6 +189,15 @@ final class RunTables implements MatchListener, AutoCloseable {
         if (rows.size() > shown) {
             lines.add("Impacts are those since the row before. All turns: --csv.");
         }
+        double rest = rows.isEmpty() ? 0 : rows.get(rows.size() - 1)[8];
+        if (rest != 0) {
+            double share = 0;
+            for (int k = 1; k < rows.size(); k++) {
+                share = Math.max(share, rows.get(k)[7] / rows.get(k - 1)[1]);
+            }
+            lines.add(String.format(Locale.ROOT, "Rest took the energy %.3g, at most %.1e of that at the start of a "
+                + "turn.", rest, share));
+        }
         List<double[]> limited = rows.stream().filter(row -> !Double.isNaN(row[6])).toList();
         if (!limited.isEmpty()) {
             lines.add(String.format(Locale.ROOT, "%d of %d turns reached the bound on impacts, the first of them turn "
@@ -197,6 +216,8 @@ final class RunTables implements MatchListener, AutoCloseable {
             out.writeNumberProperty("impacts", (int) row[4]);
             JsonNumbers.writeOrNull(out, "potential", row[5]);
             JsonNumbers.writeOrNull(out, "limitTime", row[6]);
+            JsonNumbers.writeOrNull(out, "rest", row[7]);
+            JsonNumbers.writeOrNull(out, "restSum", row[8]);
         });
     }
 

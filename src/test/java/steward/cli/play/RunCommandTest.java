@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.math.BigDecimal;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -28,8 +29,8 @@ class RunCommandTest {
         assertTrue(run.out().startsWith("cradle, seed 7, event/double: 40 turns, at most 40 turns are played\n"),
             run.out());
         List<String> turns = Files.readAllLines(tables.resolve("turns.csv"));
-        assertEquals("turn,energy,momentumX,momentumY,impacts,potential,limitTime", turns.get(0));
-        assertEquals("0,800.0,40.0,0.0,0,0.0,", turns.get(1));
+        assertEquals("turn,energy,momentumX,momentumY,impacts,potential,limitTime,rest,restSum", turns.get(0));
+        assertEquals("0,800.0,40.0,0.0,0,0.0,,0.0,0.0", turns.get(1));
         assertTrue(turns.get(41).startsWith("40,800.0,"), turns.get(41));
         assertEquals(1 + 41 * 6, Files.readAllLines(tables.resolve("states.csv")).size());
         long impacts = turns.stream().skip(1).mapToLong(row -> Long.parseLong(row.split(",")[4])).sum();
@@ -66,10 +67,61 @@ class RunCommandTest {
         assertTrue(run.err().contains("piston.json:5:5: found a body of infinite mass that leaves the field in turn 19 "
             + "of 20, expected one that stays in it: no wall holds it"), run.err());
         List<String> turns = Files.readAllLines(tables.resolve("turns.csv"));
-        assertTrue(turns.get(2).endsWith(",0.0,"), turns.get(2));
-        assertTrue(Double.parseDouble(turns.get(20).replaceFirst(".*,", "")) < 1, turns.get(20));
+        assertTrue(turns.get(2).endsWith(",0.0,,0.0,0.0"), turns.get(2));
+        assertTrue(Double.parseDouble(turns.get(20).split(",")[6]) < 1, turns.get(20));
         Cli json = Cli.run("run", scene.toString(), "--json");
         assertTrue(json.out().contains("\"limitTime\":null") && json.out().contains("\"limitTime\":0."), json.out());
+    }
+
+    /**
+     * A light disc between a wall and a heavy one, e = 0.9: their impacts collapse, and what is left rests. The table
+     * tells how much that was.
+     */
+    @Test
+    void energyLostToRestIsTold() throws IOException {
+        Path scene = temp.resolve("squeeze.json");
+        Files.writeString(scene, """
+            { "name": "squeeze", "game": "bodies", "players": 0, "field": { "width": 1000, "height": 1000,
+                "walls": [ { "type": "half-plane", "x": 0, "y": 0, "insideX": 1, "insideY": 0 } ] },
+              "bodies": { "listed": [ { "x": 10, "y": 500, "radius": 10, "restitution": 0.9 },
+                { "x": 60, "y": 500, "vx": -50, "radius": 10, "mass": 3000, "restitution": 0.9 } ] },
+              "play": { "maximumTurns": 20 }, "accuracy": { "advance": "event", "arithmetic": "double" } }
+            """);
+        Path tables = temp.resolve("squeeze");
+        Cli run = Cli.run("run", scene.toString(), "--csv", tables.toString());
+        assertTrue(run.out().contains("Rest took the energy "), run.out());
+        double sum = 0;
+        double before = 0;
+        for (String row : Files.readAllLines(tables.resolve("turns.csv")).subList(1, 22)) {
+            String[] cells = row.split(",", -1);
+            double rest = Double.parseDouble(cells[7]);
+            assertTrue(rest >= 0 && rest <= 1e-6 * before, row);
+            sum += rest;
+            assertEquals(sum, Double.parseDouble(cells[8]), row);
+            before = Double.parseDouble(cells[1]);
+        }
+        assertTrue(sum > 0);
+        assertTrue(Cli.run("run", scene.toString(), "--json").out().contains("\"restSum\":"));
+    }
+
+    /** Whether and when a fill of infinite mass leaves is said when the scene is opened, for any seed. */
+    @Test
+    void fillsOfInfiniteMassThatLeaveAreNamed() throws IOException {
+        Path scene = temp.resolve("unstoppable.json");
+        for (String[] each : new String[][] {{"50", "leave the field by turn 41 of 60"},
+            {"[1, 50]", "may leave the field within 60 turns"}, {"0.1", ""}}) {
+            Files.writeString(scene, """
+                { "name": "unstoppable", "game": "bodies", "players": 0,
+                  "field": { "width": 1000, "height": 1000, "walls": "box" },
+                  "bodies": { "fill": { "count": 2, "radius": 10, "mass": "infinite", "speed": SPEED,
+                    "in": { "x": 500, "y": 500, "radius": 100 } } },
+                  "play": { "maximumTurns": 60 }, "accuracy": { "advance": "event", "arithmetic": "double" } }
+                """.replace("SPEED", each[0]));
+            Cli run = Cli.run("run", scene.toString());
+            assertEquals(each[1].isEmpty() ? "" : "unstoppable.json:3:23: found bodies of infinite mass that "
+                + each[1] + ", expected ones that stay in it: no wall holds them",
+                run.err().replaceFirst("^.*(?=unstoppable.json)", "").strip(), run.err());
+        }
     }
 
     /** In free flight the sum of (v + a/2)^2 / 2 and minus a times the way is that of the start, 1/2 for a = 2. */
@@ -88,6 +140,46 @@ class RunCommandTest {
         for (String row : Files.readAllLines(tables.resolve("turns.csv")).subList(1, 12)) {
             String[] cells = row.split(",");
             assertEquals(0.5, Double.parseDouble(cells[1]) + Double.parseDouble(cells[5]), 1e-12, row);
+        }
+    }
+
+    /**
+     * Two discs in free flight, in rational numbers: after n turns v = v0 + n a, y = y0 + n v0 + a n (n + 1) / 2. The
+     * sum of m (v + a/2)^2 / 2 and of -m a (y - y0) is the same after every turn.
+     */
+    @Test
+    void energyOfFreeFlightIsThatOfRationalNumbers() throws IOException {
+        Path scene = temp.resolve("flight.json");
+        Files.writeString(scene, """
+            { "name": "flight", "game": "bodies", "players": 0, "field": { "width": 1000, "height": 1000 },
+              "bodies": { "listed": [ { "x": 100, "y": 100.1, "vy": -3.3, "radius": 20, "mass": 3 },
+                { "x": 500, "y": 700.7, "vy": 1.9, "radius": 20, "mass": 0.7 } ] },
+              "play": { "maximumTurns": 30, "gravity": { "x": 0, "y": 0.7 } },
+              "accuracy": { "advance": "event", "arithmetic": "double" } }
+            """);
+        Path tables = temp.resolve("flight");
+        assertEquals(ExitStatus.DONE, Cli.run("run", scene.toString(), "--csv", tables.toString()).status());
+        BigDecimal half = new BigDecimal("0.5");
+        BigDecimal a = new BigDecimal("0.7");
+        BigDecimal start = null;
+        for (int n = 0; n <= 30; n++) {
+            BigDecimal energy = BigDecimal.ZERO;
+            BigDecimal potential = BigDecimal.ZERO;
+            for (String[] disc : new String[][] {{"3", "-3.3"}, {"0.7", "1.9"}}) {
+                BigDecimal mass = new BigDecimal(disc[0]);
+                BigDecimal turns = new BigDecimal(n);
+                BigDecimal v = new BigDecimal(disc[1]).add(turns.multiply(a));
+                BigDecimal end = v.add(a.multiply(half));
+                BigDecimal way = turns.multiply(new BigDecimal(disc[1]))
+                    .add(a.multiply(half).multiply(turns).multiply(turns.add(BigDecimal.ONE)));
+                energy = energy.add(mass.multiply(end).multiply(end).multiply(half));
+                potential = potential.subtract(mass.multiply(a).multiply(way));
+            }
+            start = start == null ? energy : start;
+            assertEquals(0, start.compareTo(energy.add(potential)), "turn " + n);
+            String[] cells = Files.readAllLines(tables.resolve("turns.csv")).get(n + 1).split(",", -1);
+            assertEquals(energy.doubleValue(), Double.parseDouble(cells[1]), 1e-13 * energy.doubleValue());
+            assertEquals(potential.doubleValue(), Double.parseDouble(cells[5]), 1e-11);
         }
     }
 

@@ -109,7 +109,41 @@ final class BodiesReader {
                 }
             }
         });
+        for (int k = 0; k < layout.fills().size(); k++) {
+            Fill fill = layout.fills().get(k);
+            if (fill.like().mass() == Double.POSITIVE_INFINITY) {
+                String leaves = leaves(fill, rules.maximumTurns());
+                if (!leaves.isEmpty()) {
+                    warnings.add(fillBlocks.get(k).place() + ": found bodies of infinite mass that " + leaves
+                        + ", expected ones that stay in it: no wall holds them");
+                }
+            }
+        }
         return warnings;
+    }
+
+    /** Words for when the bodies of a fill leave the field, whatever is drawn; empty if none can. */
+    private String leaves(Fill fill, int turns) {
+        double path = 0;
+        double share = 1;
+        for (int turn = 1; turn <= turns; turn++) {
+            path += share;
+            share *= 1 - fill.like().drag();
+            if (fill.speedLow() * path > field.width() + field.height()) {
+                return "leave the field by turn " + turn + " of " + turns;
+            }
+        }
+        double[] at = fill.place();
+        boolean line = fill.shape() == Fill.Shape.LINE;
+        boolean round = at.length == 3;
+        double left = line ? Math.min(at[0], at[2]) : round ? at[0] - at[2] : at[0];
+        double right = line ? Math.max(at[0], at[2]) : round ? at[0] + at[2] : at[0] + at[2];
+        double top = line ? Math.min(at[1], at[3]) : round ? at[1] - at[2] : at[1];
+        double bottom = line ? Math.max(at[1], at[3]) : round ? at[1] + at[2] : at[1] + at[3];
+        double far = fill.speedHigh() * path;
+        return isOutside(left - far, field.x(), field.width()) || isOutside(right + far, field.x(), field.width())
+            || isOutside(top - far, field.y(), field.height()) || isOutside(bottom + far, field.y(), field.height())
+            ? "may leave the field within " + turns + " turns" : "";
     }
 
     private static boolean isOutside(double at, double from, double size) {

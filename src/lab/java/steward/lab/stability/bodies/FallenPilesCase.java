@@ -8,11 +8,12 @@ import steward.lab.trial.RunLength;
 import steward.lab.trial.Rung;
 import steward.lab.trial.StabilityCase;
 import steward.numerics.SplitMix64;
+import steward.physics.Arena;
 import steward.physics.Bodies;
 import steward.physics.TurnLog;
 import steward.physics.Wall;
 
-/** Random piles that fall into a wedge by their weight. */
+/** Random piles that fall into a wedge or an arena by their weight. */
 public final class FallenPilesCase extends StabilityCase {
 
     private static final long SEED = 58;
@@ -20,19 +21,25 @@ public final class FallenPilesCase extends StabilityCase {
     private static final int AFTERWARDS = 20;
     private static final int MOST_IMPACTS = 500;
     private static final double MOST_OVERLAP = 1e-12;
-    private static final Wall[] WEDGE = {Falls.slope(35, 1), Falls.slope(40, -1)};
+    private static final double[] RESTITUTIONS = {0, 0.3, 0.6, 0.9};
+    private static final double ROOM = 110;
+    /** Wedges, the last a narrow one, and an arena. */
+    private static final Wall[][] PLACES = {{Falls.slope(35, 1), Falls.slope(40, -1)},
+        {Falls.slope(45, 1), Falls.slope(5, -1)},
+        {new Arena(0, -ROOM, ROOM, 1)}, {Falls.slope(80, 1), Falls.slope(75, -1)}};
 
     public FallenPilesCase() {
-        super("fallen piles", "random piles of 3 to 60 discs fall into a wedge of 35 and 40 degrees, gravity 2, e = 0, "
-            + "0.3, 0.6: they lie still (1e-6 u a turn) within 600 turns, then have at most 500 impacts a turn, "
-            + "none overlap by more than 1e-12 of a radius, no turn reaches its limit, one by one and as a crowd are "
-            + "the same to the bit; on event rungs of ours");
+        super("fallen piles", "random piles of 3 to 60 discs fall into wedges of 35 and 40, 45 and 5, 80 and 75 "
+            + "degrees, up to 20 into an arena of radius 110, gravity 2, e = 0, 0.3, 0.6, 0.9: they lie still (1e-6 u "
+            + "a turn) within 600 turns, in the arena, where they swing, 4 R/a ln(3e6) later, then have at most 500 "
+            + "impacts a turn, none overlap by more than 1e-12 of a radius, no turn reaches its limit, one by one and "
+            + "as a crowd are the same to the bit; on event rungs of ours");
     }
 
     @Override
     public Finding run(Rung rung, RunLength size, Progress progress) {
         SplitMix64 random = new SplitMix64(SEED);
-        int piles = size.pick(3, 6, 60);
+        int piles = size.pick(4, 8, 64);
         int moving = 0;
         int most = 0;
         int before = 0;
@@ -40,14 +47,17 @@ public final class FallenPilesCase extends StabilityCase {
         int different = 0;
         double overlap = 0;
         for (int n = 0; n < piles; n++) {
-            int count = n == 3 ? 60 : 3 + random.nextInt(size.pick(15, 58, 58));
-            Bodies bodies = bodies(random, count, new double[] {0, 0.3, 0.6}[n % 3]);
+            Wall[] walls = PLACES[n % PLACES.length];
+            boolean round = walls[0] instanceof Arena;
+            int count = n == 3 ? 60 : 3 + random.nextInt(round ? 18 : size.pick(15, 58, 58));
+            Bodies bodies = bodies(random, count, RESTITUTIONS[(n + n / PLACES.length) % RESTITUTIONS.length], walls);
             Bodies copy = new Bodies(count);
-            Falls falls = new Falls(bodies, rung, false, Falls.SOFT, 2, WEDGE);
-            Falls crowd = new Falls(copy, rung, true, Falls.SOFT, 2, WEDGE);
+            Falls falls = new Falls(bodies, rung, false, Falls.SOFT, 2, walls);
+            Falls crowd = new Falls(copy, rung, true, Falls.SOFT, 2, walls);
+            int turns = round ? TURNS + (int) (4 * ROOM / 2 * StrictMath.log(3e6)) : TURNS;
             TurnLog log = new TurnLog();
             int still = 0;
-            for (int turn = 1; turn <= TURNS && still < AFTERWARDS; turn++) {
+            for (int turn = 1; turn <= turns && still < AFTERWARDS; turn++) {
                 copy.copyFrom(bodies);
                 int impacts = falls.impacts(log);
                 limited += log.limited() ? 1 : 0;
@@ -62,7 +72,7 @@ public final class FallenPilesCase extends StabilityCase {
                 still = falls.fastest() < Falls.STILL ? still + 1 : 0;
             }
             moving += still < AFTERWARDS ? 1 : 0;
-            overlap = Math.max(overlap, overlap(bodies));
+            overlap = Math.max(overlap, overlap(bodies, walls));
         }
         boolean met = moving == 0 && most <= MOST_IMPACTS && limited == 0 && different == 0 && overlap <= MOST_OVERLAP;
         return Finding.of(rung.isOurs(), met, String.format(Locale.ROOT, "%d piles, %d never still: at most %d impacts "
@@ -70,15 +80,15 @@ public final class FallenPilesCase extends StabilityCase {
             before, most, limited, overlap, different));
     }
 
-    private static Bodies bodies(SplitMix64 random, int count, double restitution) {
+    private static Bodies bodies(SplitMix64 random, int count, double restitution, Wall... walls) {
         Bodies bodies = new Bodies(count);
         double height = 60;
         while (bodies.size() < count) {
             height += 0.3;
             double radius = 5 + 9 * random.nextDouble();
-            int k = bodies.add(-86 + 172 * random.nextDouble(), -90 - height * random.nextDouble(), 1.01 * radius,
-                radius * radius / 50);
-            if (overlap(bodies) > 0) {
+            int k = bodies.add(-86 + 172 * random.nextDouble(), -height * random.nextDouble()
+                - (walls[0] instanceof Arena ? 10 : 90), 1.01 * radius, radius * radius / 50);
+            if (overlap(bodies, walls) > 0) {
                 bodies.remove(k);
                 continue;
             }
@@ -89,7 +99,7 @@ public final class FallenPilesCase extends StabilityCase {
     }
 
     /** The deepest overlap, as a share of a radius. */
-    private static double overlap(Bodies bodies) {
+    private static double overlap(Bodies bodies, Wall... walls) {
         double deepest = 0;
         for (int i = 0; i < bodies.size(); i++) {
             for (int j = 0; j < i; j++) {
@@ -98,7 +108,7 @@ public final class FallenPilesCase extends StabilityCase {
                 deepest = Math.max(deepest,
                     (bodies.radius[i] + bodies.radius[j] - Math.sqrt(dx * dx + dy * dy)) / bodies.radius[i]);
             }
-            for (Wall wall : WEDGE) {
+            for (Wall wall : walls) {
                 deepest = Math.max(deepest, -wall.gap(bodies.x[i], bodies.y[i], bodies.radius[i]) / bodies.radius[i]);
             }
         }

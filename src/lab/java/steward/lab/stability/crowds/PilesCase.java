@@ -17,7 +17,7 @@ import steward.physics.TurnLog;
 import steward.physics.Wall;
 
 /**
- * Random piles of 3 to 60 bodies pressed anew each turn: into corners, wedges of 8 to 60 degrees, the rim of an arena,
+ * Random piles of 3 to 60 bodies that are pressed: into corners, wedges of 8 to 60 degrees, the rim of an arena,
  * or against each other in free space.
  */
 public final class PilesCase extends StabilityCase {
@@ -29,6 +29,7 @@ public final class PilesCase extends StabilityCase {
     private static final double ROOM = 600;
     /** In degrees; 0 for an arena, 360 for free space. */
     private static final double[] OPENINGS = {90, 60, 45, 30, 15, 8, 0, 360};
+    private static final double[] RESTITUTIONS = {0.5, 0.9, 0};
     private static final ImpactLaw SOFT = ImpactLaw.PHYSICS.withRestitution(ImpactLaw.Restitution.MINIMUM);
 
     private int most;
@@ -40,9 +41,10 @@ public final class PilesCase extends StabilityCase {
     public PilesCase() {
         super("piles",
             "random piles of 3 to 60 bodies without restitution, pressed anew each turn into corners, wedges of 8 to "
-            + "60 degrees, the rim of an arena, or together in free space: no turn has more than 500 impacts or its "
-            + "limit, energy never grows (but for 1e-15 of it, by rounding), none overlap by more than 1e-12 of a "
-            + "radius, one by one and as a crowd are the same to the bit; on every event rung");
+            + "60 degrees, the rim of an arena, or together in free space, there also once with e = 0.5 and 0.9: no "
+            + "turn has more than 500 impacts, without restitution, or its limit, energy never grows (but for 1e-15 "
+            + "of it, by rounding), none overlap by more than 1e-12 of a radius, one by one and as a crowd are the "
+            + "same to the bit; on every event rung");
     }
 
     @Override
@@ -56,7 +58,8 @@ public final class PilesCase extends StabilityCase {
         int piles = size.pick(2, 24, 600);
         for (int n = 0; n < piles; n++) {
             for (double opening : OPENINGS) {
-                pile(rung, random, n % 4 == 0 && n > 0 ? 60 : 3 + random.nextInt(size.pick(20, 58, 58)), opening);
+                pile(rung, random, n % 4 == 0 && n > 0 ? 60 : 3 + random.nextInt(size.pick(20, 58, 58)), opening,
+                    opening == 360 ? RESTITUTIONS[n % RESTITUTIONS.length] : 0);
             }
         }
         boolean met = most > 0 && most <= MOST_IMPACTS && limited == 0 && different == 0 && growth <= 1e-15
@@ -66,15 +69,15 @@ public final class PilesCase extends StabilityCase {
             piles * OPENINGS.length, most, limited, growth, overlap, different));
     }
 
-    private void pile(Rung rung, SplitMix64 random, int count, double opening) {
-        Wall[] walls = walls(opening);
-        Bodies bodies = bodies(random, count, walls);
+    private void pile(Rung rung, SplitMix64 random, int count, double opening, double restitution) {
+        Wall[] walls = walls(opening, restitution);
+        Bodies bodies = bodies(random, count, walls, restitution);
         Bodies copy = new Bodies(count);
         Advance alone = rung.advance(SOFT, walls);
         Advance crowd = rung.crowdAdvance(SOFT, walls);
         double speed = 1 + 100 * random.nextDouble() * random.nextDouble();
         for (int turn = 0; turn < TURNS; turn++) {
-            for (int k = 0; k < count; k++) {
+            for (int k = 0; k < count && (turn == 0 || restitution == 0); k++) {
                 double distance = opening == 360 ? StrictMath.hypot(bodies.x[k], bodies.y[k]) + 1e-9 : 1;
                 bodies.setVelocity(k, bodies.vx[k] + speed * (opening == 360 ? -bodies.x[k] / distance
                     : 0.1 * random.nextDouble() - 0.05), bodies.vy[k] - speed * (opening == 360
@@ -86,7 +89,7 @@ public final class PilesCase extends StabilityCase {
             alone.turn(bodies, log);
             TurnLog other = new TurnLog();
             crowd.turn(copy, other);
-            most = Math.max(most, log.impacts());
+            most = restitution == 0 ? Math.max(most, log.impacts()) : most;
             limited += log.limited() ? 1 : 0;
             growth = Math.max(growth, energy(bodies) / before - 1);
             overlap = Math.max(overlap, overlap(bodies, walls));
@@ -98,9 +101,9 @@ public final class PilesCase extends StabilityCase {
         }
     }
 
-    private static Wall[] walls(double opening) {
+    private static Wall[] walls(double opening, double restitution) {
         if (opening == 0) {
-            return new Wall[] {new Arena(0, ROOM, ROOM, 0)};
+            return new Wall[] {new Arena(0, ROOM, ROOM, restitution)};
         }
         if (opening == 360) {
             return new Wall[0];
@@ -108,11 +111,11 @@ public final class PilesCase extends StabilityCase {
         double half = StrictMath.toRadians(opening / 2);
         double cos = StrictMath.cos(half);
         double sin = StrictMath.sin(half);
-        return new Wall[] {new HalfPlane(0, 0, cos, sin, 0), new HalfPlane(0, 0, -cos, sin, 0)};
+        return new Wall[] {new HalfPlane(0, 0, cos, sin, restitution), new HalfPlane(0, 0, -cos, sin, restitution)};
     }
 
     /** Bodies of radius 6 to 14 at random places with room, as near to the origin as chance puts them. */
-    private static Bodies bodies(SplitMix64 random, int count, Wall[] walls) {
+    private static Bodies bodies(SplitMix64 random, int count, Wall[] walls, double restitution) {
         Bodies bodies = new Bodies(count);
         boolean equal = random.nextInt(2) == 0;
         double size = 40;
@@ -132,7 +135,7 @@ public final class PilesCase extends StabilityCase {
             }
             if (fits) {
                 int k = bodies.add(x, y, radius, equal ? 1 : 0.5 + 3 * random.nextDouble());
-                bodies.setRestitution(k, 0);
+                bodies.setRestitution(k, restitution);
             }
         }
         return bodies;
