@@ -91,8 +91,8 @@ class PilesTest {
     }
 
     /**
-     * Piles with restitution fall into a place by their weight: at rest they have few impacts, on all rungs. Masses are 1
-     * to 1,000; in the narrow wedge they are equal, since others collapse there in more impacts than a turn may have.
+     * Piles with restitution fall into a place by their weight: at rest they have few impacts, on all rungs. Masses are
+     * 1 to 1,000; in the narrow wedge they are equal, since others collapse there in more impacts than a turn may have.
      */
     @ParameterizedTest
     @EnumSource(names = {"CORNER", "WEDGE", "NARROW_WEDGE"})
