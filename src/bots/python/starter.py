@@ -40,7 +40,7 @@ def main():
             for each in frame.get("pods", [])]
 
         # Change this: it decides what you answer.
-        # A pod keeps most of its speed from turn to turn: aim beside the checkpoint, against that drift.
+        # A pod keeps most of its speed from turn to turn: aim beside the checkpoint, against 4 turns of that.
         # A pod can turn by only 18 degrees a turn, so give no thrust while it looks elsewhere.
         # Its heading is in degrees, and -1 before the first command: then any direction is possible.
         # In place of the thrust a command can have shield: true or boost: true (the boost works once).

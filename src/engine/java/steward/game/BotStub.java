@@ -27,15 +27,16 @@ public record BotStub(List<Input> setup, List<Input> turn, String answer, List<C
     private static final Pattern NAME = Pattern.compile("[A-Za-z][A-Za-z0-9]*");
 
     /** Words that some language, or a starter itself, has for something else. */
-    private static final Set<String> RESERVED = Set.of(("abstract alignas and answer answers args arguments as assert "
-        + "async auto await bool Bot boolean break buffer byte case catch char class const continue decltype def "
-        + "default del delete distance degreesOff do double each elif else enum eval except explicit export extends "
-        + "extern false final finally float for frame friend from function global goto if implements import in "
-        + "index inline input instanceof int integer interface is items Json k lambda let List list long main Map Math "
-        + "math mutable namespace native new nonlocal not null number object Object operator or package pass private "
-        + "print protected public raise read record register require return short signed sizeof static std String "
-        + "struct super switch synchronized System template this throw throws transient true try typedef typeof union "
-        + "unsigned using var virtual void volatile while with word xor yield").split(" "));
+    private static final Set<String> RESERVED = Set.of(("abstract alignas and answer answers args arguments as "
+        + "assert async auto await bool boolean Bot break buffer byte case catch char class command const continue "
+        + "decltype def default degreesOff del delete distance do double each elif else enum eval except explicit "
+        + "export extends extern false final finally float for frame friend from function global goto if implements "
+        + "import in index inline input instanceof int integer interface is items Json k lambda let List list long "
+        + "main Map Math math mutable namespace native nearest new nonlocal not null number Object object operator "
+        + "or package pass print private protected public raise read record register require return short signed "
+        + "sizeof static std String struct super switch synchronized System template this throw throws transient "
+        + "true try typedef typeof union unsigned using var virtual void volatile while with word xor yield")
+        .split(" "));
 
     /** Copies the lists. @throws IllegalArgumentException if a type has two forms */
     public BotStub {

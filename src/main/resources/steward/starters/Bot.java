@@ -47,7 +47,8 @@ public class Bot {
 {{/record}}
 {{#list}}
 {{#json}}
-        {{type}}[] {{name}} = list(frame, "{{key}}").stream().map(Bot::read{{type}}).toArray({{type}}[]::new);
+        {{type}}[] {{name}} = list(frame, "{{key}}").stream().map(Bot::read{{type}})
+            .toArray({{type}}[]::new);
 {{/json}}
 {{#codingame}}
         {{type}}[] {{name}} = new {{type}}[{{count}}];
@@ -73,7 +74,8 @@ public class Bot {
 {{/record}}
 {{#list}}
 {{#json}}
-            {{type}}[] {{name}} = list(frame, "{{key}}").stream().map(Bot::read{{type}}).toArray({{type}}[]::new);
+            {{type}}[] {{name}} = list(frame, "{{key}}").stream().map(Bot::read{{type}})
+                .toArray({{type}}[]::new);
 {{/json}}
 {{#codingame}}
             {{type}}[] {{name}} = new {{type}}[{{count}}];
@@ -115,8 +117,13 @@ public class Bot {
 {{#nearest}}
                 {{type}} {{name}} = null;                   // the nearest one, if there is any
                 for (var each : {{list}}) {
-                    if ({{#where}}{{where}} && {{/where}}({{name}} == null || distance({{from}}.x, {{from}}.y, each.x, each.y)
-                        < distance({{from}}.x, {{from}}.y, {{name}}.x, {{name}}.y))) {
+{{#where}}
+                    if (!({{where}})) {
+                        continue;
+                    }
+{{/where}}
+                    if ({{name}} == null || distance({{from}}.x, {{from}}.y, each.x, each.y)
+                        < distance({{from}}.x, {{from}}.y, {{name}}.x, {{name}}.y)) {
                         {{name}} = each;
                     }
                 }
@@ -131,7 +138,9 @@ public class Bot {
 {{#else}}
                 } else {
 {{/else}}
-                {{#nested}}    {{/nested}}{{#codingame}}print({{#parts}}{{value}}{{^last}}, {{/last}}{{/parts}}){{/codingame}}{{#json}}answers.add(command({{#parts}}"{{key}}", {{value}}{{^last}}, {{/last}}{{/parts}})){{/json}};
+                {{#nested}}    {{/nested}}{{#codingame}}print({{#parts}}{{#wrap}}
+                        {{/wrap}}{{value}}{{^last}}, {{/last}}{{/parts}}){{/codingame}}{{#json}}answers.add(command({{#parts}}{{#wrap}}
+                        {{/wrap}}"{{key}}", {{value}}{{^last}}, {{/last}}{{/parts}})){{/json}};
 {{#end}}
                 }
 {{/end}}
@@ -297,7 +306,8 @@ public class Bot {
                 at++;
             }
             String word = text.substring(from, at);
-            return word.equals("null") ? null : word.equals("true") || word.equals("false") ? (Object) word.equals("true")
+            return word.equals("null") ? null
+                : word.equals("true") || word.equals("false") ? (Object) word.equals("true")
                 : (Object) Double.valueOf(word);
         }
 

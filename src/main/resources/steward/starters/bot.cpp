@@ -8,6 +8,9 @@
 // The referee sends one JSON object a line: a "setup", a "turn" for every turn, and an "end". Every "turn" is answered
 // by one line. Use stderr for your own notes: std::cerr << "hello\n";
 {{/json}}
+{{#json}}
+#include <cctype>
+{{/json}}
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
@@ -62,9 +65,11 @@ void print(const First& first, const Rest&... rest) {
 {{#json}}
 
 inline void write(std::ostream& out, const char* text) { out << '"' << text << '"'; }
+inline void write(std::ostream& out, const std::string& text) { write(out, text.c_str()); }
 inline void write(std::ostream& out, bool value) { out << (value ? "true" : "false"); }
-inline void write(std::ostream& out, int value) { out << value; }
-inline void write(std::ostream& out, double value) { out << value; }
+
+template <typename Number>
+void write(std::ostream& out, Number value) { out << value; }
 
 inline void pairs(std::ostream&) { }
 
@@ -191,8 +196,13 @@ int main() {
 {{#nearest}}
             const {{type}}* {{name}} = nullptr;             // the nearest one, if there is any
             for (const auto& each : {{list}}) {
-                if ({{#where}}{{where}} && {{/where}}(!{{name}} || distance({{from}}.x, {{from}}.y, each.x, each.y)
-                    < distance({{from}}.x, {{from}}.y, {{name}}->x, {{name}}->y))) {
+{{#where}}
+                if (!({{where}})) {
+                    continue;
+                }
+{{/where}}
+                if (!{{name}} || distance({{from}}.x, {{from}}.y, each.x, each.y)
+                    < distance({{from}}.x, {{from}}.y, {{name}}->x, {{name}}->y)) {
                     {{name}} = &each;
                 }
             }
@@ -207,7 +217,9 @@ int main() {
 {{#else}}
             } else {
 {{/else}}
-            {{#nested}}    {{/nested}}{{#codingame}}print({{#parts}}{{value}}{{^last}}, {{/last}}{{/parts}}){{/codingame}}{{#json}}answers.push_back(command({{#parts}}"{{key}}", {{value}}{{^last}}, {{/last}}{{/parts}})){{/json}};
+            {{#nested}}    {{/nested}}{{#codingame}}print({{#parts}}{{#wrap}}
+                    {{/wrap}}{{value}}{{^last}}, {{/last}}{{/parts}}){{/codingame}}{{#json}}answers.push_back(command({{#parts}}{{#wrap}}
+                    {{/wrap}}"{{key}}", {{value}}{{^last}}, {{/last}}{{/parts}})){{/json}};
 {{#end}}
             }
 {{/end}}

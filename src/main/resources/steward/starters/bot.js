@@ -9,6 +9,7 @@
 // by one line. Use stderr for your own notes: console.error('hello')
 {{/json}}
 'use strict';
+const fs = require('fs');
 
 function main() {
 {{#json}}
@@ -83,7 +84,9 @@ function main() {
 {{#else}}
       } else {
 {{/else}}
-      {{#nested}}  {{/nested}}{{#codingame}}console.log({{#parts}}{{value}}{{^last}}, {{/last}}{{/parts}}){{/codingame}}{{#json}}answers.push({ {{#parts}}{{key}}: {{value}}{{^last}}, {{/last}}{{/parts}} }){{/json}};
+      {{#nested}}  {{/nested}}{{#codingame}}console.log({{#parts}}{{#wrap}}
+        {{/wrap}}{{value}}{{^last}}, {{/last}}{{/parts}}){{/codingame}}{{#json}}answers.push({ {{#parts}}{{#wrap}}
+        {{/wrap}}{{key}}: {{value}}{{^last}}, {{/last}}{{/parts}} }){{/json}};
 {{#end}}
       }
 {{/end}}
@@ -139,7 +142,7 @@ let rest = Buffer.alloc(0);
 // The next line; the program ends when the referee closes our input.
 function readLine() {
   while (rest.indexOf('\n') < 0) {
-    const count = require('fs').readSync(0, buffer, 0, buffer.length, null);
+    const count = fs.readSync(0, buffer, 0, buffer.length, null);
     if (count === 0) {
       process.exit(0);
     }

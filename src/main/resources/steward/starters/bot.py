@@ -110,7 +110,9 @@ def main():
 {{#else}}
         {{indent}}else:
 {{/else}}
-        {{inner}}{{#codingame}}print({{#parts}}{{value}}{{^last}}, {{/last}}{{/parts}}){{/codingame}}{{#json}}answers.append({{{#parts}}"{{key}}": {{value}}{{^last}}, {{/last}}{{/parts}}}){{/json}}
+        {{inner}}{{#codingame}}print({{#parts}}{{#wrap}}
+        {{inner}}    {{/wrap}}{{value}}{{^last}}, {{/last}}{{/parts}}){{/codingame}}{{#json}}answers.append({{{#parts}}{{#wrap}}
+        {{inner}}    {{/wrap}}"{{key}}": {{value}}{{^last}}, {{/last}}{{/parts}}}){{/json}}
 {{/choices}}
 {{/commands}}
 {{#codingame}}

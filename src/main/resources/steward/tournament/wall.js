@@ -77,7 +77,7 @@
     if (!state.over) find('says').textContent = 'The tournament is not being played at the moment, or this page cannot reach it.';
   };
   addEventListener('keydown', event => {
-    if (event.key !== 'f' || event.ctrlKey || event.metaKey || event.altKey) return;
+    if (event.key.toLowerCase() !== 'f' || event.ctrlKey || event.metaKey || event.altKey) return;
     if (document.fullscreenElement) document.exitFullscreen();
     else document.documentElement.requestFullscreen();
   });

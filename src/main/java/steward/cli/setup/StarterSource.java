@@ -20,6 +20,8 @@ final class StarterSource {
 
     /** Number of fields in a line of source. */
     private static final int FIELDS_A_LINE = 4;
+    /** Characters of a command that stands in one line. */
+    private static final int ONE_LINE = 80;
 
     private final StarterLanguage language;
     private final BotStub stub;
@@ -102,7 +104,8 @@ final class StarterSource {
                 "parts", parts(choice.command(), names)));
         }
         return Map.of("name", command.name(), "list", command.list(), "where",
-            language.condition(command.where(), names), "indent", indent, "indexed", command.toString().matches("(?s).*\\bindex\\b.*"), "locals",
+            language.condition(command.where(), names), "indent", indent, "indexed",
+            command.toString().matches("(?s).*\\bindex\\b.*"), "locals",
             command.locals().stream().map(local -> Map.of("name", local.name(), "value",
                 language.expression(local.value(), names))).toList(), "nearest",
             command.nearest().stream().map(this::nearest).toList(), "choices", choices);
@@ -128,7 +131,8 @@ final class StarterSource {
             if (c == ',' && (depth == 0 || k == command.length())) {
                 String part = command.substring(from, k).strip();
                 int colon = part.matches("\\w+: .*") ? part.indexOf(':') : -1;
-                parts.add(Map.of("key", part.substring(0, Math.max(0, colon)), "value",
+                parts.add(Map.of("wrap", command.length() > ONE_LINE, "key",
+                    part.substring(0, Math.max(0, colon)), "value",
                     language.expression(part.substring(colon + 1).strip(), nearest)));
                 from = k + 1;
             }

@@ -150,6 +150,7 @@ class NewCommandTest {
         List<String> source = Files.readAllLines(folder.resolve(language.source()));
         assertTrue(source.stream().noneMatch(line -> line.contains("{{") || line.endsWith(" ")), source::toString);
         assertTrue(source.stream().anyMatch(line -> line.contains("Change this")), source::toString);
+        assertEquals(List.of(), source.stream().filter(line -> line.length() > 120).toList());
     }
 
     @Test

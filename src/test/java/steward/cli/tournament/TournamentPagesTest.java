@@ -96,6 +96,11 @@ class TournamentPagesTest {
                 assertTrue(browser.is("document.querySelector('iframe').contentDocument.querySelector('" + panel
                     + "').offsetHeight === 0"), panel);
             }
+            for (String key : List.of("f", "F")) {
+                assertTrue(browser.is("(document.documentElement.requestFullscreen = () => { steward.full = '" + key
+                    + "'; }, dispatchEvent(new KeyboardEvent('keydown', { key: '" + key + "' })), steward.full === '"
+                    + key + "')"), key);
+            }
             wall.end(played().with(game(1, null)).with(game(2, null)));
             browser.await("the end is not told", () -> browser.text("#says").equals("The tournament is over."));
             browser.await("the game does not end", () -> browser.is("!steward.playing"));

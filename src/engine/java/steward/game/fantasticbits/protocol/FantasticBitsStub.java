@@ -37,7 +37,7 @@ final class FantasticBitsStub {
             .when("prey", "x: prey.x + prey.vx, y: prey.y + prey.vy, power: maximumPower")
             .otherwise("x: 8000, y: 3750, power: maximumPower")),
         List.of(NOTES.get(0), NOTES.get(1), NOTES.get(2), "A spell is a command with spell: 'accio' and target: an id. "
-            + "The frame also has scores and magic by player."));
+            + "The frame has scores and magic by player."));
 
     private FantasticBitsStub() { }
 }

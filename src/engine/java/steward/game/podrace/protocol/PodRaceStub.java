@@ -13,7 +13,7 @@ final class PodRaceStub {
     private static final String POD = "x:int y:int vx:int vy:int heading:int next:int";
 
     private static final List<String> NOTES = List.of(
-        "A pod keeps most of its speed from turn to turn: aim beside the checkpoint, against that drift.",
+        "A pod keeps most of its speed from turn to turn: aim beside the checkpoint, against 4 turns of that.",
         "A pod can turn by only 18 degrees a turn, so give no thrust while it looks elsewhere.",
         "Its heading is in degrees, and -1 before the first command: then any direction is possible.");
 
