@@ -70,6 +70,9 @@ record HandIn(Path source, TreeMap<String, String> files, List<String> leftOut, 
                 String name = source.relativize(file).toString();
                 if (found.isDirectory()) {
                     throw new InputException("found folders more than " + DEEPEST + " deep, expected fewer");
+                } else if (!source.resolve(name).equals(file)) {
+                    leftOut.add(TextFormat.plain(name) + " (a name in another encoding)");
+                    return count(0);
                 } else if (found.isRegularFile()) {
                     files.put(name, stamp(found));
                     return count(found.size());
@@ -102,9 +105,9 @@ record HandIn(Path source, TreeMap<String, String> files, List<String> leftOut, 
                 return FileVisitResult.CONTINUE;
             }
         });
-        if (files.isEmpty() && !leftOut.isEmpty()) {
+        if (files.isEmpty()) {
             throw new InputException("found " + (Files.isDirectory(source, LinkOption.NOFOLLOW_LINKS)
-                ? "no regular file among " + String.join(", ", leftOut)
+                ? "no regular file" + (leftOut.isEmpty() ? "" : " among " + String.join(", ", leftOut))
                 : leftOut.get(0).replaceAll("^ ?\\(|\\)$", "")) + ", expected a regular file");
         }
         return new HandIn(source, files, leftOut, sums[1]);

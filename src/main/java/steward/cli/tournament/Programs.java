@@ -85,8 +85,8 @@ record Programs(List<Program> programs, List<String> others) {
             if (kind == null) {
                 others.add(file);
             } else {
-                programs.add(new Program(known.containsKey(file) ? known.get(file) : unique(name(entry, kind), names),
-                    entry, kind));
+                String earlier = known.remove(file);
+                programs.add(new Program(earlier != null ? earlier : unique(name(entry, kind), names), entry, kind));
             }
         }
         if (programs.isEmpty()) {
@@ -103,7 +103,7 @@ record Programs(List<Program> programs, List<String> others) {
         try (Stream<Path> folders = Files.list(programs)) {
             for (Path each : folders.sorted().toList()) {
                 if (Files.isRegularFile(each.resolve(HANDED_IN_AS))) {
-                    known.put(Files.readString(each.resolve(HANDED_IN_AS)).strip(), each.getFileName().toString());
+                    known.put(Files.readString(each.resolve(HANDED_IN_AS)), each.getFileName().toString());
                 }
             }
         } catch (IOException none) {

@@ -13,11 +13,14 @@ import java.io.RandomAccessFile;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.List;
 import java.util.Set;
+import java.util.stream.Collectors;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import steward.cli.ShellBots;
 import steward.files.InputException;
 
 /** Hand-ins are data: regular files within bounds are copied, and nothing else is opened. */
@@ -85,6 +88,47 @@ class HandInTest {
             assertTrue(copied(in).left().contains("pipe (a pipe, socket or device)"));
             assertTrue(refused(folder.resolve("b.py")).startsWith("found a pipe"));
         });
+    }
+
+    @Test
+    void aFolderOfEmptyFoldersIsRefused() throws IOException {
+        Files.createDirectory(in.resolve("run"));
+        assertEquals("found no regular file, expected a regular file", refused(in));
+    }
+
+    /** In no encoding that Java has here: printed by a shell. */
+    @Test
+    @Tag("process")
+    void aNameThatCannotBeDecodedIsLeftOutAndNamed() throws Exception {
+        assumeTrue(ShellBots.runnable(), "there is no /bin/sh");
+        Files.writeString(in.resolve("run"), "sh main.sh");
+        foreign("m");
+        HandIn found = copied(in);
+        assertEquals(Set.of("run"), found.files().keySet());
+        assertTrue(found.left().endsWith("(a name in another encoding)"), found.left());
+    }
+
+    @Test
+    @Tag("process")
+    void programsWhoseNamesCannotBeDecodedKeepNamesOfTheirOwn() throws Exception {
+        assumeTrue(ShellBots.runnable(), "there is no /bin/sh");
+        foreign("m");
+        Path into = folder.resolve("into");
+        for (int call = 0; call < 3; call++) {
+            List<Programs.Program> programs = Programs.in(in, into).programs();
+            assertEquals(Set.of("m", "m-2"), programs.stream().map(Programs.Program::name)
+                .collect(Collectors.toSet()));
+            for (Programs.Program program : programs) {
+                Files.writeString(Files.createDirectories(into.resolve(Programs.FOLDER).resolve(program.name()))
+                    .resolve(Programs.HANDED_IN_AS), program.source().getFileName().toString());
+            }
+        }
+    }
+
+    /** Two files whose names end in bytes of Latin 1. */
+    private void foreign(String name) throws IOException, InterruptedException {
+        assertEquals(0, new ProcessBuilder("/bin/sh", "-c", "for end in '\\351' '\\350'; do echo pass > "
+            + "\"$(printf \"" + name + "$end.py\")\"; done").directory(in.toFile()).start().waitFor());
     }
 
     @Test
