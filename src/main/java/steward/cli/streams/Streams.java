@@ -14,6 +14,8 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Instant;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
 import steward.text.TerminalOutputStream;
 import steward.text.TextFormat;
 
@@ -34,6 +36,7 @@ public final class Streams {
     private final boolean outTerminal;
     private final boolean errTerminal;
     private final EndHooks hooks;
+    private final Set<String> warned;
 
     /** Streams without an input. */
     public Streams(OutputStream out, OutputStream err, boolean outTerminal, boolean errTerminal) {
@@ -53,7 +56,13 @@ public final class Streams {
     /** As above, of a command that may end without its process. */
     public Streams(InputStream in, boolean inTerminal, OutputStream out, OutputStream err, boolean outTerminal,
             boolean errTerminal, EndHooks hooks) {
+        this(in, inTerminal, out, err, outTerminal, errTerminal, hooks, ConcurrentHashMap.newKeySet());
+    }
+
+    private Streams(InputStream in, boolean inTerminal, OutputStream out, OutputStream err, boolean outTerminal,
+            boolean errTerminal, EndHooks hooks, Set<String> warned) {
         this.hooks = hooks;
+        this.warned = warned;
         this.in = in;
         this.inTerminal = inTerminal;
         watched = new Watched(outTerminal ? new TerminalOutputStream(out) : out);
@@ -72,11 +81,12 @@ public final class Streams {
         this.err = err;
         errTerminal = false;
         hooks = from.hooks;
+        warned = from.warned;
     }
 
     /** Returns streams whose standard output goes nowhere, for a command that prints JSON in place of its table. */
     public Streams withoutOutput() {
-        return new Streams(in, inTerminal, OutputStream.nullOutputStream(), err, false, errTerminal, hooks);
+        return new Streams(in, inTerminal, OutputStream.nullOutputStream(), err, false, errTerminal, hooks, warned);
     }
 
     /** Returns these streams with a log for errors: each line has its time, and is an object of JSON if so wanted. */
@@ -165,9 +175,11 @@ public final class Streams {
         return watched.problem == null || watched.problem.contains("Broken pipe") ? null : watched.problem;
     }
 
-    /** Prints a warning; the program goes on. */
+    /** Prints a warning, once however often it is given; the program goes on. */
     public void warn(String message) {
-        err.println("steward: " + errColour().warning("warning:") + " " + TextFormat.plain(message));
+        if (warned.add(message)) {
+            err.println("steward: " + errColour().warning("warning:") + " " + TextFormat.plain(message));
+        }
     }
 
     /** Keeps the first failure, which a print stream does not report. */

@@ -234,6 +234,9 @@ public final class TournamentCommand extends ProgramCommand {
         int seats = Math.max(1, empty.players());
         TournamentRun run = new TournamentRun(league, roster, seats, (games + seats - 1) / seats,
             json ? streams.withoutOutput() : streams, threads.count(streams), wall);
+        if (rounds != null && !empty.hold().isEmpty()) {
+            streams.err().println("steward: " + TextFormat.plain(empty.hold()));
+        }
         int status = rounds == null ? run.playAll() : run.playRounds(rounds, into);
         finish(league, into, entries, run);
         if (wall != null) {

@@ -6,6 +6,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.stream.Collectors;
 import steward.cli.league.run.NoServing;
 import steward.cli.league.run.RunCommand;
@@ -28,6 +29,8 @@ final class TournamentRun {
 
     static final String ROUNDS = "rounds.json";
 
+    private static final double NANOS = 1e9;
+
     private final LeagueFolder league;
     private final Roster roster;
     private final int players;
@@ -38,6 +41,8 @@ final class TournamentRun {
     private Rounds rounds;
     /** Decisions of each group that meets. */
     private int decisions;
+    /** Number of games of this call. */
+    private final AtomicLong games = new AtomicLong();
 
     /**
      * @param decisions that each group has when it meets
@@ -85,6 +90,7 @@ final class TournamentRun {
             .map(member -> member.version().display()).toList(),
             what -> streams.err().println("steward: " + TextFormat.plain(what)));
         int status = ExitStatus.DONE;
+        long began = System.nanoTime();
         for (int number = 1; status == ExitStatus.DONE && number <= Math.max(most, rounds.rounds().size()); number++) {
             if (number > rounds.rounds().size()) {
                 rounds.decide(number == 1 ? roster.members().stream().map(member -> member.bot().name()).toList()
@@ -97,6 +103,8 @@ final class TournamentRun {
             }
             status = play((found, decided) -> group -> decisions * rounds.met().getOrDefault(names(group), 0));
         }
+        streams.out().println(RunCommand.playedText(games.get(), games.get() * NANOS
+            / Math.max(1, System.nanoTime() - began)));
         return status;
     }
 
@@ -109,7 +117,8 @@ final class TournamentRun {
         if (wall != null) {
             wall.follow(played(), league.replays(), this::scores);
         }
-        return new RunCommand(new NoServing()).following(plan, game -> {
+        return new RunCommand(new NoServing()).following(plan, rounds != null, game -> {
+            games.incrementAndGet();
             if (wall != null) {
                 wall.add(game);
             }

@@ -138,6 +138,10 @@ class SwissTest {
         assertTrue(second.err().contains("steward: the programs are not those of the 1 round so far: the rounds begin "
             + "anew; "), second.err());
         assertGames(second, 4);
+        assertEquals(List.of(), second.err().lines().filter(line -> second.err().lines().filter(line::equals).count()
+            > 1).toList(), "lines that come again with each round");
+        assertEquals(List.of("6 games in this run"), second.out().lines().filter(line -> line.contains(" in this run"))
+            .map(line -> line.replaceFirst(",.*", "")).toList());
         assertTrue(second.out().contains("  failed  Buchholz\n"), second.out());
         assertTrue(read(folder.resolve("out/index.html")).contains("<th class=\"num wide\">Buchholz<th class=why>"));
     }

@@ -117,6 +117,8 @@ public final class RunCommand extends ProgramCommand {
     /** Games to be played and no others, or {@code null}. */
     private Plan plan;
     private Consumer<StoredGame> follower = game -> { };
+    /** True if the caller says what begins and what was played. */
+    private boolean part;
 
     /** Games that are to be played, see {@link LeagueRun#following}. */
     public interface Plan extends BiFunction<Roster, Map<List<Integer>, Integer>, Schedule.Plan> { }
@@ -129,10 +131,12 @@ public final class RunCommand extends ProgramCommand {
     /**
      * Plays what a plan says, and prints no table.
      *
+     * @param ofMore   true if the caller says itself what begins and how many games there were
      * @param listener is told of each game, by any thread
      */
-    public RunCommand following(Plan maker, Consumer<StoredGame> listener) {
+    public RunCommand following(Plan maker, boolean ofMore, Consumer<StoredGame> listener) {
         plan = maker;
+        part = ofMore;
         follower = listener;
         return this;
     }
@@ -231,7 +235,7 @@ public final class RunCommand extends ProgramCommand {
             }
             screen.set(streams.errTerminal() && !quiet ? new LiveTable(streams.err(),
                 () -> progress.lines(run, machines, streams::errColour)) : null);
-            if (!quiet) {
+            if (!quiet && !part) {
                 sayBegin(screen.get(), contest, plan != null ? progress.planned() : length(settings, season, roster));
             }
             run.play();
@@ -306,8 +310,14 @@ public final class RunCommand extends ProgramCommand {
         if (plan == null) {
             tellTable(run, progress, season, machines);
         }
-        streams.out().println(TextFormat.count(progress.played(), "game") + " in this run, "
-            + TextFormat.number(progress.rate(), 2) + " games/s.");
+        if (!part) {
+            streams.out().println(playedText(progress.played(), progress.rate()));
+        }
+    }
+
+    /** Returns the number of games and games a second, in words. */
+    public static String playedText(long played, double rate) {
+        return TextFormat.count(played, "game") + " in this run, " + TextFormat.number(rate, 2) + " games/s.";
     }
 
     private void tellTable(LeagueRun run, LeagueProgress progress, Season season, Serving.Service machines) {
