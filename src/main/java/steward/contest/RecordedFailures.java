@@ -1,5 +1,8 @@
 package steward.contest;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
@@ -13,6 +16,7 @@ import steward.game.GameTypes;
 import steward.match.Turn;
 import steward.replay.JsonLine;
 import steward.replay.RecordedTurn;
+import steward.replay.ReplayException;
 import steward.replay.ReplayReader;
 import steward.scene.SceneReader;
 import steward.scene.json.SceneException;
@@ -34,6 +38,18 @@ public final class RecordedFailures {
             }
         };
         log = new GameLog(replay.header().protocols(), List.of(), both, () -> isolation(replay.headerLine()));
+    }
+
+    /** Returns those of a file; none if it is {@code null}, or cannot be read as a replay. */
+    public static List<Failure> of(GameTypes types, Path replay) {
+        if (replay == null || !Files.isRegularFile(replay)) {
+            return List.of();
+        }
+        try (ReplayReader reader = ReplayReader.open(replay)) {
+            return reader.header() == null ? List.of() : of(types, reader);
+        } catch (IOException | ReplayException damaged) {
+            return List.of();
+        }
     }
 
     /** The rest of a replay. */

@@ -4,11 +4,18 @@ import { find, fixed, make, paint, signed, state, thousands } from './words.js';
 
 const MOST_WORST = 5;
 const MOST_KIND = 40;
+const MOST_ERROR = 80;
 
 /** The kind of a failure: its words up to the first detail. */
 export function kindOf(fault) {
   const kind = fault.split(/[:;,(]|\d/)[0].trim();
   return kind.length > MOST_KIND ? `${kind.slice(0, MOST_KIND)}…` : kind || 'failed';
+}
+
+/** Why the bot of a seat failed: the line of its stderr that says it, or the kind of the failure. */
+export function reasonOf(seat) {
+  if (!seat.error) return kindOf(seat.fault);
+  return seat.error.length > MOST_ERROR ? `${seat.error.slice(0, MOST_ERROR)}…` : seat.error;
 }
 
 /** Fills the card of the bot that is looked at, or hides it. */
@@ -52,7 +59,7 @@ function failuresOf(league, bot) {
   for (const game of league.list) {
     for (const seat of game.seats) {
       if (seat.version !== bot.version || !seat.fault) continue;
-      const kind = kindOf(seat.fault);
+      const kind = seat.error ? `${reasonOf(seat)} · ${kindOf(seat.fault)}` : kindOf(seat.fault);
       kinds.set(kind, [...kinds.get(kind) ?? [], game.id]);
     }
   }

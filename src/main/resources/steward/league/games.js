@@ -1,6 +1,6 @@
 // The last games, by bot, opponent and result; those that failed say why.
 
-import { kindOf } from './bot.js';
+import { reasonOf } from './bot.js';
 import { find, heads, make, paint, state, thousands } from './words.js';
 
 export function options(select, first) {
@@ -43,7 +43,9 @@ export function drawGames() {
       const bot = names.get(seat.version);
       if (bot) paint(make(cell, 'i', null, 'dot'), bot);
       make(cell, 'span', bot ? bot.name : '?', game.counts && seat.rank === 0 && first === 1 ? 'win' : '');
-      if (seat.fault) make(cell, 'span', `failed: ${kindOf(seat.fault)}`, 'tag faulty').title = seat.fault;
+      if (seat.fault) {
+        make(cell, 'span', `failed: ${reasonOf(seat)}`, 'tag faulty').title = (seat.error ? `${seat.error}\n` : '') + seat.fault;
+      }
     });
     if (game.problem) make(cell, 'span', 'no result', 'tag faulty').title = game.problem;
     else if (!game.counts) make(cell, 'span', 'played again', 'tag').title = 'others used the processors';

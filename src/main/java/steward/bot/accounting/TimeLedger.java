@@ -23,6 +23,8 @@ public final class TimeLedger {
     private long run;
     private long begun;
     private long waited;
+    /** What processes may have used that began and ended unseen, before those that a sample found anew and running. */
+    private long unseen;
     /** Threads that ran or waited. */
     private final Set<Long> active = new HashSet<>();
     /** Nanoseconds counted for threads that still wait, by thread. */
@@ -75,6 +77,7 @@ public final class TimeLedger {
         pending.put(number, still ? counted + passed : 0);
         run += ran;
         begun += before == null && now.runnable() ? Math.max(0, passed - ran) : 0;
+        unseen += before == null && now.leader() && now.runnable() ? Math.max(0, passed - ran) : 0;
         waited += share;
         if (ran + share > 0) {
             active.add(number);
@@ -112,7 +115,8 @@ public final class TimeLedger {
      *
      * Of the waiting, others caused no more than the CPU time they used: O = processors * E - idle - C. The rest, up to
      * W, the bot's own threads and children caused: it is counted as computing. A single active thread waits for
-     * no thread of its own.
+     * no thread of its own. Where processes come and go, the CPU time of some is in no count: it is not taken for that
+     * of others, so that a bot cannot excuse itself by a chain of them.
      *
      * Where part of the time is not charged, since the referee did not run, the parts are those of all the time between
      * the samples, in proportion.
@@ -164,7 +168,7 @@ public final class TimeLedger {
     }
 
     private double byOthers(int processors, double cpu, double queued) {
-        return active.size() <= 1 ? queued : Math.min(queued, othersCpu(processors, cpu));
+        return active.size() <= 1 && unseen == 0 ? queued : Math.min(queued, othersCpu(processors, cpu));
     }
 
     /** CPU time of processes outside the tree; 0 where the system does not show it. */
@@ -173,6 +177,6 @@ public final class TimeLedger {
             return 0;
         }
         double all = (double) processors * (last.at() - firstIdle.at());
-        return Math.max(0, all - (last.idle() - firstIdle.idle()) - cpu);
+        return Math.max(0, all - (last.idle() - firstIdle.idle()) - cpu - unseen);
     }
 }

@@ -26,8 +26,15 @@ public record TreeSample(long at, boolean shown, int processes, long steps, Map<
      * @param waited   time for which it was runnable and waited for a processor, up to when it last got one
      * @param slices   how often it has got one
      * @param runnable whether it runs or waits for a processor now
+     * @param leader   whether it is the first of its process
      */
-    public record ThreadTimes(long run, long waited, long slices, boolean runnable) { }
+    public record ThreadTimes(long run, long waited, long slices, boolean runnable, boolean leader) {
+
+        /** The first thread of a process. */
+        public ThreadTimes(long run, long waited, long slices, boolean runnable) {
+            this(run, waited, slices, runnable, true);
+        }
+    }
 
     /** Before the first process of a tree was started. */
     public static TreeSample beforeStart(long at, long idle) {

@@ -24,6 +24,8 @@ public final class TreeSampler implements AutoCloseable {
     /** So many processes are looked at: a tree that grows faster than it can be read comes to an end. */
     private static final int MOST = 2048;
 
+    private static final String PROC = "/proc/";
+
     /** Where the CPU times stand in /proc/PID/stat, counted from the state behind the name. */
     private static final int BEFORE_TIMES = 10;
 
@@ -138,7 +140,7 @@ public final class TreeSampler implements AutoCloseable {
         long steps = 0;
         excused = false;
         for (int k = 0; k < found.size(); k++) {
-            String folder = "/proc/" + found.get(k);
+            String folder = PROC + found.get(k);
             boolean begun = !before.contains(found.get(k));
             if (!file.read(folder + "/stat") || !file.skipName()) {
                 if (begun && threads != null) {                  // it ran and ended since it was found
@@ -176,7 +178,8 @@ public final class TreeSampler implements AutoCloseable {
             long slices = file.nextLong();
             boolean runnable = state && (!file.read(thread + "/stat") || file.skipName()
                 && file.nextCharacter() == 'R');       // one that has just ended ran
-            threads.put(Long.valueOf(name), new ThreadTimes(run, waited, slices, runnable));
+            boolean leader = folder.startsWith(name + "/", PROC.length());
+            threads.put(Long.valueOf(name), new ThreadTimes(run, waited, slices, runnable, leader));
         }
         if (byChildren && file.readAll(thread + "/children")) {
             while (file.hasNext() && found.size() < MOST) {

@@ -18,8 +18,9 @@ import tools.jackson.core.JsonGenerator;
  * Kept replays that a page of games holds, by game: the page puts together the page of a match by itself.
  *
  * @param replays as they stand in a page
+ * @param errors  lines of stderr that the page shows
  */
-public record EmbeddedReplays(Map<Long, ReplayPage.Embedded> replays) {
+public record EmbeddedReplays(Map<Long, ReplayPage.Embedded> replays, ErrorLines errors) {
 
     /** Replays that a page holds at most, together, in bytes of the page: it is still opened in a moment. */
     private static final long MOST_BYTES = 24 << 20;
@@ -52,7 +53,7 @@ public record EmbeddedReplays(Map<Long, ReplayPage.Embedded> replays) {
                 continue;                              // the page is about more; it says where the file is
             }
         }
-        return new EmbeddedReplays(embedded);
+        return new EmbeddedReplays(embedded, new ErrorLines(folder, types, stderr));
     }
 
     /** The fields {@code replays} and {@code shell}. */

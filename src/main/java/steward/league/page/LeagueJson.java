@@ -145,12 +145,13 @@ public final class LeagueJson {
      *
      * @param replay how the replay of a game is to be had: {@code live}, {@code page}, or its file; {@code null} for
      *               none
+     * @param errors lines of stderr that say why bots failed
      */
-    static void view(JsonGenerator out, LeagueView view, Function<StoredGame, String> replay) {
+    static void view(JsonGenerator out, LeagueView view, Function<StoredGame, String> replay, ErrorLines errors) {
         table(out, view.season(), view.table(), view.workers());
         JsonNumbers.writeOrNull(out, "rate", view.rate());
         path(out, view.path());
-        JsonObject.writeAll(out, "list", view.games(), game -> game(out, game, replay.apply(game)));
+        JsonObject.writeAll(out, "list", view.games(), game -> game(out, game, replay.apply(game), errors));
     }
 
     private static void path(JsonGenerator out, RatingPath path) {
@@ -172,18 +173,20 @@ public final class LeagueJson {
         out.writeEndArray();
     }
 
-    private static void game(JsonGenerator out, StoredGame game, String replay) {
+    private static void game(JsonGenerator out, StoredGame game, String replay, ErrorLines errors) {
         out.writeNumberProperty("id", game.id());
         out.writeStringProperty("seed", Long.toString(game.seed()));
         out.writeNumberProperty("turns", game.turns());
         out.writeBooleanProperty("counts", game.counts());
         out.writeStringProperty("problem", game.problem());
         out.writeStringProperty("replay", replay);
-        JsonObject.writeAll(out, "seats", game.seats(), seat -> {
+        JsonObject.writeAll(out, "seats", game.seats().size(), number -> {
+            StoredGame.StoredSeat seat = game.seats().get(number);
             out.writeNumberProperty("version", seat.version());
             out.writeNumberProperty("rank", seat.rank());
             JsonNumbers.writeOrNull(out, "score", seat.score());
             out.writeStringProperty("fault", seat.fault());
+            out.writeStringProperty("error", errors.of(game, number));
         });
     }
 }

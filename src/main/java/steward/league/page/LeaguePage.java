@@ -60,7 +60,7 @@ public final class LeaguePage {
         Function<StoredGame, String> where = game -> game.replay() == null ? null
             : replays.replays().containsKey(game.id()) ? IN_PAGE : folder.resolve(game.replay()).toString();
         String data = json(out -> {
-            LeagueJson.view(out, view, where);
+            LeagueJson.view(out, view, where, replays.errors());
             replays.write(out, shell);
         });
         page.write(html, out -> out.write(inScript(data).getBytes(StandardCharsets.UTF_8)));
@@ -75,7 +75,7 @@ public final class LeaguePage {
      * The page of a league that is being played.
      *
      * @param title plain text
-     * @param feed  address of the events, relative to the page; each is an object of {@link #live}
+     * @param feed  address of the events, relative to the page; each is an object of {@link #live(LeagueView, ErrorLines)}
      */
     public static byte[] live(String title, String feed) {
         PageTemplate page = new PageTemplate(FOLDER, title);
@@ -91,8 +91,8 @@ public final class LeaguePage {
     }
 
     /** Returns the message to an open page: all that it shows, on one line. */
-    public static String live(LeagueView view) {
-        return json(out -> LeagueJson.view(out, view, game -> game.replay() == null ? null : LIVE));
+    public static String live(LeagueView view, ErrorLines errors) {
+        return json(out -> LeagueJson.view(out, view, game -> game.replay() == null ? null : LIVE, errors));
     }
 
     /** An object of these fields. */

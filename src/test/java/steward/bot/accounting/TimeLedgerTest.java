@@ -56,6 +56,35 @@ class TimeLedgerTest {
         assertEquals((1 + 2) * MS, ledger.cpu(), "for a verdict only what was seen counts");
     }
 
+    /** Ten samples of a process that ran and waited, and of others beside it, each of which has just begun. */
+    private static TimeLedger chains(int count, double run, double waited, double child) {
+        TimeLedger ledger = new TimeLedger(sample(0, 0, 0, Map.of(7L, thread(0, 0, 0, false))));
+        for (int k = 1; k <= 10; k++) {
+            Map<Long, ThreadTimes> threads = new HashMap<>(Map.of(7L,
+                new ThreadTimes(Math.round(k * run * MS), Math.round(k * waited * MS), k, false)));
+            for (int chain = 0; chain < count; chain++) {
+                threads.put(100L * k + chain, new ThreadTimes(Math.round(child * MS),
+                    Math.round(MS * (count == 1 ? 7 : 1)), 1, true));
+            }
+            ledger.add(sample(10L * k, 0, 0, threads));
+        }
+        return ledger;
+    }
+
+    /** Its children compute on 2 processors for some ms each, and nobody waits for them: no count has what they used. */
+    @Test
+    void aBotThatStarvesItselfByChainsOfProcessesIsChargedForIt() {
+        TimeLedger ledger = chains(3, 4, 6, 2);
+        assertEquals(0, ledger.starved(2));
+        assertFalse(ledger.spent(75 * MS, 100 * MS, 2, false).doubtful());
+    }
+
+    /** A shell that starts programs one after the other, beside others' load on both processors. */
+    @Test
+    void aBotThatStartsOneProgramAfterTheOtherIsStarvedByOthers() {
+        assertEquals(70, chains(1, 0, 0, 3).starved(2) / MS);
+    }
+
     /** 40 ms by the count of 9 processes, all but one of which slept. */
     @Test
     void oneStepIsCutHoweverManyProcessesThereAre() {

@@ -14,6 +14,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import steward.cli.league.view.PageCommand;
 import steward.cli.options.WatchOptions;
+import steward.cli.shared.Games;
 import steward.cli.shared.Pages;
 import steward.cli.streams.Streams;
 import steward.files.InputException;
@@ -21,6 +22,7 @@ import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
 import steward.league.Season;
 import steward.league.StoredGame;
+import steward.league.page.ErrorLines;
 import steward.league.page.LeaguePage;
 import steward.league.page.LeagueView;
 import steward.league.play.LeagueRun;
@@ -46,6 +48,7 @@ final class LeagueWatch implements AutoCloseable {
     private final GameQueries games;
     private final LeagueProgress progress;
     private final StatusServer server;
+    private final ErrorLines errors;
     private final ScheduledExecutorService clock = Executors.newSingleThreadScheduledExecutor(work -> {
         Thread thread = new Thread(work, "league page");
         thread.setDaemon(true);
@@ -63,6 +66,7 @@ final class LeagueWatch implements AutoCloseable {
         this.season = season;
         this.games = games;
         this.progress = progress;
+        errors = new ErrorLines(folder.replays(), Games.types(), null);
         server = StatusServer.start(options.host(), options.port(), options.viewers(),
             LeaguePage.live(PageCommand.title(folder.path()), StatusServer.FEED), this::page);
     }
@@ -105,7 +109,7 @@ final class LeagueWatch implements AutoCloseable {
                 pathDue = System.nanoTime() + REST * (System.nanoTime() - began);
             }
             server.show(LeaguePage.live(new LeagueView(season, table, path, games.last(LISTED), progress.rate(),
-                machines == null ? List.of() : machines.workers())));
+                machines == null ? List.of() : machines.workers()), errors));
             shown = played;
         } catch (InputException busy) {
             return;                                    // the next second shows it

@@ -1,8 +1,6 @@
 package steward.cli.league.view;
 
-import java.io.IOException;
 import java.io.PrintStream;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -14,8 +12,6 @@ import steward.cli.shared.Games;
 import steward.contest.Failure;
 import steward.contest.RecordedFailures;
 import steward.league.StoredGame;
-import steward.replay.ReplayException;
-import steward.replay.ReplayReader;
 import steward.text.TextFormat;
 
 /** Failures of bots in games of a league: each game's failures from its replay, and how often each kind came. */
@@ -72,7 +68,7 @@ public final class GameFailures {
     }
 
     private String said(Kind kind) {
-        return of(replay(replays, kind.example)).stream().filter(each -> each.player() == kind.player).findFirst()
+        return RecordedFailures.of(Games.types(), replay(replays, kind.example)).stream().filter(each -> each.player() == kind.player).findFirst()
             .map(FailureText::said).orElse("");
     }
 
@@ -81,26 +77,9 @@ public final class GameFailures {
         return game.replay() == null ? null : replays.resolve(game.replay());
     }
 
-    /**
-     * The failures of a game by its replay.
-     *
-     * @param replay or {@code null} if none was kept
-     * @return none if the replay cannot be read
-     */
-    static List<Failure> of(Path replay) {
-        if (replay == null || !Files.isRegularFile(replay)) {
-            return List.of();
-        }
-        try (ReplayReader reader = ReplayReader.open(replay)) {
-            return reader.header() == null ? List.of() : RecordedFailures.of(Games.types(), reader);
-        } catch (IOException | ReplayException damaged) {
-            return List.of();
-        }
-    }
-
     /** Everything about the failures of a game. */
     static void print(PrintStream out, StoredGame game, Path replay, Map<Integer, String> names) {
-        for (Failure failure : of(replay)) {
+        for (Failure failure : RecordedFailures.of(Games.types(), replay)) {
             out.println(TextFormat.plain("         " + names.get(game.seats().get(failure.player()).version())
                 + " failed in turn " + failure.turn() + ": " + failure.reason()));
             FailureText.print(out, failure, "           ");

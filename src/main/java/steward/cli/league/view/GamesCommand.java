@@ -18,9 +18,11 @@ import steward.cli.options.ProgramCommand;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.FailedException;
 import steward.cli.shared.FailureJson;
+import steward.cli.shared.Games;
 import steward.cli.shared.Pages;
 import steward.cli.streams.Json;
 import steward.contest.Failure;
+import steward.contest.RecordedFailures;
 import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.json.JsonNumbers;
@@ -147,7 +149,7 @@ public final class GamesCommand extends ProgramCommand {
         out.writeNumberProperty("games", all);
         JsonObject.writeAll(out, "list", games, game -> {
             Path replay = GameFailures.replay(folder.replays(), game);
-            List<Failure> failures = GameFailures.of(replay);
+            List<Failure> failures = RecordedFailures.of(Games.types(), replay);
             out.writeNumberProperty("game", game.id());
             out.writeStringProperty("seed", Long.toString(game.seed()));
             out.writeStringProperty("played", Instant.ofEpochMilli(game.played()).toString());
