@@ -10,7 +10,8 @@ import steward.contest.Contest.Entrant;
 /**
  * The attempts at one game, and whether the last of them counts. A game that a bot lost on time is played again with
  * the same seed: if the bot may have been late only since it waited for a processor ({@link Failure#doubtful}), then
- * without charging it for that ({@link TimeBasis#UNSTARVED}); once if another burned that was not yet held, which then
+ * without charging it for that ({@link TimeBasis#UNSTARVED}); where limits are of CPU time, if it waited for half of
+ * what it had ({@link Failure#starved}); once if another burned that was not yet held, which then
  * is held from the start. Where that cannot be held, the game is played again twice. If another burns or the machine is
  * too busy in each of {@value #MOST} attempts, the game does not count. With {@link Hiccups#COUNT} every first attempt
  * counts.
@@ -59,7 +60,9 @@ public final class Attempts {
             return false;
         }
         if (beside.isEmpty()) {
-            return doubtful(failures.stream().filter(Failure::doubtful).findFirst().orElse(null));
+            boolean wall = contest.time().basis() == TimeBasis.WALL;
+            return doubtful(failures.stream().filter(wall ? Failure::doubtful : Failure::starved).findFirst()
+                .orElse(null));
         }
         if (beside.stream().allMatch(failure -> failure.burner().holdable())) {
             return held.addAll(beside.stream().map(failure -> entrant(failure.burner().player())).toList())

@@ -38,7 +38,8 @@ class LocaleTest {
     private static final String JOSE = "'José=sh José.sh'";
     private static final List<String> OF_CLUSTERS = List.of("shard", "merge", "generate", "capacity");
     /** A name of the table whose accents have become something else. */
-    private static final Pattern BROKEN = Pattern.compile("Jos(\\?|Ã|%C3)|Zo(\\?|Ã)|\\b(Liga|Klasse) (\\?|Ã)|(\\?|Ã)and|\\bd(\\?|Ã)+\\.json");
+    private static final Pattern BROKEN = Pattern.compile("Jos[?Ã]|Zo[?Ã]|\\b(Liga|Klasse) [?Ã]"
+        + "|[?Ã]and|\\bd[?Ã]+\\.json");
 
     /** A call of every command, in one folder one after the other. */
     private static final List<Call> CALLS = List.of(
@@ -64,7 +65,7 @@ class LocaleTest {
         new Call(0, "referee -scene dé.json -p1 'json:sh José.sh' -p2 builtin:racer -r ré.jsonl -l lé.json", ""),
         new Call(0, "play --json-league 'json:sh José.sh' builtin:racer --scene dé.json --out plé.jsonl", ""),
         new Call(0, "resident --socket söcket/s --idle 1s", ""),
-        new Call(0, "stability --quick --case 'grazing passes' --out stabilité", "2 demands are met"),
+        new Call(2, "stability --case Größe", "'Größe'"),
         new Call(2, "tradeoff --scene 'nié.json'", "nié.json"),
         new Call(2, "bench --quick --only främe", "främe"),
         new Call(2, "adopt Projékt --as game", "Projékt"),
@@ -81,7 +82,7 @@ class LocaleTest {
         new Call(0, "league import 'Liga é' spïele.csv", ""),
         new Call(0, "league backup 'Liga é' kopïe.db", "kopïe.db"),
         new Call(0, "league verify 'Liga é'", ""),
-        new Call(0, "league sprt 'Liga é' José racer --elo1 400", "José"),
+        new Call(2, "league sprt 'Liga é' José Ñandú", "Ñandú"),
         new Call(0, "league retire 'Liga é' José", "José"),
         new Call(0, "league resume 'Liga é' José", "José"),
         new Call(0, "league forgive 'Liga é' José --games 1..1", "José"),
@@ -185,7 +186,7 @@ class LocaleTest {
         assertNamesOfFiles();
         call(0, Map.of("LC_ALL", "C.UTF-8"), "league", "run", "Liga é", "--games", "6", "--quiet");
         String table = call(0, Map.of(), "league", "table", "Liga é");
-        assertTrue(table.contains("José") && !table.contains("José#"), "a version for all locales:\n" + table);
+        assertTrue(table.contains("Zoë") && !table.contains("Zoë#"), "a version for all locales:\n" + table);
     }
 
     @Test

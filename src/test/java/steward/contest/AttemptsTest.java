@@ -108,6 +108,15 @@ class AttemptsTest {
         assertFalse(attempts(Hiccups.REPLAY).demandAnother(late(false, null)));
     }
 
+    /** It slept and waited for ten times its CPU time, and used none of it: waiting was a seventh of that. */
+    @Test
+    void aBotThatHangsUnderALimitOfCpuTimeHasLostThoughItWaitedAWhile() {
+        TimeSpent time = new TimeSpent(750 * MS, 751 * MS, 0, 0, 110 * MS, 641 * MS, 0, TimeSpent.Shows.ALL, false);
+        List<Failure> hung = List.of(new Failure(1, 5, "no answer", List.of(), "", List.of(), time, null));
+        assertFalse(new Attempts(contest.limitedBy(TimeBasis.CPU), Hiccups.REPLAY, 0).demandAnother(hung));
+        assertTrue(attempts(Hiccups.REPLAY).demandAnother(hung));
+    }
+
     @Test
     void allCountsIfThatIsWanted() {
         for (boolean holdable : List.of(true, false)) {

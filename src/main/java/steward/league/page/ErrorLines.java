@@ -38,7 +38,7 @@ public final class ErrorLines {
         this.stderr = stderr;
     }
 
-    /** Returns the line of the bot that failed in a seat, see {@link Failure#error()}; {@code null} if none is known. */
+    /** Returns the line of the bot in a seat, see {@link Failure#error()}; {@code null} if none is known. */
     String of(StoredGame game, int seat) {
         if (types == null || game.replay() == null || game.seats().get(seat).fault() == null
             || stderr != null && !stderr.test(game, seat)) {

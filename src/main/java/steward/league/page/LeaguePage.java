@@ -75,7 +75,8 @@ public final class LeaguePage {
      * The page of a league that is being played.
      *
      * @param title plain text
-     * @param feed  address of the events, relative to the page; each is an object of {@link #live(LeagueView, ErrorLines)}
+     * @param feed  address of the events, relative to the page; each is an object of
+     *              {@link #live(LeagueView, ErrorLines)}
      */
     public static byte[] live(String title, String feed) {
         PageTemplate page = new PageTemplate(FOLDER, title);

@@ -71,7 +71,7 @@ class TimeLedgerTest {
         return ledger;
     }
 
-    /** Its children compute on 2 processors for some ms each, and nobody waits for them: no count has what they used. */
+    /** Its children compute on 2 processors, for some ms each; nobody waits for them: no count has what they used. */
     @Test
     void aBotThatStarvesItselfByChainsOfProcessesIsChargedForIt() {
         TimeLedger ledger = chains(3, 4, 6, 2);

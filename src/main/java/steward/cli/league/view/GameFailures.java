@@ -68,8 +68,8 @@ public final class GameFailures {
     }
 
     private String said(Kind kind) {
-        return RecordedFailures.of(Games.types(), replay(replays, kind.example)).stream().filter(each -> each.player() == kind.player).findFirst()
-            .map(FailureText::said).orElse("");
+        return RecordedFailures.of(Games.types(), replay(replays, kind.example)).stream()
+            .filter(each -> each.player() == kind.player).findFirst().map(FailureText::said).orElse("");
     }
 
     /** The file of a game's replay, or {@code null}. */
