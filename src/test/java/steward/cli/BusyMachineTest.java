@@ -21,6 +21,8 @@ import org.junit.jupiter.api.TestReporter;
 import org.junit.jupiter.api.io.TempDir;
 import steward.bot.accounting.TreeSampler;
 import steward.bot.command.ProgramFinder;
+import steward.bot.isolation.Isolation;
+import steward.bot.isolation.SandboxLevel;
 import steward.cli.shared.ExitStatus;
 import steward.match.TestSize;
 import tools.jackson.databind.JsonNode;
@@ -142,14 +144,38 @@ class BusyMachineTest {
     @Test
     void aProgramThatIsSlowByItselfIsCalledFaultyOnALoadedMachine() throws IOException {
         for (String slow : List.of("while :; do :; done", "sleep 3")) {
-            Path bot = Files.writeString(folder.resolve("slow.sh"), "read -r l; read -r l; echo '" + ANSWER
-                + "'; read -r l; " + slow + "\n");
-            Cli match = Cli.run("match", "--bot", "slow=sh " + bot, "--bot", "builtin:racer", "--scene",
-                scene.toString(), "--seed", "1", "--strict", "--quiet");
-            assertEquals(ExitStatus.FAILED, match.status(), match.out() + match.err());
-            assertTrue(match.out().contains("slow failed in turn 2: no answer within 75 ms"),
-                match.out() + match.err());
+            assertLate("sh " + Files.writeString(folder.resolve("slow.sh"), "read -r l; read -r l; echo '" + ANSWER
+                + "'; read -r l; " + slow + "\n"));
         }
+    }
+
+    /** Its answer takes 400 ms. Its processes live for 3 ms, and nobody waits for them: their CPU time is in no count. */
+    @Test
+    void aProgramThatStarvesItselfByChainsOfProcessesIsCalledFaulty() throws IOException {
+        assumeTrue(ProgramFinder.find("python3") != null, "there is no python3");
+        assumeTrue(Isolation.usual().level() != SandboxLevel.OFF, "orphans leave the tree of processes");
+        assertLate("python3 " + Files.writeString(folder.resolve("chains.py"), """
+            import os, signal, sys, time
+            def chain():
+                while True:
+                    end = time.process_time() + 0.003
+                    while time.process_time() < end: pass
+                    if os.fork(): os._exit(0)
+            sys.stdin.readline(), sys.stdin.readline(), print('%s', flush=True), sys.stdin.readline()
+            signal.signal(signal.SIGCHLD, signal.SIG_IGN)
+            for _ in range(2 * os.cpu_count()):
+                if not os.fork(): chain()
+            end = time.monotonic() + 0.4
+            while time.monotonic() < end: pass
+            print('%s', flush=True)
+            """.formatted(ANSWER, ANSWER)));
+    }
+
+    private static void assertLate(String bot) {
+        Cli match = Cli.run("match", "--bot", "slow=" + bot, "--bot", "builtin:racer", "--scene", scene.toString(),
+            "--seed", "1", "--strict", "--quiet");
+        assertEquals(ExitStatus.FAILED, match.status(), match.out() + match.err());
+        assertTrue(match.out().contains("slow failed in turn 2: no answer within 75 ms"), match.out() + match.err());
     }
 
     @Test
