@@ -149,7 +149,7 @@ class BusyMachineTest {
         }
     }
 
-    /** Its answer takes 400 ms. Its processes live for 3 ms, and nobody waits for them: their CPU time is in no count. */
+    /** It answers after 400 ms. Its processes live for 3 ms, nobody waits for them: their CPU time is in no count. */
     @Test
     void aProgramThatStarvesItselfByChainsOfProcessesIsCalledFaulty() throws IOException {
         assumeTrue(ProgramFinder.find("python3") != null, "there is no python3");

@@ -33,9 +33,11 @@ class LocaleTest {
     private static final String BOT = "#!/bin/sh\necho \"locale ${LC_ALL-none}\" >&2\nread -r setup\nwhile read -r l; "
         + "do echo '{\"pods\":[{\"x\":1,\"y\":1,\"thrust\":0}]}'; done\n";
 
+    /** A call: its exit status, its words as a shell reads them, and a part of what it says. */
     private record Call(int status, String words, String says) { }
 
     private static final String JOSE = "'José=sh José.sh'";
+    /** Commands of leagues that clusters and measurements use. */
     private static final List<String> OF_CLUSTERS = List.of("shard", "merge", "generate", "capacity");
     /** A name of the table whose accents have become something else. */
     private static final Pattern BROKEN = Pattern.compile("Jos[?Ã]|Zo[?Ã]|\\b(Liga|Klasse) [?Ã]"
