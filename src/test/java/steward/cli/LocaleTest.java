@@ -86,6 +86,7 @@ class LocaleTest {
         new Call(0, "league verify 'Liga é'", ""),
         new Call(2, "league sprt 'Liga é' José Ñandú", "Ñandú"),
         new Call(0, "league retire 'Liga é' José", "José"),
+        new Call(0, "league retire 'Liga é' José --back", "José"),
         new Call(0, "league resume 'Liga é' José", "José"),
         new Call(0, "league forgive 'Liga é' José --games 1..1", "José"),
         new Call(0, "league rename 'Liga é' José Zoë", "Zoë"),

@@ -21,8 +21,8 @@ import steward.contest.Contest;
 import steward.match.Protocol;
 
 /**
- * Checks of a correct program on a busy machine. What is measured is made up: the program computes 5 ms for an answer, and
- * by the wall clock it waits for a processor besides, in as many games as the test says.
+ * Checks of a correct program on a busy machine. What is measured is made up: the program computes 5 ms for an answer,
+ * and by the wall clock it waits for a processor besides, in as many games as the test says.
  */
 class BotCheckTest {
 
