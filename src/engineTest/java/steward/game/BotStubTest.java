@@ -25,7 +25,8 @@ class BotStubTest {
 
     @Test
     void aNameIsOneInAllLanguages() {
-        for (String name : List.of("class", "lambda", "auto", "let", "command", "nearest", "first name", "1st", "", "each")) {
+        for (String name : List.of("class", "lambda", "auto", "let", "command", "nearest", "first name", "1st", "",
+                "each")) {
             assertRefused("found the name \"" + name
                 + "\", expected letters and digits that are no word of Python, Java, C++ or JavaScript",
                 () -> Command.each(name, "pods", ""));

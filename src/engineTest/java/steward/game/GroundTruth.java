@@ -52,7 +52,7 @@ public enum GroundTruth {
         }
     }
 
-    /** The matches of a game: of the folder that the call of the build names, or those of the sample in this project. */
+    /** Matches of a game: of the folder that the call of the build names, or those of the sample in this project. */
     public static List<Path> matches(String game) throws IOException {
         if (Boolean.getBoolean(TELL)) {
             return VECTORS.files(game, ".jsonl.gz");

@@ -22,8 +22,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 /**
  * Golden files: whole outputs of commands as text, JSON and CSV, to the letter but for times that were measured. A file
  * {@code outputs/NAME.txt} has calls that follow one another in one folder, in the form of {@link BadInputEntry}; only
- * standard output counts. With {@code -Dsteward.recordOutputs=FOLDER} the files are written anew to a folder, to be read
- * before they replace the old ones.
+ * standard output counts. With {@code -Dsteward.recordOutputs=FOLDER} the files are written anew to a folder, to be
+ * read before they replace the old ones.
  */
 @Tag("process")
 @Tag("slow")

@@ -40,7 +40,8 @@ public final class MeanMaxReplay extends VectorReplay<MeanMax> {
 
     @Override
     protected MeanMax in(MeanMax game, JsonNode state) {
-        MeanMaxWorld world = MeanMaxWorld.empty(game.settings(), match.seed(), game.players(), state.get("units").size());
+        MeanMaxWorld world = MeanMaxWorld.empty(game.settings(), match.seed(), game.players(),
+            state.get("units").size());
         for (JsonNode unit : state.get("units")) {
             boolean tanker = unit.get("type").asInt() == UnitKind.TANKER.ordinal();
             int body = world.addUnit(unit.get("id").asInt(), UnitKind.of(unit.get("type").asInt()),

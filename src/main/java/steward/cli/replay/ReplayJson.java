@@ -55,7 +55,8 @@ record ReplayJson(Streams streams, ReplayReader replay) {
         JsonObject.writeAll(out, "players", header.names().size(), player -> {
             out.writeStringProperty("name", header.names().get(player));
             out.writeStringProperty("bot", header.bots().get(player));
-            out.writeStringProperty(OwnLimits.FIELD, OwnLimits.writtenOrNull(OwnLimits.of(header.limits().get(player))));
+            out.writeStringProperty(OwnLimits.FIELD,
+                OwnLimits.writtenOrNull(OwnLimits.of(header.limits().get(player))));
             if (result != null) {
                 out.writeNumberProperty("rank", result.players().get(player).rank());
                 out.writeNumberProperty("score", result.players().get(player).score());

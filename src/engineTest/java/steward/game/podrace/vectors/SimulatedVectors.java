@@ -24,7 +24,8 @@ final class SimulatedVectors {
     /** @param header plays the turns of four pods too; {@code null} for none */
     SimulatedVectors(VectorMatch match, CppHeader header) {
         this.match = match;
-        this.header = match.header().get("players").asInt() == 2 && match.header().get("podsPerPlayer").asInt() == 2 ? header : null;
+        this.header = match.header().get("players").asInt() == 2 && match.header().get("podsPerPlayer").asInt() == 2
+            ? header : null;
         comparison = new Comparison(match.name() + " (simulator)");
     }
 
@@ -33,7 +34,8 @@ final class SimulatedVectors {
     }
 
     Comparison compare() {
-        PodRaceSimulator race = new PodRaceSimulator(PodRaceReplay.checkpoints(match), match.header().get("players").asInt(), match.header().get("podsPerPlayer").asInt(),
+        PodRaceSimulator race = new PodRaceSimulator(PodRaceReplay.checkpoints(match),
+            match.header().get("players").asInt(), match.header().get("podsPerPlayer").asInt(),
             match.header().get("laps").asInt(), RulesEdition.CONTEST);
         PodCommands commands = new PodCommands(race.pods());
         JsonNode before = match.start();

@@ -46,8 +46,8 @@ public final class SearchRaceReplay extends VectorReplay<SearchRace> {
     }
 
     /**
-     * The lines of its one player; those before the first turn stand in the header. What a line tells of the turn before
-     * is not in a recorded state.
+     * The lines of its one player; those before the first turn stand in the header. What a line tells of the turn
+     * before is not in a recorded state.
      */
     @Override
     protected JsonNode inputs(JsonNode turn) {
