@@ -37,8 +37,6 @@ class LocaleTest {
     private record Call(int status, String words, String says) { }
 
     private static final String JOSE = "'José=sh José.sh'";
-    /** Commands of leagues that clusters and measurements use. */
-    private static final List<String> OF_CLUSTERS = List.of("shard", "merge", "generate", "capacity");
     /** A name of the table whose accents have become something else. */
     private static final Pattern BROKEN = Pattern.compile("Jos[?Ã]|Zo[?Ã]|\\b(Liga|Klasse) [?Ã]"
         + "|[?Ã]and|\\bd[?Ã]+\\.json");
@@ -197,7 +195,7 @@ class LocaleTest {
         List<String> missing = new ArrayList<>(Main.commands());
         missing.remove("league");
         Main.program(Streams.standard(), "league").getSubcommands().get("league").getSubcommands().keySet().stream()
-            .filter(each -> !OF_CLUSTERS.contains(each)).forEach(each -> missing.add("league " + each));
+            .forEach(each -> missing.add("league " + each));
         missing.removeIf(each -> CALLS.stream().anyMatch(call -> (call.words + " ").startsWith(each + " ")));
         assertEquals(List.of(), missing);
     }

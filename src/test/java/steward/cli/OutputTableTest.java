@@ -38,7 +38,9 @@ class OutputTableTest {
         Pattern.compile("(\"answerMs\":)\\[[^]]*]"),
         Pattern.compile("(,)[0-9.]+,[0-9.]+(?=$)"),
         Pattern.compile("( )[0-9.]+(?= ms\\b)"),
-        Pattern.compile("(   game )[0-9]+, turn [0-9]+$"));
+        Pattern.compile("(   game )[0-9]+, turn [0-9]+$"),
+        Pattern.compile("()20[0-9-]{8}T[0-9:.]+Z"),
+        Pattern.compile("(replays/)[0-9a-f]{2}/[0-9a-f]+"));
     private static final Pattern HEAD = Pattern.compile("(?:average|mean|p99|worst|first) ms|worst in");
 
     @TempDir

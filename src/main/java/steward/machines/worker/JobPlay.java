@@ -197,7 +197,7 @@ final class JobPlay {
         Protocol protocol = unpacked.command().prefix() == BotCommand.Prefix.CODINGAME ? Protocol.CODINGAME
             : Protocol.JSON;
         Entrant entrant = new Entrant(seat.name(), unpacked.command().toString(), protocol, program, null);
-        String problem = BotTrial.problem(contest, entrant);
+        String problem = BotTrial.problem(contest, entrant.within(seat.limits()));
         if (problem != null) {
             throw new UnfitException(seat.bundle(), seat.name() + " does not run here: " + problem);
         }
