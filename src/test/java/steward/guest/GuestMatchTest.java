@@ -157,7 +157,8 @@ class GuestMatchTest {
             "--replace", "--from-turn", "3", "--out", folder.resolve("y.jsonl").toString(), "--", "true"}}) {
             Cli cli = Cli.run(call);
             assertEquals(ExitStatus.UNUSABLE, cli.status(), cli.out());
-            assertTrue(cli.err().contains("a program that the replay names, expected --run-referee"), cli.err());
+            assertTrue(cli.err().contains("which is a program that the replay names and is not run"), cli.err());
+            assertTrue(cli.err().contains("--run-referee runs it"), cli.err());
         }
         assertEquals(ExitStatus.DONE, Cli.run("replay", file.toString()).status());
     }

@@ -18,7 +18,7 @@ class GuestProgramTest {
         {"classPath": ["a"], "testIn": ["7"]} | 2:44: referee.testIn: found a test in the mode multi, expected the \
         mode solo with it
         {"classPath": ["a"], "properties": {"seed": "7"}} | 2:57: referee.properties.seed: found a seed, expected \
-        none: --seed or the league sets that of each game
+        none: each game has one of its own
         {"classPath": ["a"], "limit": 7} | 2:34: referee.limit: found an unknown field, expected one of "classPath", \
         "main", "reuse", "mode", "leagueLevels", "leagueLevel", "limitMs", "testIn", "properties", \
         "undetermined"; did you mean "limitMs"?

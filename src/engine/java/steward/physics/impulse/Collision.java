@@ -111,9 +111,12 @@ public final class Collision {
             solver.separate(bodies, a, b, solved.normalX, solved.normalY,
                 Math.abs(vax) + Math.abs(vay) + Math.abs(vbx) + Math.abs(vby));
         }
+        double pushA = -solved.impulse * bodies.inverseMass[a];
+        double pushB = solved.impulse * bodies.inverseMass[b];
         sink.impact(time, bodies.id(a), bodies.id(b), ax, ay, bx, by, solved.normalX, solved.normalY, solved.impulse,
-            solved.energy, massA, massB, vax, vay, instantX(bodies, a, half), instantY(bodies, a, half), vbx, vby,
-            instantX(bodies, b, half), instantY(bodies, b, half));
+            solved.energy, massA, massB, vax, vay, after(bodies.vx[a], vax, solved.normalX * pushA),
+            after(bodies.vy[a], vay, solved.normalY * pushA), vbx, vby,
+            after(bodies.vx[b], vbx, solved.normalX * pushB), after(bodies.vy[b], vby, solved.normalY * pushB));
         sink.knot(bodies.id(a), time, ax, ay);
         sink.knot(bodies.id(b), time, bx, by);
         if (corrects) {
@@ -133,12 +136,12 @@ public final class Collision {
         return half;
     }
 
-    private double instantX(Bodies bodies, int i, double half) {
-        return accelerations == null ? bodies.vx[i] : bodies.vx[i] + accelerations.x[i] * half;
-    }
-
-    private double instantY(Bodies bodies, int i, double half) {
-        return accelerations == null ? bodies.vy[i] : bodies.vy[i] + accelerations.y[i] * half;
+    /**
+     * The velocity after an impact, as it is recorded: where forces act, that of the instant, since the one that the
+     * body has is of its flight.
+     */
+    private double after(double stored, double before, double push) {
+        return accelerations == null ? stored : before + push;
     }
 
     /**
@@ -225,9 +228,10 @@ public final class Collision {
         double ny = solved.normalY;
         double gap = wall.gap(ax, ay, bodies.radius[a]);
         double reach = gap + bodies.radius[a];
+        double push = -solved.impulse * bodies.inverseMass[a];
         sink.impact(time, bodies.id(a), ~w, ax, ay, ax + nx * reach, ay + ny * reach, nx, ny, solved.impulse,
-            solved.energy, bodies.mass[a], Double.POSITIVE_INFINITY, vax, vay, instantX(bodies, a, half),
-            instantY(bodies, a, half), 0, 0, 0, 0);
+            solved.energy, bodies.mass[a], Double.POSITIVE_INFINITY, vax, vay, after(bodies.vx[a], vax, nx * push),
+            after(bodies.vy[a], vay, ny * push), 0, 0, 0, 0);
         sink.knot(bodies.id(a), time, ax, ay);
         correctFromWall(bodies, a, gap, time, sink);
     }
