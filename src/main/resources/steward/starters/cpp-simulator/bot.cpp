@@ -142,11 +142,14 @@ struct Bot {
 };
 
 int main() {
-    int laps, count;
+    int laps = 0, count = 0;
     std::cin >> laps >> count;
     std::vector<std::pair<double, double>> places(count);
     for (auto& place : places) {
         std::cin >> place.first >> place.second;
+    }
+    if (!std::cin) {
+        return 0;                                            // there is no match
     }
     Bot bot(places);
     while (bot.look()) {

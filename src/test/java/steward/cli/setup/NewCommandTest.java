@@ -132,6 +132,9 @@ class NewCommandTest {
         List<String> compile = made.out().lines().filter(line -> line.startsWith("  g++")).map(String::strip).toList();
         assertTrue(readme.contains("Compile it: " + compile.get(0) + "\n"), readme);
         compile(compile, place);
+        Process alone = new ProcessBuilder(place.resolve("bot").toString()).start();
+        alone.getOutputStream().close();
+        assertEquals(0, alone.waitFor(), "at the end of its input");
         assertItScores(Cli.run("match", "--bot", "me=" + called("codingame:./bot", place), "--bot", "builtin:racer",
             "--seed", "7", "--json", "--time-factor", "30"), false);
     }
