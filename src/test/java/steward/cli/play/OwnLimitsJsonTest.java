@@ -5,12 +5,15 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import steward.cli.Cli;
 import tools.jackson.databind.JsonNode;
 
 /** Limits of one bot in what is printed for programs: beside its name, in one form. */
+@Tag("process")
+@Tag("slow")
 class OwnLimitsJsonTest {
 
     private static final List<String> EXPECTED = List.of("a null", "b \"900,2000\"");
