@@ -13,11 +13,12 @@ say() { printf '%s\n' "$answer"; }
 # A process that stays, known by the mark.
 stay() { exec sh -c 'while :; do sleep 0.1; done' stay "$mark"; }
 
-# The numbers of marked processes whose command line has a word.
+# The numbers of marked processes whose command line has a word; not its own, nor that of the first process, which names
+# the files of all bots that it keeps this one from writing to.
 marked() {
   for line in $(grep -lsa "$mark" /proc/[0-9]*/cmdline); do
     pid=${line#/proc/}
-    [ "${pid%/*}" != $$ ] && grep -qsa "$1" "$line" && echo "${pid%/*}"
+    [ "${pid%/*}" != $$ ] && [ "${pid%/*}" != 1 ] && grep -qsa "$1" "$line" && echo "${pid%/*}"
   done
 }
 referee() { marked steward.cli.Main; }
