@@ -11,11 +11,11 @@ import tools.jackson.databind.JsonNode;
  */
 public abstract class VectorReplay<G extends Game> {
 
-    /** What was recorded. */
+    /** The recorded match. */
     protected final VectorMatch match;
     /** The scene of the match. */
     protected final GameSetup setup;
-    /** Takes what is compared. */
+    /** Differences found so far, and the number of values compared. */
     protected final Comparison comparison;
 
     protected VectorReplay(VectorMatch match, GameSetup setup) {

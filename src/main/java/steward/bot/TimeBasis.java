@@ -23,10 +23,10 @@ public enum TimeBasis {
      */
     UNSTARVED;
 
-    /** Those that a call can ask for. */
+    /** Bases that a call can ask for. */
     public static final List<TimeBasis> CHOICES = List.of(WALL, CPU);
 
-    /** How many times the limit an answer may take by the wall clock where the limit is not one of it. */
+    /** Bound of the wall clock in limits, where the limit is not one of the wall clock. */
     public static final int BACKSTOP = 10;
 
     /** Returns the word as it is written in a call. */

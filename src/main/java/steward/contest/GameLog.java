@@ -12,6 +12,7 @@ import steward.bot.isolation.Isolation;
 import steward.bot.isolation.MissingFiles;
 import steward.bot.isolation.SandboxLevel;
 import steward.contest.Contest.Entrant;
+import steward.contest.repeat.GameFacts;
 import steward.game.FrameCodec;
 import steward.game.Game;
 import steward.match.MatchListener;

@@ -10,6 +10,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.Consumer;
+import steward.contest.repeat.GameFacts;
+import steward.contest.repeat.Repeats;
 import steward.match.MatchResult;
 
 /**

@@ -4,6 +4,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import steward.Internal;
+import steward.contest.repeat.GameFacts;
 import steward.files.OutputFiles;
 import steward.match.MatchResult;
 

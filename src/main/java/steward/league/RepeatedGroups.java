@@ -6,7 +6,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import steward.contest.Repeats;
+import steward.contest.repeat.Repeats;
 
 /**
  * Groups of bots that play nothing but repeats: the last {@value steward.contest.Repeats#ENOUGH} games of a group, in

@@ -7,7 +7,7 @@ import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
-import steward.contest.GameFacts;
+import steward.contest.repeat.GameFacts;
 
 /**
  * One game as it is stored: an observation that any rating can be computed from.

@@ -205,9 +205,10 @@ class LocaleTest {
         Files.writeString(place.resolve("gäme.json"), OfficialGame.play(12).json());
         Files.createDirectory(place.resolve("söcket"), PosixFilePermissions.asFileAttribute(
             PosixFilePermissions.fromString("rwx------")));
+        Path starter = place.resolve("stärter");
+        Cli.run("new", "python", starter.toString()).done();
         for (String name : List.of("Zoë.py", "Ñandú.py")) {
-            Files.copy(Path.of("src/bots/python/starter.py"), Files.createDirectories(place.resolve("Klasse é"))
-                .resolve(name));
+            Files.copy(starter.resolve("bot.py"), Files.createDirectories(place.resolve("Klasse é")).resolve(name));
         }
     }
 

@@ -35,8 +35,7 @@ public final class FarPairs {
      *     |d| < 2^18 it changes f by less than 1/4, which leaves m / 2, enough for (2). Beyond these limits all pairs
      *     are tested each time.
      *
-     * The same bound holds for velocities that are known only to 2^-26 u per turn: f changes by less than
-     * 2^-24 |d| <= 1/64.
+     * Velocities that are known only to 2^-26 u per turn keep the bound: f changes by less than 2^-24 |d| <= 1/64.
      */
 
     /** True if a pair may come within the margin of the other before {@code time} has passed. */

@@ -45,7 +45,7 @@ public final class TimingSamples {
         return median(job) / median(other);
     }
 
-    /** The same ratio in each round, ascending. */
+    /** Returns the ratio of two kinds of work in each round, ascending. */
     public double[] ratios(int job, int other) {
         return all().mapToDouble(round -> round[job].nanos() / round[other].nanos()).sorted().toArray();
     }

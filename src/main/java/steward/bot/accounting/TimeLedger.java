@@ -23,7 +23,7 @@ public final class TimeLedger {
     private long run;
     private long begun;
     private long waited;
-    /** What processes may have used that began and ended unseen, before those that a sample found anew and running. */
+    /** CPU time that processes may have used which began and ended between two samples, in nanoseconds. */
     private long unseen;
     /** Threads that ran or waited. */
     private final Set<Long> active = new HashSet<>();

@@ -19,7 +19,7 @@ import steward.contest.FailureStreaks;
 import steward.contest.Hiccups;
 import steward.contest.PairedPlay;
 import steward.contest.ProgramWatch;
-import steward.contest.Repeats;
+import steward.contest.repeat.Repeats;
 import steward.league.sequential.Gsprt;
 import steward.league.sequential.ScoreCounts;
 import steward.text.TextFormat;

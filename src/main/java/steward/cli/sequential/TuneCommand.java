@@ -40,7 +40,7 @@ import steward.contest.FailureStreaks;
 import steward.contest.Hiccups;
 import steward.contest.PairedPlay;
 import steward.contest.ProgramWatch;
-import steward.contest.Repeats;
+import steward.contest.repeat.Repeats;
 import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.game.GameSetup;
@@ -51,7 +51,10 @@ import steward.league.tune.TunedCommand;
 import steward.match.OwnLimits;
 import steward.text.TextFormat;
 
-/** {@code steward tune}: finds good parameters of a bot. */
+/**
+ * {@code steward tune}: finds good parameters of a bot. Over 400 lines, because steps, interruption and the last test
+ * share one state, which goes on after an interruption.
+ */
 @Command(name = "tune", description = "Finds good values for parameters in a bot's command.",
     footer = {"",
         "A parameter is written {name:0.5..2} for a real number, {name:1..9} for a whole",

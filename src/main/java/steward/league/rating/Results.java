@@ -5,7 +5,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import steward.contest.Repeats;
+import steward.contest.repeat.Repeats;
 import steward.league.Season;
 import steward.league.StoredGame;
 import steward.numerics.StateHash;

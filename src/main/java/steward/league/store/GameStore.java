@@ -7,7 +7,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
-import steward.contest.GameFacts;
+import steward.contest.repeat.GameFacts;
 import steward.files.InputException;
 import steward.league.LeagueFolder;
 import steward.league.Season;

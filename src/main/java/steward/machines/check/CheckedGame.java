@@ -1,7 +1,7 @@
 package steward.machines.check;
 
 import java.util.List;
-import steward.contest.GameFacts;
+import steward.contest.repeat.GameFacts;
 
 /**
  * Result of a game, computed anew from its transcript.

@@ -12,7 +12,7 @@ import java.util.Set;
 import steward.bot.FaultMessages;
 import steward.bot.TimeBasis;
 import steward.contest.Contest;
-import steward.contest.GameFacts;
+import steward.contest.repeat.GameFacts;
 import steward.files.JarFolder;
 import steward.game.Game;
 import steward.json.JsonNumbers;

@@ -1,6 +1,5 @@
 package steward.cli.setup;
 
-import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
@@ -188,12 +187,5 @@ class NewCommandTest {
         assertEquals("steward: LANGUAGE: found 'pyhton', expected one of python, java, cpp, js; did you mean "
             + "'python'?\n",
             Cli.run("new", "pyhton", folder.toString()).err());
-    }
-
-    @Test
-    void theStarterOfThisRepositoryIsTheSame() throws IOException {
-        Cli.run("new", "python", folder.toString());
-        assertArrayEquals(Files.readAllBytes(Path.of("src/bots/python/starter.py")),
-            Files.readAllBytes(folder.resolve("bot.py")));
     }
 }

@@ -33,7 +33,7 @@ import steward.replay.WriteBehind;
 public final class MatchSection implements Section {
 
     private static final MatchListener NO_LISTENER = new MatchListener() { };
-    /** How many different matches are played in rotation. */
+    /** Number of different matches that are played in rotation. */
     private static final int SEEDS = 50;
 
     private final MatchFixture fixture;

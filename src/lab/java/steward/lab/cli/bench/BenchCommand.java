@@ -96,7 +96,7 @@ public final class BenchCommand extends ProgramCommand {
     static final class Parts implements Iterable<String> {
 
         static final List<String> ALL = List.of("matches", "verify", "processes", "start", TOOLS, REFEREES, "crowds");
-        /** What each takes, about, on two processors: with {@code --quick}, as usual, and with {@code --long}. */
+        /** Seconds of each part on two processors, estimated: with {@code --quick}, as usual, with {@code --long}. */
         private static final int[][] SECONDS = {{15, 60, 130}, {10, 30, 50}, {15, 70, 90}, {4, 22, 25}, {20, 130, 210},
             {60, 110, 160}, {8, 50, 300}};
 

@@ -1,4 +1,4 @@
-package steward.contest;
+package steward.contest.repeat;
 
 import java.util.HashSet;
 import java.util.Set;
