@@ -34,6 +34,8 @@ final class FailureHints {
         + "does it run with --sandbox off?";
     static final String STRICT = "it failed at once, in a sandbox that shows system programs, its interpreter and its "
         + "own folder, and allows no writing; --visible FOLDER lets it read more; does it run with --sandbox light?";
+    static final String LOCALE = "without a locale of UTF-8 Java finds no classes below a folder whose name is not "
+        + "ASCII, and bots get the locale that was set: set LC_ALL=C.UTF-8 before the call";
     static final String MEMORY = "it may have needed more memory than --memory allows";
 
     private static final int NOT_EXECUTABLE_STATUS = 126;
@@ -99,6 +101,11 @@ final class FailureHints {
             }
         }
         return hints;
+    }
+
+    /** True if a line is that of a JVM that finds no main class. */
+    static boolean isClassMissing(String line) {
+        return line.startsWith("Error: Could not find or load main class");
     }
 
     /** The hint for a path that the bot lacked, as it seems. */

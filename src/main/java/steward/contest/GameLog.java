@@ -8,6 +8,7 @@ import java.util.stream.IntStream;
 import steward.bot.Burner;
 import steward.bot.ErrorLine;
 import steward.bot.FaultMessages;
+import steward.bot.isolation.ChosenLocale;
 import steward.bot.isolation.Isolation;
 import steward.bot.isolation.MissingFiles;
 import steward.bot.isolation.SandboxLevel;
@@ -146,6 +147,10 @@ public final class GameLog implements MatchListener {
         Isolation sandbox = isolation.get();
         List<String> hints = new ArrayList<>(FailureHints.of(protocols.get(player), bothProtocols, answers[player],
             turn.fault(player), received, lines, turn.timeSpent(player), sandbox));
+        if (answers[player] == 0 && !entrants.isEmpty() && lines.stream().anyMatch(FailureHints::isClassMissing)
+            && ChosenLocale.hidesClassesIn(entrants.get(player).program().folder())) {
+            hints.add(FailureHints.LOCALE);
+        }
         if (answers[player] == 0 && sandbox != null && sandbox.level() == SandboxLevel.STRICT
             && !entrants.isEmpty() && FaultMessages.isExit(turn.fault(player))) {
             MissingFiles.of(entrants.get(player).program(), lines, sandbox).forEach(path ->

@@ -51,6 +51,7 @@ class LocaleTest {
         new Call(0, "explain dé.json", "dé"),
         new Call(0, "check 'sh José.sh' --scene dé.json", "José.sh"),
         new Call(0, "match --scene dé.json --bot " + JOSE + " --bot builtin:racer --seed 3 --out é.jsonl", "José"),
+        new Call(0, "match --scene dé.json --bot 'java -cp . Nobody' --bot builtin:racer", "set LC_ALL=C.UTF-8"),
         new Call(0, "replay é.jsonl --view é.html", "é.html"),
         new Call(0, "replay é.jsonl --turn 2", "José"),
         new Call(0, "feed é.jsonl --player 0 'sh José.sh'", "José"),
@@ -60,6 +61,7 @@ class LocaleTest {
         new Call(0, "sprt --scene dé.json --bot " + JOSE + " --bot 'Zoë=sh José.sh 2' --games 2", "Zoë"),
         new Call(2, "tune --scene dé.json --bot 'José=sh José.sh {a:1|2}' --against ./ñ --games 100", "./ñ"),
         new Call(0, "tournament 'Klasse é' --protocol json --games 2 --scene dé.json --page 'Seité'", "Ñandú"),
+        new Call(0, "league games 'Seité/league' --failed", "no such games"),
         new Call(0, "key new kéy", "kéy"),
         new Call(0, "import gäme.json --out ïmport.jsonl", "ïmport.jsonl"),
         new Call(0, "referee -scene dé.json -p1 'json:sh José.sh' -p2 builtin:racer -r ré.jsonl -l lé.json", ""),
@@ -207,15 +209,19 @@ class LocaleTest {
             PosixFilePermissions.fromString("rwx------")));
         Path starter = place.resolve("stärter");
         Cli.run("new", "python", starter.toString()).done();
+        Cli.run("new", "java", place.resolve("jäva").toString(), "--protocol", "json").done();
+        Files.createDirectories(place.resolve("Klasse é"));
+        Files.copy(place.resolve("jäva/Bot.java"), place.resolve("Klasse é/Zdeněk.java"));
         for (String name : List.of("Zoë.py", "Ñandú.py")) {
-            Files.copy(starter.resolve("bot.py"), Files.createDirectories(place.resolve("Klasse é")).resolve(name));
+            Files.copy(starter.resolve("bot.py"), place.resolve("Klasse é").resolve(name));
         }
     }
 
     /** Nothing of what a call said is broken, and it has said what it should. */
     private static void assertWhole(Call call, String said) {
         assertTrue(said.contains(call.says), call.words + ":\n" + said);
-        assertFalse(said.contains("\uFFFD") || said.contains("should not have happened"), call.words + ":\n" + said);
+        assertFalse(said.contains("\uFFFD") || said.contains("should not have happened")
+            || said.contains("cannot run"), call.words + ":\n" + said);
         assertFalse(BROKEN.matcher(said).find(), call.words + ":\n" + said);
     }
 

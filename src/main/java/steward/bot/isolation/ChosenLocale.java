@@ -1,5 +1,7 @@
 package steward.bot.isolation;
 
+import java.nio.file.Path;
+import java.util.List;
 import java.util.Map;
 
 /**
@@ -21,6 +23,25 @@ public final class ChosenLocale {
     /** Returns a variable as it was set for the launcher, or {@code null}. */
     public static String variable(String name) {
         return name() != null && name.equals(VARIABLE) ? System.getProperty(BEFORE) : System.getenv(name);
+    }
+
+    /** Returns the words before a command that is to have the chosen locale as well; none where none was chosen. */
+    public static List<String> words() {
+        return name() == null ? List.of() : List.of("env", VARIABLE + "=" + name());
+    }
+
+    /** Returns {@link #words} for a JVM that is started in a folder whose name it could not read without them. */
+    public static List<String> wordsIn(Path folder) {
+        return isAscii(folder) ? List.of() : words();
+    }
+
+    /** True if a program of Java that was started in this folder found no classes there for want of a locale. */
+    public static boolean hidesClassesIn(Path folder) {
+        return name() != null && !isAscii(folder);
+    }
+
+    private static boolean isAscii(Path folder) {
+        return folder.toAbsolutePath().toString().chars().allMatch(each -> each < 128);
     }
 
     /** Puts back what was set for the launcher. */

@@ -19,6 +19,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import steward.bot.command.CommandLine;
 import steward.bot.command.ProgramFinder;
+import steward.bot.isolation.ChosenLocale;
 import steward.bot.isolation.Isolation;
 import steward.bot.isolation.Launch;
 import steward.bot.process.ProgramRun;
@@ -172,8 +173,12 @@ record Workshop(Path folder, Isolation isolation, long limitMs, HandIn.Bounds bo
             return failed(program, problem);
         }
         String main = main(made);
-        return main == null ? failed(program, "found no class with a method 'public static void main(String[] args)'")
-            : Ready.of(program, own, List.of(java(), "-cp", made.getFileName().toString(), main), made);
+        if (main == null) {
+            return failed(program, "found no class with a method 'public static void main(String[] args)'");
+        }
+        List<String> command = new ArrayList<>(ChosenLocale.wordsIn(own));
+        command.addAll(List.of(java(), "-cp", made.getFileName().toString(), main));
+        return Ready.of(program, own, command, made);
     }
 
     private static Path tool(String name) {
@@ -246,7 +251,8 @@ record Workshop(Path folder, Isolation isolation, long limitMs, HandIn.Bounds bo
         }
         Path part = made.resolveSibling("bot.part");
         Path said = made.resolveSibling(SAYS);
-        List<String> command = new ArrayList<>(List.of("sh", "-c", script, source.toString()));
+        List<String> command = new ArrayList<>(ChosenLocale.words());
+        command.addAll(List.of("sh", "-c", script, source.toString()));
         command.addAll(List.of(tools));
         OptionalInt status = ProgramRun.of(new Launch(command,
             isolation.showing(HEADERS), List.of()), part, said, limitMs);
