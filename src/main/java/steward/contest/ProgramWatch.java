@@ -17,13 +17,14 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import steward.bot.command.Program;
 import steward.contest.Contest.Entrant;
+import steward.files.ElfFile;
 import steward.files.Sha256;
 import steward.match.Protocol;
 
 /**
  * Watch over the files of programs while more than one game is played. A file that is missing, or that is being
  * written, is waited for: programs have come to rest when all their files have stood unchanged for a second, none is
- * missing, and each can be started. Thread-safe.
+ * missing or cut off, and each can be started. Thread-safe.
  */
 public final class ProgramWatch {
 
@@ -112,9 +113,11 @@ public final class ProgramWatch {
     /** True if no file is missing and every program can be started; otherwise it is told, once. */
     private boolean isUsable() {
         for (int k = 0; k < programs.size(); k++) {
+            String bot = "bot '" + programs.get(k).name() + "': ";
             Path missing = missing(files.get(k));
-            String problem = missing != null ? "bot '" + programs.get(k).name() + "': there is no file " + missing
-                : programs.get(k).problem().get();
+            Path cut = files.get(k).stream().filter(ElfFile::isCutOff).findFirst().orElse(null);
+            String problem = missing != null ? bot + "there is no file " + missing
+                : cut != null ? bot + cut + " is cut off: its header promises more" : programs.get(k).problem().get();
             if (problem != null) {
                 if (!problem.equals(told)) {
                     teller.accept(problem + "; it is waited for");

@@ -9,15 +9,19 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.contest.Contest.Entrant;
+import steward.files.ElfFile;
 import steward.game.Game;
 import steward.match.MatchListener;
 import steward.match.MatchResult;
@@ -115,6 +119,26 @@ class ProgramWatchTest {
     }
 
     /** Game 3 is under way when the program is made anew: two count, in each way to play many games. */
+    /** A binary of the system, cut anywhere: it lies still, and is no program until it is whole. */
+    @Test
+    @EnabledOnOs(OS.LINUX)
+    void aBinaryThatIsCutOffIsNoProgramHoweverStillItLies() throws Exception {
+        byte[] whole = Files.readAllBytes(Path.of("/bin/sh").toRealPath());
+        assertFalse(ElfFile.isCutOff(Path.of("/bin/sh")));
+        Path bot = folder.resolve("bot");
+        for (int length : new int[] {4, 63, 64, 200, whole.length / 2}) {
+            Files.write(bot, Arrays.copyOf(whole, length));
+            assertTrue(ElfFile.isCutOff(bot), length + " bytes");
+        }
+        Files.writeString(bot, "bot 1");
+        ProgramWatch watch = watch();
+        Files.write(bot, Arrays.copyOf(whole, whole.length / 2));
+        awaitWord("bot 'other': " + bot + " is cut off", watch);
+        Files.write(bot, whole);
+        assertFalse(watch.await(() -> false));
+        assertEquals(bot.toString(), watch.changed());
+    }
+
     @Test
     void aSeriesEndsWithTheGamesOfOneProgram() throws Exception {
         Contest two = contest.between(contest.entrants().subList(0, 2));
