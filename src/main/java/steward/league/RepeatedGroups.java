@@ -11,8 +11,8 @@ import steward.contest.repeat.Repeats;
 /**
  * Groups of bots that play nothing but repeats: the last {@value steward.contest.repeat.Repeats#ENOUGH} games of a
  * group, in the order of decisions, were equal to earlier ones. More of its games tell nothing. Where each plays alone,
- * all bots are one group. Answers use the games of decisions below a number and no others, so that they do not depend on
- * threads.
+ * all bots are one group. Answers use the games of decisions below a number and no others, so that they do not depend
+ * on threads.
  *
  * <p>Not thread-safe.
  */
