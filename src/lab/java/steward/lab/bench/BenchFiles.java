@@ -1,25 +1,20 @@
 package steward.lab.bench;
 
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.lang.management.ManagementFactory;
+import java.math.BigDecimal;
+import java.math.MathContext;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
-import steward.files.CsvFile;
-import steward.files.OutputFiles;
-import steward.json.JsonNumbers;
-import steward.json.JsonObject;
-import steward.text.CsvRow;
+import java.util.Map;
+import steward.lab.chart.MeasuredTable;
+import steward.lab.chart.MeasuredTable.Column;
 import tools.jackson.core.JsonGenerator;
 
-/**
- * The table in files. {@code bench.csv} grows row by row, {@code bench.json} is replaced by one with the new row: both
- * are whole after each, so that an interrupted run leaves what was measured. The page comes last.
- */
+/** The table in files, a row as soon as it is measured. The page comes last. */
 public final class BenchFiles implements AutoCloseable {
 
     /** Name of the table for spreadsheets. */
@@ -31,12 +26,17 @@ public final class BenchFiles implements AutoCloseable {
     /** All files that a run writes. */
     public static final List<String> ALL = List.of(CSV, JSON, PAGE);
 
+    private static final MathContext DIGITS = new MathContext(6);
+    private static final List<Column<Row>> COLUMNS = List.of(new Column<>("section", Row::section),
+        new Column<>("name", Row::name), new Column<>("unit", Row::unit),
+        new Column<>("perSecond", row -> rounded(row.perSecond())), new Column<>("nanos", row -> rounded(row.nanos())),
+        new Column<>("ratio", row -> rounded(row.ratio())), new Column<>("bytes", row -> rounded(row.bytes())),
+        new Column<>("note", Row::note));
+
     private final Path folder;
-    private final String machine;
-    private final String date;
+    private final Map<String, String> facts;
     private final double load = load();
-    private final CsvFile csv;
-    private final List<Row> rows = new ArrayList<>();
+    private final MeasuredTable<Row> table;
 
     /**
      * Starts the tables, replacing older ones.
@@ -48,11 +48,16 @@ public final class BenchFiles implements AutoCloseable {
      */
     public BenchFiles(Path folder, String machine, String date) throws IOException {
         this.folder = folder;
-        this.machine = machine;
-        this.date = date;
-        csv = new CsvFile(folder.resolve(CSV),
-            "section", "name", "unit", "perSecond", "nanos", "ratio", "bytes", "note");
-        writeJson();
+        facts = facts(machine, date);
+        table = new MeasuredTable<>(folder, facts, COLUMNS);
+    }
+
+    private static Map<String, String> facts(String machine, String date) {
+        Map<String, String> facts = new LinkedHashMap<>();
+        facts.put("type", "bench");
+        facts.put("machine", machine);
+        facts.put("date", date);
+        return facts;
     }
 
     /** Returns how many programs want a processor, the mean of a minute; negative where the system does not tell. */
@@ -60,66 +65,29 @@ public final class BenchFiles implements AutoCloseable {
         return ManagementFactory.getOperatingSystemMXBean().getSystemLoadAverage();
     }
 
-    /** @throws UncheckedIOException if it cannot be written */
+    private static double rounded(double value) {
+        return Double.isFinite(value) ? new BigDecimal(value).round(DIGITS).doubleValue() : value;
+    }
+
+    /** @throws java.io.UncheckedIOException if it cannot be written */
     public void add(Row row) {
-        rows.add(row);
-        try {
-            csv.add(new CsvRow().words(row.section()).text(row.name()).words(row.unit(), number(row.perSecond()),
-                number(row.nanos()), number(row.ratio()), number(row.bytes())).text(row.note()));
-            writeJson();
-        } catch (IOException problem) {
-            throw unwritable(problem);
-        }
-    }
-
-    private UncheckedIOException unwritable(IOException problem) {
-        return new UncheckedIOException(folder + ": cannot be written into: " + problem.getMessage(), problem);
-    }
-
-    private static String number(double value) {
-        return Double.isNaN(value) ? "" : String.format(Locale.ROOT, "%.6g", value);
+        table.add(List.of(row));
     }
 
     /** Writes the fields of the table's object. */
     public static void write(JsonGenerator out, String machine, String date, List<Row> rows) {
-        out.writeStringProperty("type", "bench");
-        out.writeStringProperty("machine", machine);
-        out.writeStringProperty("date", date);
-        JsonObject.writeAll(out, "rows", rows, row -> {
-            out.writeStringProperty("section", row.section());
-            out.writeStringProperty("name", row.name());
-            out.writeStringProperty("unit", row.unit());
-            JsonNumbers.writeOrNull(out, "perSecond", row.perSecond());
-            JsonNumbers.writeOrNull(out, "nanos", row.nanos());
-            JsonNumbers.writeOrNull(out, "ratio", row.ratio());
-            JsonNumbers.writeOrNull(out, "bytes", row.bytes());
-            out.writeStringProperty("note", row.note());
-        });
-    }
-
-    private void writeJson() throws IOException {
-        byte[] object = JsonObject.of(out -> write(out, machine, date, rows));
-        byte[] line = Arrays.copyOf(object, object.length + 1);
-        line[object.length] = '\n';
-        OutputFiles.replace(folder.resolve(JSON), line);
+        MeasuredTable.write(out, facts(machine, date), COLUMNS, rows);
     }
 
     /** Writes the page; the run is over. */
     public void finish(List<Section> sections) {
-        try {
-            Files.writeString(folder.resolve(PAGE), PerformancePage.of(sections, rows,
-                machine, date, String.format(Locale.ROOT, "%.1f when it began and %.1f when it ended", load, load())));
-        } catch (IOException problem) {
-            throw unwritable(problem);
-        }
+        table.writing(() -> Files.writeString(folder.resolve(PAGE), PerformancePage.of(sections, table.rows(),
+            facts.get("machine"), facts.get("date"),
+            String.format(Locale.ROOT, "%.1f when it began and %.1f when it ended", load, load()))));
     }
 
     @Override
     public void close() {
-        try {
-            csv.close();
-        } catch (IOException problem) {
-            throw unwritable(problem);
-        }
+        table.close();
     }
 }

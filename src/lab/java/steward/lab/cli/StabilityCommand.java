@@ -22,12 +22,12 @@ import steward.cli.streams.Json;
 import steward.cli.streams.ProgressLine;
 import steward.cli.streams.RunProgress;
 import steward.files.OutputFiles;
+import steward.lab.chart.MeasuredTable;
 import steward.lab.stability.GoldenHash;
 import steward.lab.stability.StabilityCases;
 import steward.lab.stability.StabilityFiles;
 import steward.lab.stability.StabilityRow;
 import steward.lab.stability.StabilityRun;
-import steward.lab.stability.StabilitySeconds;
 import steward.lab.timing.Machine;
 import steward.lab.trial.RunLength;
 import steward.lab.trial.Rung;
@@ -48,8 +48,6 @@ import steward.text.TextFormat;
 public final class StabilityCommand extends ProgramCommand {
 
     private static final long MOST_IMPACTS = 1_000_000_000_000L;
-    /** From so many seconds on a run says beforehand how long it takes. */
-    private static final double ANNOUNCED = 5;
     /** How long the golden hash takes by run length, approximately; measured on a machine with two cores. */
     private static final int[] GOLDEN_SECONDS = {3, 30, 300};
 
@@ -119,32 +117,21 @@ public final class StabilityCommand extends ProgramCommand {
         List<StabilityCase> cases = brief.chosen("--case", names, StabilityCases.all(impacts == null ? 0 : impacts),
             StabilityCase::name, "; ");
         List<Rung> rungs = brief.chosen("--rung", rungNames, Rung.all(), Rung::name, "; ");
-        RunProgress progress = new RunProgress(streams, seconds(cases, rungs, size));
-        if (progress.total() >= ANNOUNCED) {
-            ProgressLine.announce(streams, TextFormat.about(progress.total()));
+        RunProgress progress = new RunProgress(streams, cases.size() * rungs.size());
+        if (names.isEmpty()) {
+            ProgressLine.announce(streams, full ? "hours" : quick ? "about a minute" : "some minutes");
         }
         StabilityTable table = new StabilityTable(json ? streams.withoutOutput() : streams, progress);
         StabilityRun run = new StabilityRun(size, LocalDate.now(ZoneOffset.UTC).toString(), ProgramVersion.text(),
             Machine.line());
         if (out == null) {
-            return table(cases, rungs, run, table, null, "the rows so far are above");
+            return table(cases, rungs, run, table, null, null);
         }
         Path folder = OutputFiles.path(out);
-        try (StabilityFiles files = tables.start(folder, StabilityFiles.ALL,
-            StabilityFiles.ALL.subList(2, StabilityFiles.ALL.size()), () -> new StabilityFiles(folder, run))) {
-            return table(cases, rungs, run, table, files, "the rows so far are in " + folder);
+        try (MeasuredTable<StabilityRow> files = tables.start(folder, StabilityFiles.ALL,
+            StabilityFiles.ALL.subList(2, StabilityFiles.ALL.size()), () -> StabilityFiles.start(folder, run))) {
+            return table(cases, rungs, run, table, files, folder);
         }
-    }
-
-    private List<Double> seconds(List<StabilityCase> cases, List<Rung> rungs, RunLength size) {
-        StabilitySeconds table = StabilitySeconds.read();
-        List<Double> seconds = new ArrayList<>();
-        for (StabilityCase each : cases) {
-            for (Rung rung : rungs) {
-                seconds.add(table.of(each.name(), rung.name(), size, impacts == null ? 0 : impacts));
-            }
-        }
-        return seconds;
     }
 
     private int golden(RunLength size) {
@@ -174,19 +161,20 @@ public final class StabilityCommand extends ProgramCommand {
     }
 
     private int table(List<StabilityCase> cases, List<Rung> rungs, StabilityRun run, StabilityTable table,
-                      StabilityFiles files, String kept) {
+                      MeasuredTable<StabilityRow> files, Path folder) {
         List<StabilityRow> rows = new ArrayList<>();
         try (Interruption interruption = new Interruption(streams,
-            () -> kept + (table.unfinished().isEmpty() ? "" : "; unfinished: " + table.unfinished()))) {
+            () -> "the rows so far are " + (files == null ? "above" : "in " + folder)
+                + (table.unfinished().isEmpty() ? "" : "; unfinished: " + table.unfinished()))) {
             StabilityRow.tryAll(cases, rungs, run.length(), (each, rung) -> table.about(each.name(), rung.name()),
                 table::reached, row -> {
                     if (files != null) {
-                        files.add(row);
+                        files.add(List.of(row));
                     }
                     table.add(row);
                     rows.add(row);
                 });
-            String problem = files == null ? null : files.finish();
+            String problem = files == null ? null : StabilityFiles.finish(files, folder, run);
             if (problem != null) {
                 streams.warn("this Java cannot draw the picture: " + problem);
             }

@@ -22,13 +22,11 @@ import steward.files.OutputFiles;
 import steward.lab.timing.Machine;
 import steward.lab.timing.Timing;
 import steward.lab.tradeoff.TradeoffEffort;
-import steward.lab.tradeoff.TradeoffHeadings;
 import steward.lab.tradeoff.TradeoffMeasurement;
 import steward.lab.tradeoff.TradeoffResult;
 import steward.lab.tradeoff.TradeoffRow;
 import steward.lab.tradeoff.TradeoffScene;
 import steward.lab.tradeoff.report.TradeoffReport;
-import steward.text.TextFormat;
 
 /** {@code steward tradeoff}: the cost and the error of each rung of accuracy. */
 @Command(name = "tradeoff", description = "Measures, scene by scene, what each rung of accuracy costs and how far "
@@ -46,8 +44,7 @@ public final class TradeoffCommand extends ProgramCommand {
 
     @Option(names = "--scene", paramLabel = "FILE|NAME", completionCandidates = TradeoffScenes.Names.class,
         description = "Only this scene; can be repeated. A scene file, a "
-        + "shipped scene, or one of official-race, brawl, grazing; headings for what "
-        + "trigonometry costs.")
+        + "shipped scene, or one of official-race, brawl, grazing.")
     private List<String> scenes = new ArrayList<>();
 
     @Option(names = "--quick", description = "Measures few states, in one JVM a rung: rough figures, soon, that may "
@@ -87,18 +84,17 @@ public final class TradeoffCommand extends ProgramCommand {
         brief.range("--jvms", jvms, 1, MOST_JVMS);
         brief.exclusive("--quick", quick, "--jvms", jvms != null);
         boolean all = scenes.isEmpty();
-        boolean headings = all || scenes.contains(TradeoffScenes.HEADINGS);
         List<TradeoffScene> chosen = all ? TradeoffScenes.all()
-            : TradeoffScenes.of(scenes.stream().filter(word -> !word.equals(TradeoffScenes.HEADINGS)).toList(),
+            : TradeoffScenes.of(scenes,
                 word -> Games.warn(Games.computed(Games.open(word, null, streams), "tradeoff"), streams));
         if (out == null) {
-            measure(chosen, headings, null);
+            measure(chosen, null);
             return ExitStatus.DONE;
         }
         Path folder = OutputFiles.path(out);
         try (TradeoffReport files = files(folder); Interruption interruption = new Interruption(
             streams, "the scenes so far are in " + folder)) {
-            measure(chosen, headings, files);
+            measure(chosen, files);
             String problem = files.finish();
             if (problem != null) {
                 streams.warn("this Java cannot draw the plot: " + problem);
@@ -121,13 +117,12 @@ public final class TradeoffCommand extends ProgramCommand {
         return jvms == null ? TradeoffEffort.JVMS : jvms.intValue();
     }
 
-    private void measure(List<TradeoffScene> chosen, boolean headings, TradeoffReport files) {
+    private void measure(List<TradeoffScene> chosen, TradeoffReport files) {
         TradeoffEffort effort = quick ? TradeoffEffort.QUICK : TradeoffEffort.normal(times());
         TradeoffTable table = new TradeoffTable(json ? streams.withoutOutput() : streams);
         List<TradeoffRow> all = new ArrayList<>();
-        List<TradeoffHeadings> allHeadings = new ArrayList<>();
-        RunProgress progress = new RunProgress(streams, seconds(chosen, headings));
-        ProgressLine.announce(streams, TextFormat.about(progress.total()));
+        RunProgress progress = new RunProgress(streams, chosen.size());
+        ProgressLine.announce(streams, quick ? "a quarter of a minute a scene" : "some minutes a scene");
         for (TradeoffScene scene : chosen) {
             TradeoffMeasurement measurement = new TradeoffMeasurement(scene, effort,
                 Timing.inJvms(effort.timing(), TimingMain.class));
@@ -144,37 +139,9 @@ public final class TradeoffCommand extends ProgramCommand {
             table.add(scene, rows);
             all.addAll(rows);
         }
-        for (boolean aligned : headings ? new boolean[] {false, true} : new boolean[0]) {
-            progress.begin(aligned ? "headings, aligned" : "headings");
-            TradeoffHeadings row;
-            try {
-                row = TradeoffHeadings.measure(aligned, effort.podTurns(),
-                    progress.steps(TradeoffHeadings.steps(effort.podTurns())));
-            } finally {
-                progress.end();
-            }
-            if (files != null) {
-                files.addHeadings(row);
-            }
-            table.add(row);
-            allHeadings.add(row);
-        }
-        if (!chosen.isEmpty()) {
-            table.end(quick);
-        }
+        table.end(quick);
         if (json) {
-            Json.print(streams, to -> TradeoffReport.write(to, new TradeoffResult(Machine.line(), today(), all,
-                allHeadings)));
+            Json.print(streams, to -> TradeoffReport.write(to, new TradeoffResult(Machine.line(), today(), all)));
         }
-    }
-
-    /** Returns how long each part takes, approximately. */
-    private List<Double> seconds(List<TradeoffScene> chosen, boolean headings) {
-        List<Double> seconds = new ArrayList<>();
-        chosen.forEach(scene -> seconds.add(TradeoffSeconds.of(scene.name(), quick, times())));
-        for (int k = 0; k < 2 && headings; k++) {
-            seconds.add(TradeoffSeconds.of(TradeoffScenes.HEADINGS, quick, times()) / 2);
-        }
-        return seconds;
     }
 }

@@ -32,7 +32,6 @@ final class TradeoffScenes {
         @Override
         public Iterator<String> iterator() {
             Set<String> names = new LinkedHashSet<>(all().stream().map(TradeoffScene::name).toList());
-            names.add(HEADINGS);
             names.addAll(SceneFiles.shipped());
             return names.iterator();
         }
@@ -40,8 +39,6 @@ final class TradeoffScenes {
 
     static final String RACE = "official-race";
     static final String BRAWL = "brawl";
-    /** Word for the measurement apart from the rungs: the cost of trigonometry. */
-    static final String HEADINGS = "headings";
 
     private static final String OFFICIAL = "mad-pod-racing";
     /** The shipped scenes among its own. */
@@ -90,7 +87,7 @@ final class TradeoffScenes {
 
     /** Refuses what is neither a name nor a file, and suggests similar names. */
     private static void checkKnown(String word) {
-        Set<String> known = new LinkedHashSet<>(List.of(RACE, BRAWL, GrazingPasses.NAME, HEADINGS));
+        Set<String> known = new LinkedHashSet<>(List.of(RACE, BRAWL, GrazingPasses.NAME));
         List<String> shipped = SceneFiles.shipped();
         known.addAll(shipped);
         boolean file = StandardFiles.is(word) || word.endsWith(".json") || word.contains("/")

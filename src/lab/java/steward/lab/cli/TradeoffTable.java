@@ -3,7 +3,6 @@ package steward.lab.cli;
 import java.util.List;
 import java.util.Locale;
 import steward.cli.streams.Streams;
-import steward.lab.tradeoff.TradeoffHeadings;
 import steward.lab.tradeoff.TradeoffRow;
 import steward.lab.tradeoff.TradeoffScene;
 import steward.text.TextFormat;
@@ -49,14 +48,6 @@ record TradeoffTable(Streams streams) {
             line.append(' ').append(TextFormat.right(cells[k], WIDTHS[k]));
         }
         streams.out().println(line.toString().stripTrailing());
-    }
-
-    void add(TradeoffHeadings headings) {
-        streams.out().println("headings, " + headings.headings() + ": " + headings.differing() + " of "
-            + TextFormat.count(headings.podTurns(), "pod-turn") + " end with other whole numbers");
-        streams.out().println("  by unit vectors than by angles; a turn costs " + time(headings.nanosVector())
-            + " instead of " + time(headings.nanosAngles()));
-        streams.out().flush();
     }
 
     /**

@@ -7,9 +7,8 @@ import steward.lab.timing.TimingEffort;
  *
  * @param share    of a scene's states and free runs
  * @param timing   of the rungs
- * @param podTurns turns of headings, for each of the two ways
  */
-public record TradeoffEffort(double share, TimingEffort timing, int podTurns) {
+public record TradeoffEffort(double share, TimingEffort timing) {
 
     /** JVMs that time each rung: enough to see in which states its compiler settles. */
     public static final int JVMS = 7;
@@ -17,13 +16,13 @@ public record TradeoffEffort(double share, TimingEffort timing, int podTurns) {
     private static final int ROUNDS = 5;
 
     /** Takes some seconds a scene; its figures may not be quoted. */
-    public static final TradeoffEffort QUICK = new TradeoffEffort(0.05, TimingEffort.QUICK, 200_000);
+    public static final TradeoffEffort QUICK = new TradeoffEffort(0.05, TimingEffort.QUICK);
 
     /** @param jvms how many time each rung */
     public static TradeoffEffort normal(int jvms) {
         TimingEffort usual = TimingEffort.NORMAL;
         return new TradeoffEffort(1, new TimingEffort(jvms, ROUNDS, usual.round(), usual.warmLeast(),
-            usual.warmMost()), 10_000_000);
+            usual.warmMost()));
     }
 
     /** A scene's count at this effort, but not below the given least. */

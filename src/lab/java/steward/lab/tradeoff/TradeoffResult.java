@@ -7,16 +7,14 @@ import steward.scene.AccuracyFigures;
 /**
  * The results of a run.
  *
- * @param machine  the machine of the run
- * @param date     when, as year-month-day
- * @param rows     scene by scene, each in the order of the ladder
- * @param headings random, then along the axes; empty if they were not measured
+ * @param machine the machine of the run
+ * @param date    when, as year-month-day
+ * @param rows    scene by scene, each in the order of the ladder
  */
-public record TradeoffResult(String machine, String date, List<TradeoffRow> rows, List<TradeoffHeadings> headings) {
+public record TradeoffResult(String machine, String date, List<TradeoffRow> rows) {
 
     public TradeoffResult {
         rows = List.copyOf(rows);
-        headings = List.copyOf(headings);
     }
 
     /** The names of the scenes, in their order. */

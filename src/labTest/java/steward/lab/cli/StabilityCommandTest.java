@@ -126,7 +126,7 @@ class StabilityCommandTest {
         assertEquals(ExitStatus.DONE, stability("--case", "rounding", "--out", out.toString()).status());
         List<String> csv = Files.readAllLines(out.resolve("stability.csv"));
         assertEquals("case,rung,verdict,seconds,seen,demand,length,date,version,machine", csv.get(0));
-        assertTrue(csv.get(1).contains(",small,20") && csv.get(1).contains("JDK "), csv.get(1));
+        assertTrue(csv.get(1).contains(",small,\"20") && csv.get(1).contains("JDK "), csv.get(1));
         assertEquals(1 + Rung.all().size(), csv.size());
         JsonNode json = JsonMapper.shared().readTree(Files.readString(out.resolve("stability.json")));
         assertEquals("small", json.get("size").asString());

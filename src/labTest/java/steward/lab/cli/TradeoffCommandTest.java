@@ -46,19 +46,18 @@ class TradeoffCommandTest {
     @Tag("process")
     void theTableAndTheFilesHoldEveryRung() throws IOException {
         Path out = folder.resolve("results");
-        Cli cli = tradeoff(true, "--scene", "duel", "--scene", "headings", "--out", out.toString());
+        Cli cli = tradeoff(true, "--scene", "duel", "--out", out.toString());
         assertEquals(ExitStatus.DONE, cli.status(), cli.err());
         assertTrue(cli.out().startsWith("duel: "), cli.out());
         for (Accuracy rung : Accuracy.ladder()) {
             assertEquals(1, cli.out().lines().filter(line -> line.startsWith("  " + rung + " ")).count(), cli.out());
         }
-        assertTrue(cli.out().contains("headings, axis-aligned: "), cli.out());
         assertTrue(cli.out().lines().allMatch(line -> line.length() <= 120), cli.out());
         assertTrue(cli.out().endsWith("--quick: few states, and one JVM a rung. These figures may not be quoted.\n"),
             cli.out());
         assertTrue(Files.readString(out.resolve("tradeoff.md")).contains("\nMeasured with --quick: few states, one JVM "
             + "a rung. These figures may not be quoted.\n"), "the page");
-        assertTrue(cli.err().contains("1 of 3: duel"), "progress: " + cli.err());
+        assertTrue(cli.err().contains("1 of 1: duel"), "progress: " + cli.err());
         for (String name : TradeoffReport.ALL) {
             assertTrue(Files.size(out.resolve(name)) > 0, name);
         }

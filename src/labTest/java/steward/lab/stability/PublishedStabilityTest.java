@@ -20,6 +20,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import steward.lab.stability.crowds.TruePathCase;
 import steward.lab.stability.crowds.TruePathCase.Figure;
+import steward.lab.chart.MeasuredTable;
 import steward.lab.trial.Finding;
 import steward.lab.trial.RunLength;
 import steward.lab.trial.Rung;
@@ -99,9 +100,9 @@ class PublishedStabilityTest {
     void thePictureShowsEveryRungAndThePageItsRange() throws IOException {
         List<StabilityRow> rows = List.of(path("step/1", 0, 0), path("double", 40, 20), path("exact", 41, 19),
             new StabilityRow("rounding", "a | b", "double", Finding.demanded(false, "1 | 2"), 1));
-        try (StabilityFiles files = new StabilityFiles(folder, RUN)) {
-            rows.forEach(files::add);
-            assertEquals(null, files.finish());
+        try (MeasuredTable<StabilityRow> files = StabilityFiles.start(folder, RUN)) {
+            files.add(rows);
+            assertEquals(null, StabilityFiles.finish(files, folder, RUN));
         }
         BufferedImage picture = ImageIO.read(folder.resolve(TruePathPlot.PNG).toFile());
         assertTrue(picture.getWidth() > 1000, "readable: " + picture.getWidth());

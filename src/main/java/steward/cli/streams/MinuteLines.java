@@ -3,7 +3,6 @@ package steward.cli.streams;
 import java.io.PrintStream;
 import java.util.concurrent.TimeUnit;
 import java.util.function.LongSupplier;
-import java.util.function.Supplier;
 import steward.text.TextFormat;
 
 /** Lines about the progress of a long run where there is no terminal: one a minute, when something is done. */
@@ -29,19 +28,14 @@ final class MinuteLines {
         last = begin;
     }
 
-    /** Prints a line if a minute is over since the last one; by any thread. */
-    synchronized void say(Supplier<String> line) {
+    /** Prints how far a task is, and how long the rest takes if it goes on so; nothing within a minute of a line. */
+    synchronized void say(String task, int done, int steps) {
         long now = clock.getAsLong();
         if (now - last >= MINUTE) {
             last = now;
-            err.println(TextFormat.plain(line.get()));
+            err.println(TextFormat.plain(task + ": " + done + " of " + steps + (done == 0 ? "" : ", "
+                + TextFormat.about((now - begin) / NANOS * Math.max(0, steps - done) / done) + " left")));
             err.flush();
         }
-    }
-
-    /** Prints how far a task is, and how long the rest takes if it goes on so, as {@link #say} does. */
-    void say(String task, int done, int steps) {
-        say(() -> task + ": " + done + " of " + steps + (done == 0 ? "" : ", "
-            + TextFormat.about((last - begin) / NANOS * Math.max(0, steps - done) / done) + " left"));
     }
 }

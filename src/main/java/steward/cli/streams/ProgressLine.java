@@ -1,10 +1,7 @@
 package steward.cli.streams;
 
 import java.io.PrintStream;
-import java.time.Duration;
-import java.util.Optional;
 import java.util.concurrent.atomic.AtomicInteger;
-import java.util.function.DoubleSupplier;
 import me.tongfei.progressbar.ConsoleProgressBarConsumer;
 import me.tongfei.progressbar.ProgressBar;
 import me.tongfei.progressbar.ProgressBarBuilder;
@@ -40,33 +37,19 @@ public final class ProgressLine implements AutoCloseable {
         this.steps = steps;
     }
 
-    private ProgressLine(PrintStream terminal, String task, int steps, ProgressBarBuilder builder) {
+    private ProgressLine(PrintStream terminal, String task, int steps) {
         minutes = null;
         this.task = task;
         this.steps = steps;
-        bar = builder.setTaskName(task).setInitialMax(steps).setStyle(ProgressBarStyle.ASCII)
+        bar = new ProgressBarBuilder().setTaskName(task).setInitialMax(steps).setStyle(ProgressBarStyle.ASCII)
             .setUpdateIntervalMillis(REFRESH_MS).clearDisplayOnFinish()
             .setConsumer(new ConsoleProgressBarConsumer(terminal, WIDTH)).build();
     }
 
     /** A line on the standard error. */
     public static ProgressLine watched(Streams streams, String task, int steps) {
-        return streams.errTerminal() ? new ProgressLine(streams.err(), task, steps, new ProgressBarBuilder())
+        return streams.errTerminal() ? new ProgressLine(streams.err(), task, steps)
             : new ProgressLine(new MinuteLines(streams.err()), task, steps);
-    }
-
-    /**
-     * A line on the terminal, for work that goes on; {@code null} where there is none.
-     *
-     * @param done    of the steps
-     * @param elapsed since the work began
-     * @param left    seconds that the rest will take; asked for now and then by another thread
-     */
-    public static ProgressLine watched(Streams streams, String task, int steps, int done, Duration elapsed,
-                                       DoubleSupplier left) {
-        return !streams.errTerminal() ? null : new ProgressLine(streams.err(), task, steps, new ProgressBarBuilder()
-            .startsFrom(done, elapsed)
-            .setEtaFunction(state -> Optional.of(Duration.ofSeconds(Math.round(left.getAsDouble())))));
     }
 
     /** Says on a terminal how long the command will take, and that it may be broken off. */
@@ -83,7 +66,11 @@ public final class ProgressLine implements AutoCloseable {
 
     /** Sets how many there are in all; by any thread. */
     public void reach(int reached) {
-        bar.stepTo(reached);
+        if (bar == null) {
+            minutes.say(task, reached, steps);
+        } else {
+            bar.stepTo(reached);
+        }
     }
 
     /** One more; by any thread. */

@@ -5,7 +5,6 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import steward.lab.tradeoff.TradeoffHeadings;
 import steward.lab.tradeoff.TradeoffResult;
 import steward.lab.tradeoff.TradeoffRow;
 
@@ -78,7 +77,6 @@ record TradeoffAdvice(TradeoffResult result) {
         search(all);
         manySteps(all);
         states(all);
-        trigonometry(all);
         return all;
     }
 
@@ -190,21 +188,5 @@ record TradeoffAdvice(TradeoffResult result) {
     private TradeoffRow cheapestEvent(String scene) {
         return result.of(scene).stream().filter(row -> !isStep(row))
             .min(Comparator.comparingDouble(TradeoffRow::costRatio)).orElseThrow();
-    }
-
-    /** Holds if unit vectors are faster. */
-    private void trigonometry(List<String> all) {
-        if (result.headings().size() < 2
-            || result.headings().get(0).nanosVector() >= result.headings().get(0).nanosAngles()) {
-            return;
-        }
-        TradeoffHeadings random = result.headings().get(0);
-        TradeoffHeadings axis = result.headings().get(1);
-        all.add(String.format(Locale.ROOT, "**Headings as unit vectors** instead of angles cost %s instead of %s "
-            + "a pod's turn, and change the final whole numbers of %,d in %,d pod-turns at random headings "
-            + "(a share of %s) but of %.2f%% along the axes: good for a search, not for a referee.",
-            TradeoffPage.time(random.nanosVector()), TradeoffPage.time(random.nanosAngles()), random.differing(),
-            random.podTurns(), TradeoffPage.power((double) random.differing() / random.podTurns()),
-            100.0 * axis.differing() / axis.podTurns()));
     }
 }

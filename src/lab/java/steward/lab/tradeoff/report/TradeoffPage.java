@@ -3,7 +3,6 @@ package steward.lab.tradeoff.report;
 import java.util.List;
 import java.util.Locale;
 import steward.lab.chart.ChartFiles;
-import steward.lab.tradeoff.TradeoffHeadings;
 import steward.lab.tradeoff.TradeoffResult;
 import steward.lab.tradeoff.TradeoffRow;
 import steward.scene.AccuracyFigures;
@@ -64,7 +63,6 @@ public final class TradeoffPage {
         for (String scene : result.scenes()) {
             page.table(scene, out);
         }
-        page.headings(out);
         return out.toString();
     }
 
@@ -88,20 +86,6 @@ public final class TradeoffPage {
                 power(row.energyError()), (row.freeTurns() > row.freeBound() ? "> " + row.freeBound()
                     : Integer.toString(row.freeTurns())) + " |"));
             out.append(rounds ? String.format(Locale.ROOT, " %,d of %,d |%n", row.differing(), row.compared()) : "\n");
-        }
-    }
-
-    private void headings(StringBuilder out) {
-        if (result.headings().isEmpty()) {
-            return;
-        }
-        out.append("\n### Headings\n\nA free turn of a pod under the official rule, with StrictMath's atan2 and "
-            + "correctly rounded cos and sin, and with unit vectors.\n\n"
-            + "| headings | pod-turns | other whole numbers | angles | unit vectors |\n"
-            + "|---|---:|---:|---:|---:|\n");
-        for (TradeoffHeadings each : result.headings()) {
-            out.append(String.format(Locale.ROOT, "| %s | %,d | %,d | %s | %s |%n", each.headings(), each.podTurns(),
-                each.differing(), time(each.nanosAngles()), time(each.nanosVector())));
         }
     }
 

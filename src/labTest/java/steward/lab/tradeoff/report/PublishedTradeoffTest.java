@@ -14,7 +14,6 @@ import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import steward.lab.tradeoff.TradeoffHeadings;
 import steward.lab.tradeoff.TradeoffResult;
 import steward.lab.tradeoff.TradeoffRow;
 
@@ -27,23 +26,12 @@ class PublishedTradeoffTest {
 
     private static final Path DOCS = Path.of("docs");
     private static final Pattern WRITTEN = Pattern.compile("Written by `steward tradeoff` on ([0-9-]+): (.*)\\.\n");
-    private static final Pattern HEADINGS = Pattern.compile(
-        "\\| (random|axis-aligned) \\| ([0-9,]+) \\| ([0-9,]+) \\| ([0-9.]+) ns \\| ([0-9.]+) ns \\|\n");
 
     private static TradeoffResult published(String page) throws IOException {
         Matcher written = WRITTEN.matcher(page);
         assertTrue(written.find(), "when and where it was measured");
-        List<TradeoffHeadings> headings = new ArrayList<>();
-        for (Matcher row = HEADINGS.matcher(page); row.find();) {
-            headings.add(new TradeoffHeadings(row.group(1), whole(row.group(2)), whole(row.group(3)),
-                Double.parseDouble(row.group(4)), Double.parseDouble(row.group(5))));
-        }
         return new TradeoffResult(written.group(2), written.group(1),
-            TradeoffTables.rows(Files.readString(DOCS.resolve(TradeoffReport.CSV))), headings);
-    }
-
-    private static long whole(String text) {
-        return Long.parseLong(text.replace(",", ""));
+            TradeoffTables.rows(Files.readString(DOCS.resolve(TradeoffReport.CSV))));
     }
 
     /** How the page must be is left in {@code build/pages}. */
@@ -110,7 +98,7 @@ class PublishedTradeoffTest {
     @ParameterizedTest
     @CsvSource({"0.9, 0, official", "1.1, 0, double", "0.9, 1, official", "1.1, 1, official"})
     void theTableNamesTheDefaultUnlessAnotherSuits(double officialHigh, int doubleWrong, String rung) {
-        TradeoffResult result = new TradeoffResult("m", "2030-01-02", scene(officialHigh, doubleWrong), List.of());
+        TradeoffResult result = new TradeoffResult("m", "2030-01-02", scene(officialHigh, doubleWrong));
         assertEquals("event/" + rung, result.chosen("bowl").rung());
         String page = TradeoffPage.text(result);
         assertTrue(page.indexOf("| [bowl](#bowl) | `" + rung + "` | 0 of 50 | ") < page.indexOf("Written by"), page);
@@ -123,7 +111,7 @@ class PublishedTradeoffTest {
         List<TradeoffRow> rows = new ArrayList<>(scene(0.9, 0));
         rows.add(1, beaten("step/2"));
         rows.add(2, beaten("step/4"));
-        String page = TradeoffPage.text(new TradeoffResult("m", "2030-01-02", rows, List.of()));
+        String page = TradeoffPage.text(new TradeoffResult("m", "2030-01-02", rows));
         assertTrue(page.contains("**`step/2` and more** are never on the front"), page);
         assertTrue(page.contains("Over 3 JVMs the widest range of a rung that costs at least a tenth of `double` is"
             + " that of "), page);
@@ -153,8 +141,7 @@ class PublishedTradeoffTest {
             rows.add(row(scene, "event/compensated", 100, 1e-5, exactWrong));
             rows.add(row(scene, "event/exact", 120, 0, exactWrong));
         }
-        String page = TradeoffPage.text(new TradeoffResult("m", "2030-01-02", rows, List.of(
-            new TradeoffHeadings("random", 10, 0, 20, 30), new TradeoffHeadings("axis-aligned", 10, 0, 20, 30))));
+        String page = TradeoffPage.text(new TradeoffResult("m", "2030-01-02", rows));
         List<String> found = Pattern.compile("(?m)^[1-7]\\. \\*\\*([^*]+)\\*\\*").matcher(page).results()
             .map(match -> match.group(1)).toList();
         assertEquals(sentences, String.join(", ", found), page.toLowerCase(Locale.ROOT));

@@ -1,4 +1,4 @@
-package steward.lab.calibration;
+package steward.scene;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -22,10 +22,6 @@ import steward.game.podrace.protocol.PodRaceType;
 import steward.physics.Advance;
 import steward.physics.Motion;
 import steward.physics.PhysicsParts;
-import steward.scene.Accuracy;
-import steward.scene.Part;
-import steward.scene.SceneFiles;
-import steward.scene.SceneReader;
 
 /** A turn put together part by part; and what a turn without a part is made of. */
 class PartByPartPhysicsTest {

@@ -1,4 +1,4 @@
-package steward.lab.calibration;
+package steward.scene;
 
 import java.util.ArrayList;
 import java.util.EnumSet;
@@ -18,9 +18,6 @@ import steward.physics.PhysicsParts;
 import steward.physics.Reaction;
 import steward.physics.TurnSink;
 import steward.physics.Wall;
-import steward.scene.Accuracy;
-import steward.scene.Part;
-import steward.scene.Scene;
 
 /**
  * The physics of a scene put together one part at a time, from an empty scene where bodies only fly: a benchmark

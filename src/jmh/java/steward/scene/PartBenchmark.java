@@ -1,4 +1,4 @@
-package steward.lab.calibration;
+package steward.scene;
 
 import java.util.Arrays;
 import java.util.List;
@@ -20,8 +20,6 @@ import steward.game.podrace.protocol.PodRaceType;
 import steward.numerics.SplitMix64;
 import steward.physics.Bodies;
 import steward.physics.TurnLog;
-import steward.scene.SceneFiles;
-import steward.scene.SceneText;
 
 /**
  * Price of each part of a turn, from an empty scene where bodies only fly, each in a JVM of its own: {@code ./gradlew
