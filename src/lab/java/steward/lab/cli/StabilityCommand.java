@@ -72,7 +72,7 @@ public final class StabilityCommand extends ProgramCommand {
     private Long impacts;
 
     @Option(names = "--out", paramLabel = "DIR", description = "Writes the table to " + StabilityFiles.CSV + " and "
-        + StabilityFiles.JSON + " in a folder too, row by row, and in the end a page with a picture.")
+        + StabilityFiles.JSON + " in a folder too, row by row.")
     private String out;
 
     @Mixin
@@ -128,8 +128,8 @@ public final class StabilityCommand extends ProgramCommand {
             return table(cases, rungs, run, table, null, null);
         }
         Path folder = OutputFiles.path(out);
-        try (MeasuredTable<StabilityRow> files = tables.start(folder, StabilityFiles.ALL,
-            StabilityFiles.ALL.subList(2, StabilityFiles.ALL.size()), () -> StabilityFiles.start(folder, run))) {
+        try (MeasuredTable<StabilityRow> files = tables.start(folder, StabilityFiles.ALL, List.of(),
+            () -> StabilityFiles.start(folder, run))) {
             return table(cases, rungs, run, table, files, folder);
         }
     }
@@ -174,10 +174,6 @@ public final class StabilityCommand extends ProgramCommand {
                     table.add(row);
                     rows.add(row);
                 });
-            String problem = files == null ? null : StabilityFiles.finish(files, folder, run);
-            if (problem != null) {
-                streams.warn("this Java cannot draw the picture: " + problem);
-            }
             interruption.over();
             boolean passed = table.end();
             if (json) {

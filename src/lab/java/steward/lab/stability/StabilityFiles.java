@@ -3,7 +3,6 @@ package steward.lab.stability;
 import java.io.IOException;
 import java.math.BigDecimal;
 import java.math.RoundingMode;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -13,17 +12,15 @@ import steward.lab.chart.MeasuredTable;
 import steward.lab.chart.MeasuredTable.Column;
 import tools.jackson.core.JsonGenerator;
 
-/** The stability table in files, a row as soon as it is known; the page with its picture comes last. */
+/** The stability table in files, a row as soon as it is known. */
 public final class StabilityFiles {
 
     /** Name of the table for spreadsheets. */
     public static final String CSV = "stability.csv";
     /** Name of the table for programs. */
     public static final String JSON = "stability.json";
-    /** Name of the page. */
-    public static final String PAGE = "stability.md";
     /** All files that a run writes. */
-    public static final List<String> ALL = List.of(CSV, JSON, PAGE, TruePathPlot.PNG, TruePathPlot.DARK_PNG);
+    public static final List<String> ALL = List.of(CSV, JSON);
 
     private StabilityFiles() { }
 
@@ -61,13 +58,5 @@ public final class StabilityFiles {
     /** Writes the fields of the table's object. */
     public static void write(JsonGenerator out, StabilityRun run, List<StabilityRow> rows) {
         MeasuredTable.write(out, facts(run), columns(run), rows);
-    }
-
-    /** Writes the page and its picture, see {@link MeasuredTable#finish}. */
-    public static String finish(MeasuredTable<StabilityRow> table, Path folder, StabilityRun run) {
-        return table.finish(() -> {
-            Files.writeString(folder.resolve(PAGE), StabilityPage.text(run, table.rows()));
-            TruePathPlot.write(table.rows(), folder);
-        });
     }
 }

@@ -20,7 +20,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import steward.lab.stability.crowds.TruePathCase;
 import steward.lab.stability.crowds.TruePathCase.Figure;
-import steward.lab.chart.MeasuredTable;
 import steward.lab.trial.Finding;
 import steward.lab.trial.RunLength;
 import steward.lab.trial.Rung;
@@ -28,12 +27,12 @@ import steward.lab.trial.StabilityCase;
 
 /**
  * Published results of the extreme cases, in {@code docs}: page and table are of one whole run. A page that was changed
- * by hand fails: {@code steward stability --out docs --overwrite} makes it anew. How the page must be is left in {@code
- * build/pages}.
+ * by hand fails. How page and picture must be is left in {@code build/pages}.
  */
 class PublishedStabilityTest {
 
     private static final Path DOCS = Path.of("docs");
+    private static final String PAGE = "stability.md";
     private static final StabilityRun RUN = new StabilityRun(RunLength.NORMAL, "2030-01-02", "1.2.3", "a machine");
     private static final Pattern CELL = Pattern.compile("\"((?:[^\"]|\"\")*)\"(?:,|$)|([^,]*)(?:,|$)");
 
@@ -61,8 +60,9 @@ class PublishedStabilityTest {
         String page = StabilityPage.text(new StabilityRun(RunLength.valueOf(run.get(0).toUpperCase(Locale.ROOT)),
             run.get(1), run.get(2), run.get(3)), rows);
         Files.createDirectories(Path.of("build/pages"));
-        Files.writeString(Path.of("build/pages", StabilityFiles.PAGE), page);
-        assertEquals(page, Files.readString(DOCS.resolve(StabilityFiles.PAGE)));
+        Files.writeString(Path.of("build/pages", PAGE), page);
+        TruePathPlot.write(rows, Path.of("build/pages"));
+        assertEquals(page, Files.readString(DOCS.resolve(PAGE)));
         assertEquals(RunLength.NORMAL.name().toLowerCase(Locale.ROOT), run.get(0));
         assertTrue(Files.exists(DOCS.resolve(TruePathPlot.PNG)) && Files.exists(DOCS.resolve(TruePathPlot.DARK_PNG)));
         List<String> all = new ArrayList<>();
@@ -100,14 +100,11 @@ class PublishedStabilityTest {
     void thePictureShowsEveryRungAndThePageItsRange() throws IOException {
         List<StabilityRow> rows = List.of(path("step/1", 0, 0), path("double", 40, 20), path("exact", 41, 19),
             new StabilityRow("rounding", "a | b", "double", Finding.demanded(false, "1 | 2"), 1));
-        try (MeasuredTable<StabilityRow> files = StabilityFiles.start(folder, RUN)) {
-            files.add(rows);
-            assertEquals(null, StabilityFiles.finish(files, folder, RUN));
-        }
+        TruePathPlot.write(rows, folder);
         BufferedImage picture = ImageIO.read(folder.resolve(TruePathPlot.PNG).toFile());
         assertTrue(picture.getWidth() > 1000, "readable: " + picture.getWidth());
         assertTrue(Files.size(folder.resolve(TruePathPlot.DARK_PNG)) > 0);
-        String page = Files.readString(folder.resolve(StabilityFiles.PAGE));
+        String page = StabilityPage.text(RUN, rows);
         assertTrue(page.contains("true for 19 to 41 impacts, whatever the arithmetic; with steps not for one."), page);
         assertTrue(page.contains("| [rounding](#rounding) | The rounding of official scenes is right at its edges. "
             + "| **fails** |  |"), page);

@@ -21,7 +21,6 @@ import steward.cli.options.ProgramCommand;
         "where it was; a bot whose file has changed is a new version, with games of its",
         "own.",
         "", "Examples:",
-        "  steward league demo",
         "  steward league init night --scene mad-pod-racing",
         "  steward league add night 'mine=python3 bot.py'",
         "  steward league add night builtin:veteran",
@@ -67,7 +66,6 @@ public final class LeagueCommand extends ProgramCommand {
         commands.put("verify", new VerifyCommand());
         commands.put("prune", new PruneCommand());
         commands.put("sprt", new LeagueSprtCommand());
-        commands.put("demo", new LeagueDemoCommand());
         return commands;
     }
 

@@ -1,6 +1,5 @@
 package steward.cli.sequential;
 
-import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -44,7 +43,6 @@ import steward.contest.repeat.Repeats;
 import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.game.GameSetup;
-import steward.league.page.TunePlot;
 import steward.league.sequential.Gsprt;
 import steward.league.tune.Spsa;
 import steward.league.tune.TunedCommand;
@@ -139,11 +137,6 @@ public final class TuneCommand extends ProgramCommand {
         + "do not end the search. In a league its mark says so, too.")
     private boolean random;
 
-    @Option(names = "--plots", paramLabel = "DIR",
-        description = "Writes the path of the parameters into this folder, as "
-        + "PNG and SVG.")
-    private String plots;
-
     @Option(names = "--json", description = "Prints a JSON object in place of the result, and one of the test, each on "
         + "a line of its own.")
     private boolean json;
@@ -188,9 +181,6 @@ public final class TuneCommand extends ProgramCommand {
                 throw new InputException("--against: found the parameter '" + placeholder.group()
                     + "', expected a bot without any: those in --bot are tuned");
             }
-        }
-        if (plots != null) {
-            OutputFiles.prepareFolder(OutputFiles.path(plots));
         }
         setup = Games.warn(scene.open(streams), streams);
         int players = setup.scene().players();
@@ -391,7 +381,6 @@ public final class TuneCommand extends ProgramCommand {
         if (!json) {
             print(search);
         }
-        plot(search);
     }
 
     private void print(Spsa search) {
@@ -408,19 +397,6 @@ public final class TuneCommand extends ProgramCommand {
         streams.out().println("Bot:    " + command.with(result));
         printFailures();
         streams.out().flush();
-    }
-
-    private void plot(Spsa search) {
-        if (plots != null) {
-            Path folder = OutputFiles.path(plots);
-            try {
-                for (Path file : TunePlot.write(command, search.path(), folder)) {
-                    streams.err().println("Written: " + file);
-                }
-            } catch (IOException problem) {
-                throw new FailedException(folder + ": cannot be written: " + OutputFiles.reason(folder, problem));
-            }
-        }
     }
 
     /** Tests the result against the start. */

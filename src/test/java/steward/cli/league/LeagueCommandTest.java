@@ -142,10 +142,6 @@ class LeagueCommandTest {
         assertTrue(done("table", "TMP/a").startsWith("200 games of duel\n\n  # bot"));
         assertEquals(4, done("table", "TMP/a", "--csv").lines().count());
         assertTrue(done("table", "TMP/a", "--html").startsWith("<!DOCTYPE html>"));
-        done("table", "TMP/a", "--plots", "TMP/plots");
-        for (String name : new String[] {"ratings.png", "ratings.svg", "path.png", "path.svg"}) {
-            assertTrue(folder.resolve("plots").resolve(name).toFile().length() > 1000, name);
-        }
         assertTrue(refused("table", "TMP/a", "--csv", "--json").contains("exclude each other"));
         assertTrue(done("games", "TMP/a", "--bot", "bot-1", "--won", "--limit", "3").lines().count() == 4);
         assertTrue(refused("games", "TMP/a", "--open").contains("found no replay among these games"));

@@ -1,21 +1,16 @@
 package steward.cli.league.view;
 
 import java.io.ByteArrayOutputStream;
-import java.io.IOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Path;
 import java.util.function.Consumer;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import steward.cli.options.ProgramCommand;
 import steward.cli.shared.ExitStatus;
-import steward.cli.shared.FailedException;
 import steward.cli.streams.Json;
-import steward.files.OutputFiles;
 import steward.league.StoredGame;
 import steward.league.page.LeagueJson;
-import steward.league.page.LeaguePlots;
 import steward.league.rating.Difference;
 import steward.league.rating.LeagueTable;
 import steward.league.rating.Results;
@@ -24,8 +19,7 @@ import steward.text.TextFormat;
 
 /** {@code steward league table}: ratings and who beat whom. */
 @Command(name = "table", description = "Prints the table of a league: ratings with their bars, and who beat whom.",
-    footer = {"", "Examples:", "  steward league table night", "  steward league table night --csv > night.csv",
-        "  steward league table night --plots plots"})
+    footer = {"", "Examples:", "  steward league table night", "  steward league table night --csv > night.csv"})
 public final class TableCommand extends ProgramCommand {
 
     private static final double NANOS_PER_MS = 1e6;
@@ -49,15 +43,10 @@ public final class TableCommand extends ProgramCommand {
         + "score, turns, and laps, water, goals or chips, as the game has them.")
     private boolean values;
 
-    @Option(names = "--plots", paramLabel = "DIR", description = "Writes the ratings with their bars and the ratings "
-        + "over games into this folder, as PNG and SVG.")
-    private String plots;
-
     @Override
     public Integer call() {
         check.that((json ? 1 : 0) + (csv ? 1 : 0) + (html ? 1 : 0) <= 1, "--json, --csv and --html exclude each other");
-        check.that(!part.isAny() || !html && plots == null, (html ? "--html" : "--plots") + ": expected the whole "
-            + "league, found a part of its games");
+        check.that(!part.isAny() || !html, "--html: expected the whole league, found a part of its games");
         check.that(!values || !html, "--values: expected text, --json or --csv with it");
         part.check();
         try (LeagueOpening.Opened opened = LeagueOpening.read(league.open())) {
@@ -91,9 +80,6 @@ public final class TableCommand extends ProgramCommand {
                     own.lines(table).forEach(streams.out()::println);
                 }
             }
-            if (plots != null) {
-                writePlots(opened, table);
-            }
         }
         return ExitStatus.DONE;
     }
@@ -110,19 +96,6 @@ public final class TableCommand extends ProgramCommand {
         Results results = new Results(opened.season());
         part.each(opened, results::add);
         return LeagueTable.of(results, part.rows(opened.entries()));
-    }
-
-    private void writePlots(LeagueOpening.Opened opened, LeagueTable table) {
-        Path folder = OutputFiles.path(plots);
-        OutputFiles.prepareFolder(folder);
-        try {
-            String title = opened.folder().path().getFileName() + ", " + opened.season().sceneName();
-            for (Path file : LeaguePlots.write(table, opened.games().path(opened.entries()), title, folder)) {
-                streams.err().println("Written: " + file);
-            }
-        } catch (IOException problem) {
-            throw new FailedException(folder + ": cannot be written: " + OutputFiles.reason(folder, problem));
-        }
     }
 
     /** A line for each bot, below the heads of the columns; the games' own values are the last. */

@@ -26,7 +26,8 @@ public final class StabilityPage {
             steward stability                            # approximately 10 minutes
             steward stability --quick                    # what the tests run: about a minute
             steward stability --long --out results       # hours: 10^8 random pairs, 10^9 impacts of a crowd
-            steward stability --out docs --overwrite     # this page, its picture, the table as CSV and JSON
+            steward stability --out docs --overwrite     # the table as CSV and JSON
+            ./gradlew test --tests '*PublishedStability*'    # this page and its picture, in build/pages
 
         One part at a time: `--case NAME`, `--rung NAME`, both repeatable; a crowd for as long as one likes:
 
