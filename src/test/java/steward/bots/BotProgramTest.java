@@ -110,8 +110,8 @@ class BotProgramTest {
         try (InputStream in = Racer.class.getResourceAsStream("builtin.properties")) {
             list.load(in);
         }
-        assertEquals(Set.of("racer", "regular", "contender", "veteran", "driver", "planner", "gatherer", "marauder",
-            "chaser", "captain", "nibbler", "glutton"),
+        assertEquals(Set.of("racer", "regular", "contender", "veteran", "driver", "coaster", "planner", "gatherer",
+            "harvester", "marauder", "chaser", "striker", "captain", "nibbler", "grazer", "glutton"),
             list.stringPropertyNames());
         for (String name : list.stringPropertyNames()) {
             Class.forName(list.getProperty(name).replaceFirst(".* ", "")).getMethod("main", String[].class);

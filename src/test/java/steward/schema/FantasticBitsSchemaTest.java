@@ -13,7 +13,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import steward.bot.Bot;
-import steward.bots.fantasticbits.FantasticBitsBots;
+import steward.bots.BundledBots;
+import steward.bots.fantasticbits.Captain;
+import steward.bots.fantasticbits.Chaser;
 import steward.match.TestScenes;
 import steward.replay.Recorded;
 import steward.scene.SceneReader;
@@ -47,7 +49,7 @@ class FantasticBitsSchemaTest {
     void everyLineOfAWholeMatchIsValid(String scene) {
         List<String> lines = new ArrayList<>();
         Recorded match = Recorded.of(TestScenes.open(scene), 4,
-            List.of(FantasticBitsBots.captain(lines::add), FantasticBitsBots.chaser()));
+            List.of(BundledBots.of(new Captain(), lines::add), BundledBots.of(new Chaser())));
         assertEquals(2 * match.result().turns() + 2, lines.size());
         for (String line : lines) {
             assertEquals(List.of(), Schemas.problems(schemaOf(line), line), line);
@@ -76,7 +78,7 @@ class FantasticBitsSchemaTest {
                 return "{\"wizards\":[{\"x\":1.5,\"y\":2,\"power\":0.5},{\"x\":1.5,\"y\":2,"
                     + (++turn == 5 ? "\"throw\":1" : "\"power\":150") + "}],\"message\":\"hi\"}";
             }
-        }, FantasticBitsBots.chaser()));
+        }, BundledBots.of(new Chaser())));
         assertEquals(5, match.result().turns(), match.result().toString());
         assertTrue(match.text().contains("wizards[1]: found a throw without a snaffle"), match.text());
         checkReplay(match);

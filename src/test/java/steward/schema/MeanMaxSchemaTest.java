@@ -12,7 +12,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import steward.bot.Bot;
-import steward.bots.meanmax.MeanMaxBots;
+import steward.bots.BundledBots;
+import steward.bots.meanmax.Gatherer;
+import steward.bots.meanmax.Marauder;
 import steward.match.TestScenes;
 import steward.replay.Recorded;
 import steward.scene.SceneReader;
@@ -45,7 +47,7 @@ class MeanMaxSchemaTest {
     void everyLineOfAWholeMatchIsValid() {
         List<String> lines = new ArrayList<>();
         Recorded match = Recorded.of(TestScenes.open("mean-max"), 4,
-            List.of(MeanMaxBots.marauder(lines::add), MeanMaxBots.gatherer(), MeanMaxBots.marauder()));
+            List.of(BundledBots.of(new Marauder(), lines::add), BundledBots.of(new Gatherer()), BundledBots.of(new Marauder())));
         assertEquals(2 * match.result().turns() + 2, lines.size());
         for (String line : lines) {
             assertEquals(List.of(), Schemas.problems(schemaOf(line), line), line);
@@ -74,7 +76,7 @@ class MeanMaxSchemaTest {
                 return ++turn == 5 ? "{\"looters\":[]}" : "{\"looters\":[{\"x\":1.5,\"y\":2,\"skill\":true},"
                     + "{\"wait\":true},{\"x\":1.5,\"y\":2,\"power\":0.5}],\"message\":\"hi\"}";
             }
-        }, MeanMaxBots.gatherer(), MeanMaxBots.gatherer()));
+        }, BundledBots.of(new Gatherer()), BundledBots.of(new Gatherer())));
         assertTrue(match.result().turns() > 5, match.result().toString());
         assertTrue(match.text().contains("looters: found 0, expected 3"));
         checkReplay(match);

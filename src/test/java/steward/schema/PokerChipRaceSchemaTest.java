@@ -12,7 +12,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import steward.bot.Bot;
-import steward.bots.pokerchiprace.PokerChipRaceBots;
+import steward.bots.BundledBots;
+import steward.bots.pokerchiprace.Glutton;
+import steward.bots.pokerchiprace.Nibbler;
 import steward.match.TestScenes;
 import steward.replay.Recorded;
 import steward.scene.SceneReader;
@@ -45,9 +47,9 @@ class PokerChipRaceSchemaTest {
     @Tag("slow")
     void everyLineOfAWholeMatchIsValid(int players) {
         List<String> lines = new ArrayList<>();
-        List<Bot> bots = new ArrayList<>(List.of(PokerChipRaceBots.glutton(lines::add)));
+        List<Bot> bots = new ArrayList<>(List.of(BundledBots.of(new Glutton(), lines::add)));
         for (int player = 1; player < players; player++) {
-            bots.add(PokerChipRaceBots.nibbler());
+            bots.add(BundledBots.of(new Nibbler()));
         }
         Recorded match = Recorded.of(
             TestScenes.changed("poker-chip-race", "\"players\": 2", "\"players\": " + players), 4, bots);
@@ -80,7 +82,7 @@ class PokerChipRaceSchemaTest {
                     return ++turn == 5 ? "{\"chips\":[]}"
                         : "{\"chips\":[" + each.repeat(own).substring(1) + "],\"message\":\"hi\"}";
                 }
-            }, PokerChipRaceBots.nibbler(), PokerChipRaceBots.nibbler()));
+            }, BundledBots.of(new Nibbler()), BundledBots.of(new Nibbler())));
         assertTrue(match.result().turns() > 5, match.result().toString());
         assertTrue(match.text().contains("chips: found 0, expected "));
         checkReplay(match);

@@ -12,7 +12,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import steward.bot.Bot;
-import steward.bots.searchrace.SearchRaceBots;
+import steward.bots.BundledBots;
+import steward.bots.searchrace.Driver;
 import steward.match.TestScenes;
 import steward.replay.Recorded;
 import steward.scene.SceneReader;
@@ -35,7 +36,7 @@ class SearchRaceSchemaTest {
     @Test
     void everyLineOfAWholeMatchIsValid() {
         List<String> lines = new ArrayList<>();
-        Recorded match = Recorded.of(TestScenes.open("search-race"), 4, List.of(SearchRaceBots.driver(lines::add)));
+        Recorded match = Recorded.of(TestScenes.open("search-race"), 4, List.of(BundledBots.of(new Driver(), lines::add)));
         assertEquals(2 * match.result().turns() + 2, lines.size());
         for (String line : lines) {
             assertEquals(List.of(), Schemas.problems(schemaOf(line), line), line);

@@ -1,83 +1,40 @@
 package steward.bots.fantasticbits;
 
-import java.io.BufferedReader;
-import java.io.FileDescriptor;
-import java.io.FileInputStream;
-import java.io.IOException;
-import java.io.InputStreamReader;
-import java.io.PrintStream;
-import java.nio.charset.StandardCharsets;
 import java.util.List;
+import steward.bots.LineBot;
 import tools.jackson.core.JsonParser;
 import tools.jackson.core.JsonToken;
-import tools.jackson.core.ObjectReadContext;
-import tools.jackson.core.json.JsonFactory;
 
-/**
- * A bot for Fantastic Bits that uses JSON lines: a setup line, then a line per turn, each answered with one line, then
- * an end line. An answer follows from the setup and the turn alone.
- */
-abstract class FantasticBitsBot {
+/** A bot for Fantastic Bits. */
+abstract class FantasticBitsBot extends LineBot {
 
-    private static final String GAME = "fantastic-bits";
-
-    private final JsonFactory json = new JsonFactory();
     private final Situation situation = new Situation();
     private final Orders orders = new Orders();
+
+    FantasticBitsBot() {
+        super("fantastic-bits");
+    }
 
     /** Decides one turn: an order for each of the two wizards. */
     abstract void decide(Situation now, Orders orders);
 
-    /** Plays one match over the standard streams. */
-    final void run() throws IOException {
-        BufferedReader in = new BufferedReader(
-            new InputStreamReader(new FileInputStream(FileDescriptor.in), StandardCharsets.UTF_8));
-        PrintStream out = System.out;
-        for (String line = in.readLine(); line != null; line = in.readLine()) {
-            String answer = answer(line);
-            if (answer != null) {
-                out.println(answer);
-                out.flush();
-            }
-        }
-    }
-
-    /**
-     * The answer to a frame, {@code null} if it wants none.
-     *
-     * @throws IllegalArgumentException if it is the setup of another game
-     */
-    final String answer(String line) {
-        boolean turn = false;
-        try (JsonParser in = json.createParser(ObjectReadContext.empty(), line)) {
-            in.nextToken();
-            while (in.nextToken() == JsonToken.PROPERTY_NAME) {
-                String name = in.currentName();
-                in.nextToken();
-                switch (name) {
-                    case "type" -> turn = in.getString().equals("turn");
-                    case "game" -> requireGame(in.getString());
-                    case "player" -> situation.player = in.getIntValue();
-                    case "width" -> situation.width = in.getDoubleValue();
-                    case "height" -> situation.height = in.getDoubleValue();
-                    case "goal" -> readGoal(in);
-                    case "magic" -> readNumbers(in, situation.magic);
-                    case "entities" -> readEntities(in, situation.entities);
-                    default -> in.skipChildren();
-                }
-            }
-        }
-        if (!turn) {
-            return null;
-        }
+    @Override
+    protected final String decide() {
         orders.begin();
         decide(situation, orders);
         return orders.answer();
     }
 
-    private static void requireGame(String game) {
-        if (!game.equals(GAME)) {
-            throw new IllegalArgumentException("this bot plays " + GAME + ", not " + game);
+    @Override
+    protected final void read(String field, JsonParser in) {
+        switch (field) {
+            case "player" -> situation.player = in.getIntValue();
+            case "width" -> situation.width = in.getDoubleValue();
+            case "height" -> situation.height = in.getDoubleValue();
+            case "goal" -> readGoal(in);
+            case "magic" -> readNumbers(in, situation.magic);
+            case "entities" -> readEntities(in, situation.entities);
+            default -> in.skipChildren();
         }
     }
 
@@ -91,13 +48,6 @@ abstract class FantasticBitsBot {
                 case "bottom" -> situation.goalBottom = in.getDoubleValue();
                 default -> in.skipChildren();
             }
-        }
-    }
-
-    private static void readNumbers(JsonParser in, List<Integer> numbers) {
-        numbers.clear();
-        while (in.nextToken() != JsonToken.END_ARRAY) {
-            numbers.add(in.getIntValue());
         }
     }
 

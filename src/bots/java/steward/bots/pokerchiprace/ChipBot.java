@@ -1,24 +1,13 @@
 package steward.bots.pokerchiprace;
 
-import java.io.BufferedReader;
-import java.io.FileDescriptor;
-import java.io.FileInputStream;
-import java.io.IOException;
-import java.io.InputStreamReader;
-import java.io.PrintStream;
-import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
+import steward.bots.LineBot;
 import tools.jackson.core.JsonParser;
 import tools.jackson.core.JsonToken;
-import tools.jackson.core.ObjectReadContext;
-import tools.jackson.core.json.JsonFactory;
 
-/**
- * A bot for the Poker Chip Race that uses JSON lines: a setup line, then a line per turn, each answered with one line,
- * then an end line. An answer follows from the setup and the turn alone.
- */
-abstract class ChipBot {
+/** A bot for the Poker Chip Race. */
+abstract class ChipBot extends LineBot {
 
     /** Up to this radius a chip cannot push itself, in u. */
     static final double SMALL = 5;
@@ -27,59 +16,22 @@ abstract class ChipBot {
     /** Half the height of the table, in u. */
     static final double HALF_HEIGHT = 257.5;
 
-    private static final String GAME = "poker-chip-race";
-
     /** The number of this player. */
     int player;
     /** All chips in play. */
     final List<Chip> chips = new ArrayList<>();
 
-    private final JsonFactory json = new JsonFactory();
     private final List<Integer> own = new ArrayList<>();
+
+    ChipBot() {
+        super("poker-chip-race");
+    }
 
     /** Decides for one chip: the direction (x, y) of a push, or {@code null} to wait. */
     abstract double[] decide(Chip chip);
 
-    /** Plays one match over the standard streams. */
-    final void run() throws IOException {
-        BufferedReader in = new BufferedReader(
-            new InputStreamReader(new FileInputStream(FileDescriptor.in), StandardCharsets.UTF_8));
-        PrintStream out = System.out;
-        for (String line = in.readLine(); line != null; line = in.readLine()) {
-            String answer = answer(line);
-            if (answer != null) {
-                out.println(answer);
-                out.flush();
-            }
-        }
-    }
-
-    /**
-     * The answer to a frame, {@code null} if it wants none.
-     *
-     * @throws IllegalArgumentException if it is the setup of another game
-     */
-    final String answer(String line) {
-        boolean turn = false;
-        try (JsonParser in = json.createParser(ObjectReadContext.empty(), line)) {
-            in.nextToken();
-            while (in.nextToken() == JsonToken.PROPERTY_NAME) {
-                String name = in.currentName();
-                in.nextToken();
-                switch (name) {
-                    case "type" -> turn = in.getString().equals("turn");
-                    case "game" -> requireGame(in.getString());
-                    case "player" -> player = in.getIntValue();
-                    case "own" -> readOwn(in);
-                    case "chips" -> readChips(in);
-                    default -> in.skipChildren();
-                }
-            }
-        }
-        return turn ? answer() : null;
-    }
-
-    private String answer() {
+    @Override
+    protected final String decide() {
         StringBuilder line = new StringBuilder("{\"chips\":[");
         for (int id : own) {
             Chip chip = chips.stream().filter(one -> one.id == id).findFirst().orElseThrow();
@@ -94,16 +46,13 @@ abstract class ChipBot {
         return line.append("]}").toString();
     }
 
-    private static void requireGame(String game) {
-        if (!game.equals(GAME)) {
-            throw new IllegalArgumentException("this bot plays " + GAME + ", not " + game);
-        }
-    }
-
-    private void readOwn(JsonParser in) {
-        own.clear();
-        while (in.nextToken() != JsonToken.END_ARRAY) {
-            own.add(in.getIntValue());
+    @Override
+    protected final void read(String field, JsonParser in) {
+        switch (field) {
+            case "player" -> player = in.getIntValue();
+            case "own" -> readNumbers(in, own);
+            case "chips" -> readChips(in);
+            default -> in.skipChildren();
         }
     }
 

@@ -3,9 +3,8 @@ package steward.bots.searchrace;
 import java.io.IOException;
 
 /**
- * The better bot: it tries beginnings, each a turn and a thrust held for some turns, drives on by rule from there, and
- * takes the beginning after which the car is farthest along the course. The rule already turns towards the checkpoint
- * after the next when coasting alone will pass the next.
+ * The bot that searches: it tries beginnings, each a turn and a thrust held for some turns, drives on as
+ * {@link Coaster} does from there, and takes the beginning after which the car is farthest along the course.
  */
 public final class Planner extends SearchRaceBot {
 
@@ -15,15 +14,13 @@ public final class Planner extends SearchRaceBot {
     private static final int[] HELD = {2, 5, 9};
     /** How many turns are looked ahead. */
     private static final int HORIZON = 24;
-    /** How many turns of coasting the rule predicts. */
-    private static final int COAST_TURNS = 6;
     /** Worth of a checkpoint passed, in u: more than any distance. */
     private static final double CHECKPOINT = 50_000;
     /** Worth of passing one a turn earlier, in u. */
     private static final double TURN = 400;
 
     private final Car trial = new Car();
-    private final Car coasting = new Car();
+    private final Coaster rule = new Coaster();
     private final Command steered = new Command();
 
     /** Plays one match over the standard streams. */
@@ -33,7 +30,7 @@ public final class Planner extends SearchRaceBot {
 
     @Override
     void decide(Course race, Car now, Command command) {
-        rule(race, now, steered);
+        rule.decide(race, now, steered);
         command.degrees = steered.degrees;
         command.thrust = steered.thrust;
         double best = worth(race, now, 0, 0, 0);
@@ -60,7 +57,7 @@ public final class Planner extends SearchRaceBot {
             if (turn < held) {
                 passTime = trial.play(race, degrees, thrust);
             } else {
-                rule(race, trial, steered);
+                rule.decide(race, trial, steered);
                 passTime = trial.play(race, steered.degrees, steered.thrust);
             }
             worth += (trial.passed - before) * (CHECKPOINT + TURN * (HORIZON - turn - passTime));
@@ -70,27 +67,5 @@ public final class Planner extends SearchRaceBot {
         }
         int next = race.next(trial.passed);
         return worth - trial.distanceTo(race.x[next], race.y[next]);
-    }
-
-    private void rule(Course race, Car car, Command command) {
-        boolean more = car.passed + 1 < race.toFinish();
-        Driver.steer(race, car, race.next(more && coasts(race, car) ? car.passed + 1 : car.passed), command);
-    }
-
-    /** True if the car passes its next checkpoint without thrust within some turns. */
-    private boolean coasts(Course race, Car car) {
-        int next = race.next(car.passed);
-        double reach = race.radius + COAST_TURNS * (Math.abs(car.vx) + Math.abs(car.vy));
-        if (car.distanceTo(race.x[next], race.y[next]) > reach) {
-            return false;
-        }
-        coasting.set(car);
-        for (int turn = 0; turn < COAST_TURNS; turn++) {
-            coasting.coast(race);
-            if (coasting.passed > car.passed) {
-                return true;
-            }
-        }
-        return false;
     }
 }

@@ -12,10 +12,14 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
 import steward.bot.Bot;
-import steward.bots.fantasticbits.FantasticBitsBots;
-import steward.bots.meanmax.MeanMaxBots;
-import steward.bots.pokerchiprace.PokerChipRaceBots;
-import steward.bots.searchrace.SearchRaceBots;
+import steward.bots.BundledBots;
+import steward.bots.fantasticbits.Captain;
+import steward.bots.fantasticbits.Chaser;
+import steward.bots.meanmax.Gatherer;
+import steward.bots.meanmax.Marauder;
+import steward.bots.pokerchiprace.Glutton;
+import steward.bots.pokerchiprace.Nibbler;
+import steward.bots.searchrace.Planner;
 import steward.cli.Cli;
 import steward.cli.ShellBots;
 import steward.league.page.EmbeddedReplays;
@@ -92,11 +96,11 @@ final class PageGallery {
 
     private static byte[] played(String scene) {
         return switch (scene) {
-            case "search-race" -> played(scene, SearchRaceBots.planner());
+            case "search-race" -> played(scene, BundledBots.of(new Planner()));
             case "mean-max" ->
-                played(scene, MeanMaxBots.marauder(), MeanMaxBots.gatherer(), MeanMaxBots.gatherer());
-            case "fantastic-bits" -> played(scene, FantasticBitsBots.captain(), FantasticBitsBots.chaser());
-            case "poker-chip-race" -> played(scene, PokerChipRaceBots.glutton(), PokerChipRaceBots.nibbler());
+                played(scene, BundledBots.of(new Marauder()), BundledBots.of(new Gatherer()), BundledBots.of(new Gatherer()));
+            case "fantastic-bits" -> played(scene, BundledBots.of(new Captain()), BundledBots.of(new Chaser()));
+            case "poker-chip-race" -> played(scene, BundledBots.of(new Glutton()), BundledBots.of(new Nibbler()));
             default -> PageTestRaces.play(PageTestRaces.scene(scene), 3);
         };
     }

@@ -18,7 +18,9 @@ import org.junit.jupiter.api.io.TempDir;
 import org.w3c.dom.Element;
 import org.w3c.dom.NodeList;
 import org.xml.sax.SAXException;
-import steward.bots.meanmax.MeanMaxBots;
+import steward.bots.BundledBots;
+import steward.bots.meanmax.Gatherer;
+import steward.bots.meanmax.Marauder;
 import steward.cli.Cli;
 import steward.cli.streams.Json;
 import steward.match.TestScenes;
@@ -59,7 +61,7 @@ class MovingPictureTest {
             3));
         assertTrue(compare(race, picture(race), 0) > 200);
         Path part = Files.write(folder.resolve("part.jsonl"), Recorded.of(TestScenes.open("mean-max"), 7,
-            List.of(MeanMaxBots.marauder(), MeanMaxBots.gatherer(), MeanMaxBots.gatherer())).bytes());
+            List.of(BundledBots.of(new Marauder()), BundledBots.of(new Gatherer()), BundledBots.of(new Gatherer()))).bytes());
         assertTrue(compare(part, picture(part, "--from", "20", "--to", "60"), 20) > 41 * 9);
     }
 

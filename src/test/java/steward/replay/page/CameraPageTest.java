@@ -13,7 +13,9 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.api.parallel.ResourceLock;
-import steward.bots.meanmax.MeanMaxBots;
+import steward.bots.BundledBots;
+import steward.bots.meanmax.Gatherer;
+import steward.bots.meanmax.Marauder;
 import steward.match.SeededBot;
 import steward.match.TestScenes;
 import steward.replay.Recorded;
@@ -75,8 +77,8 @@ class CameraPageTest {
 
     @Test
     void theArenaOfMeanMaxUsesTheHeightAndNoNumberCoversAUnit() {
-        byte[] match = Recorded.of(TestScenes.open("mean-max"), 7, List.of(MeanMaxBots.marauder(),
-            MeanMaxBots.gatherer(), MeanMaxBots.gatherer())).bytes();
+        byte[] match = Recorded.of(TestScenes.open("mean-max"), 7, List.of(BundledBots.of(new Marauder()),
+            BundledBots.of(new Gatherer()), BundledBots.of(new Gatherer()))).bytes();
         browser.open(new PageTestPages(folder).page(match, "Mean Max"), "#t=0");
         double share = browser.number("""
             (() => {

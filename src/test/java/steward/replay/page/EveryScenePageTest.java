@@ -19,10 +19,11 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import steward.bot.Bot;
-import steward.bots.fantasticbits.FantasticBitsBots;
-import steward.bots.meanmax.MeanMaxBots;
-import steward.bots.pokerchiprace.PokerChipRaceBots;
-import steward.bots.searchrace.SearchRaceBots;
+import steward.bots.BundledBots;
+import steward.bots.fantasticbits.Captain;
+import steward.bots.meanmax.Marauder;
+import steward.bots.pokerchiprace.Glutton;
+import steward.bots.searchrace.Planner;
 import steward.game.GameSetup;
 import steward.match.TestScenes;
 import steward.replay.Recorded;
@@ -120,10 +121,10 @@ class EveryScenePageTest {
     static List<Bot> bots(String game, int players) {
         return Stream.generate(() -> switch (game) {
             case "pod-race" -> new PageTestBot();
-            case "search-race" -> SearchRaceBots.planner();
-            case "mean-max" -> MeanMaxBots.marauder();
-            case "fantastic-bits" -> FantasticBitsBots.captain();
-            case "poker-chip-race" -> PokerChipRaceBots.glutton();
+            case "search-race" -> BundledBots.of(new Planner());
+            case "mean-max" -> BundledBots.of(new Marauder());
+            case "fantastic-bits" -> BundledBots.of(new Captain());
+            case "poker-chip-race" -> BundledBots.of(new Glutton());
             default -> throw new AssertionError("no bot of " + game + " is known here");
         }).limit(players).map(Bot.class::cast).toList();
     }

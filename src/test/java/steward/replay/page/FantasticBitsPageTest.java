@@ -11,7 +11,9 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.api.parallel.ResourceLock;
-import steward.bots.fantasticbits.FantasticBitsBots;
+import steward.bots.BundledBots;
+import steward.bots.fantasticbits.Captain;
+import steward.bots.fantasticbits.Chaser;
 import steward.match.TestScenes;
 import steward.replay.Recorded;
 
@@ -27,7 +29,7 @@ class FantasticBitsPageTest {
     @Test
     void aWholeMatchIsDrawn() {
         Recorded match = Recorded.of(TestScenes.open("fantastic-bits"), 7,
-            List.of(FantasticBitsBots.captain(), FantasticBitsBots.chaser()));
+            List.of(BundledBots.of(new Captain()), BundledBots.of(new Chaser())));
         assertTrue(match.text().contains("\"spell\":\"flipendo\""), "spells are drawn too");
         Path page = new PageTestPages(folder).page(match.bytes(), "Fantastic Bits");
         try (PageTestBrowser browser = PageTestBrowser.start()) {

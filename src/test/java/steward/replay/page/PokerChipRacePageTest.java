@@ -11,7 +11,9 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.api.parallel.ResourceLock;
-import steward.bots.pokerchiprace.PokerChipRaceBots;
+import steward.bots.BundledBots;
+import steward.bots.pokerchiprace.Glutton;
+import steward.bots.pokerchiprace.Nibbler;
 import steward.match.TestScenes;
 import steward.replay.Recorded;
 
@@ -27,7 +29,7 @@ class PokerChipRacePageTest {
     @Test
     void aWholeGameIsDrawn() {
         Recorded match = Recorded.of(TestScenes.open("poker-chip-race"), 7,
-            List.of(PokerChipRaceBots.glutton(), PokerChipRaceBots.nibbler()));
+            List.of(BundledBots.of(new Glutton()), BundledBots.of(new Nibbler())));
         Path page = new PageTestPages(folder).page(match.bytes(), "Poker Chip Race");
         try (PageTestBrowser browser = PageTestBrowser.start()) {
             browser.size(1280, 720);

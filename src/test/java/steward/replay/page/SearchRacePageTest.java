@@ -11,7 +11,8 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.api.parallel.ResourceLock;
-import steward.bots.searchrace.SearchRaceBots;
+import steward.bots.BundledBots;
+import steward.bots.searchrace.Driver;
 import steward.match.TestScenes;
 import steward.replay.Recorded;
 import steward.text.TextFormat;
@@ -27,7 +28,7 @@ class SearchRacePageTest {
 
     @Test
     void aWholeRaceIsDrawn() {
-        Recorded race = Recorded.of(TestScenes.open("search-race"), 7, List.of(SearchRaceBots.driver()));
+        Recorded race = Recorded.of(TestScenes.open("search-race"), 7, List.of(BundledBots.of(new Driver())));
         Path page = new PageTestPages(folder).page(race.bytes(), "Search race");
         try (PageTestBrowser browser = PageTestBrowser.start()) {
             browser.size(1280, 720);
