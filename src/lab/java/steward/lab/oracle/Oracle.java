@@ -20,8 +20,8 @@ import steward.physics.Wall;
  * <p>Where the physics has to decide whether two rounded distances are equal, the oracle treats numbers that agree to
  * {@code COUNT - 16} digits as equal: a body moved to a touch does touch, and a body that slides does not approach.
  *
- * <p>Caveat: a turn that reaches the limit on impacts stops there, and so does one in which more than one contact comes
- * to rest at a time, or a body in an arena: {@link OracleRest}. What contacts may mean is said in {@link
+ * <p>Caveat: a turn that reaches the limit on impacts stops there, and so does one in which a body slides along a rim
+ * where bodies rest ({@link OracleRest#slides}), or a heap has no way to rest. What contacts may mean is said in {@link
  * OracleContacts}.
  */
 public final class Oracle {
@@ -37,7 +37,7 @@ public final class Oracle {
     private final OracleContacts contacts;
     private boolean limited;
     private boolean examineAll;
-    /** True if an impact of the turn was rest by the law. */
+    /** True if the last impact slides or is rest, and is not computed here. */
     private boolean resting;
 
     /** Everything bounces. */
@@ -57,7 +57,7 @@ public final class Oracle {
         this.forces = forces;
         this.contacts = contacts;
         this.walls = List.copyOf(walls);
-        reaction = new OracleReaction(law, this.walls, forces);
+        reaction = new OracleReaction(law, this.walls, forces, contacts);
     }
 
     /** A future touch; b is an index or {@code ~wall}. */
@@ -99,12 +99,12 @@ public final class Oracle {
         return this;
     }
 
-    /** True if the last turn stopped in the middle: at the limit on impacts, or where a heap comes to rest. */
+    /** True if the last turn stopped in the middle: at the limit on impacts, or as {@link #rested} says. */
     public boolean limited() {
         return limited;
     }
 
-    /** True if the last turn stopped where a heap comes to rest. */
+    /** True if the last turn stopped where a body slides along a rim, or a heap has no way to rest. */
     public boolean rested() {
         return resting && limited;
     }
@@ -134,13 +134,11 @@ public final class Oracle {
                 contacts.releaseSeparatedPairs(bodies, walls);
             }
             int size = bodies.size();
+            int before = impacts.size();
             for (int k = 0; k < next.size() && bodies.size() == size; k++) {
-                OracleImpact impact = react(bodies, next.get(k), now);
-                if (impact != null) {
-                    impacts.add(impact);
-                }
+                impacts.addAll(react(bodies, next.get(k), now));
             }
-            left -= next.size() - 1;
+            left -= Math.max(next.size(), impacts.size() - before) - 1;
             now = now.add(earliest);
         }
     }
@@ -149,28 +147,27 @@ public final class Oracle {
         boolean moved = body.mass != null;
         BigDecimal inverse = body.inverseMass();
         body.most = BigDecimal.ZERO;
+        body.rested = false;
         body.ax = moved ? Decimals.of(forces.forceX()).multiply(inverse).add(Decimals.of(forces.gravityX()))
             : BigDecimal.ZERO;
         body.ay = moved ? Decimals.of(forces.forceY()).multiply(inverse).add(Decimals.of(forces.gravityY()))
             : BigDecimal.ZERO;
     }
 
-    /** An impact, told with the indices of the start, or what the game's reaction does instead: {@code null}. */
-    private OracleImpact react(List<OracleBody> bodies, Touch touch, BigDecimal now) {
+    /** Impacts, told with the indices of the start; none if the game's reaction does something else. */
+    private List<OracleImpact> react(List<OracleBody> bodies, Touch touch, BigDecimal now) {
         BigDecimal time = now.add(touch.until);
-        if (contacts == null) {
-            OracleImpact impact = reaction.react(bodies, touch.a, touch.b, time);
-            resting |= reaction.stopped();
-            return impact;
+        if (contacts != null && !contacts.bounces(bodies, touch.a, touch.b, time)) {
+            return List.of();
         }
-        if (!contacts.bounces(bodies, touch.a, touch.b, time)) {
-            return null;
-        }
-        OracleImpact impact = reaction.react(bodies, touch.a, touch.b, time);
+        List<OracleImpact> impacts = reaction.react(bodies, touch.a, touch.b, time);
         resting |= reaction.stopped();
+        if (contacts == null) {
+            return impacts;
+        }
         contacts.after(bodies, touch.a, touch.b, time);
-        return impact == null ? null : impact.between(contacts.startIndex(touch.a),
-            touch.b < 0 ? touch.b : contacts.startIndex(touch.b));
+        return impacts.stream().map(impact -> impact.between(contacts.startIndex(touch.a),
+            touch.b < 0 ? touch.b : contacts.startIndex(touch.b))).toList();
     }
 
     public List<OracleImpact> turn(List<OracleBody> bodies) {

@@ -23,6 +23,8 @@ public final class OracleBody {
     BigDecimal ay = BigDecimal.ZERO;
     /** The largest m v.v in this turn. */
     BigDecimal most = BigDecimal.ZERO;
+    /** True if the body's heap has come to rest in this turn. */
+    boolean rested;
 
     private OracleBody(Bodies from, int k) {
         x = Decimals.of(from.x[k]);
@@ -67,6 +69,11 @@ public final class OracleBody {
     void accelerate(BigDecimal turns) {
         vx = Decimals.round(vx.add(ax.multiply(turns)));
         vy = Decimals.round(vy.add(ay.multiply(turns)));
+    }
+
+    /** Takes note of the kinetic energy. */
+    void see() {
+        most = most.max(energy().multiply(BigDecimal.valueOf(2)));
     }
 
     void reverse() {

@@ -41,6 +41,12 @@ final class OracleContacts {
         return contacts.withWall(rounded.kind[a]) != Meaning.NONE && !passes(id(a), ~wall);
     }
 
+    /** True if two, or a body and {@code ~wall}, bounce without being asked, and nothing passes through anything. */
+    boolean alwaysBounce(int a, int b) {
+        return rounded.passing().isEmpty() && Meaning.BOUNCE == (b < 0 ? contacts.withWall(rounded.kind[a])
+            : contacts.between(rounded.kind[a], rounded.kind[b]));
+    }
+
     private boolean passes(int a, int b) {
         return !rounded.passing().isEmpty() && rounded.passing().contains(a, b);
     }

@@ -19,22 +19,38 @@ final class OracleReaction {
     private final List<Wall> walls;
     private final boolean forced;
     private final OracleRest rest;
+    /** {@code null} where all contacts are impacts. */
+    private final OracleContacts contacts;
+    private final OracleHeap heap;
+    private boolean stopped;
 
-    OracleReaction(ImpactLaw law, List<Wall> walls, Forces forces) {
+    /** @param contacts what contacts mean; {@code null} if all are impacts */
+    OracleReaction(ImpactLaw law, List<Wall> walls, Forces forces, OracleContacts contacts) {
         this.law = law;
         this.walls = walls;
         forced = forces.act() && !law.separatingPairsReact();
         rest = new OracleRest(law, walls, forces);
+        this.contacts = contacts;
+        heap = new OracleHeap(this.walls, rest, contacts);
     }
 
-    /** Bodies a and b react, b being {@code ~w} for a wall. @return {@code null} if there was nothing to react to */
-    OracleImpact react(List<OracleBody> bodies, int a, int b, BigDecimal time) {
+    /** Bodies a and b react, b being {@code ~w} for a wall. @return the impacts; none if there is nothing to react to */
+    List<OracleImpact> react(List<OracleBody> bodies, int a, int b, BigDecimal time) {
         OracleBody p = bodies.get(a);
         OracleBody q = b < 0 ? null : bodies.get(b);
         BigDecimal half = time.subtract(HALF);
-        rest.look(bodies, a, b, half);
-        if (rest.isRest() && rest.rests(bodies, a, b)) {
-            return rest.settle(p, q, a, b, time);
+        stopped = b < 0 && rest.slides(p, walls.get(~b));
+        p.see();
+        if (q != null) {
+            q.see();
+        }
+        if (!stopped && (contacts == null || contacts.alwaysBounce(a, b))
+            && rest.isRest(bodies, a, b, rest.approach(bodies, a, b, half))) {
+            List<OracleImpact> impacts = heap.settle(bodies, a, b, time);
+            stopped = impacts != null && impacts.isEmpty();
+            if (impacts != null) {
+                return impacts;
+            }
         }
         accelerate(p, q, half);
         BigDecimal[] before = {p.vx, p.vy, q == null ? BigDecimal.ZERO : q.vx, q == null ? BigDecimal.ZERO : q.vy};
@@ -44,10 +60,10 @@ final class OracleReaction {
             if (q != null) {
                 rest.leave(q, before[2], before[3], half);
             }
-            BigDecimal more = rest.stop();
+            BigDecimal more = rest.stop(bodies, a, b);
             impact = impact == null ? null : impact.with(more, p, q);
         }
-        return impact;
+        return impact == null ? List.of() : List.of(impact);
     }
 
     private void accelerate(OracleBody p, OracleBody q, BigDecimal turns) {
@@ -59,9 +75,9 @@ final class OracleReaction {
         }
     }
 
-    /** True if the last impact is rest of more than one contact, which the oracle does not compute. */
+    /** True if the last contact slides or is rest that the oracle does not compute. */
     boolean stopped() {
-        return rest.stopped();
+        return stopped;
     }
 
     private OracleImpact pair(OracleBody p, OracleBody q, int a, int b, BigDecimal time) {

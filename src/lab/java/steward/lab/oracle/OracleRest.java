@@ -8,27 +8,22 @@ import steward.physics.ImpactLaw;
 import steward.physics.Wall;
 
 /**
- * The law of rest and of forces in the oracle's arithmetic, from its description in {@code docs/scenes.md}: of one
- * contact. Where more than one comes to rest at a time, or one in an arena, the oracle stops.
+ * The law of rest and of forces in the oracle's arithmetic, from its description in {@code docs/scenes.md}: which
+ * impacts give nothing back, and how bodies leave an impact under forces. {@link OracleHeap} computes what rests.
  */
 final class OracleRest {
 
-    /** The share of the radii up to which a gap is a contact, doubled: nearer than that the oracle stops. */
-    private static final BigDecimal NEAR = Decimals.of(1 + 2.0 / 2048);
     private static final BigDecimal FEEBLE = Decimals.of(0x1p-40);
     private static final BigDecimal TWO = BigDecimal.valueOf(2);
+    private static final BigDecimal QUARTER = new BigDecimal("0.25");
+    /** A chord along a rim, in turns, of a contact that slides: a half more than the 250th part of a turn. */
+    private static final BigDecimal CHORD = new BigDecimal("0.006");
+    /** The sine of the flattest contact that is no slide. */
+    private static final BigDecimal FLAT = Decimals.of(1.5 * 0x1p-20);
 
     private final ImpactLaw law;
     private final List<Wall> walls;
     private final Forces forces;
-    private boolean stopped;
-    /** Of the contact that was looked at last. */
-    private BigDecimal[] normal;
-    private BigDecimal approach;
-    private BigDecimal restitution;
-    private OracleBody p;
-    private OracleBody q;
-    private BigDecimal half;
 
     OracleRest(ImpactLaw law, List<Wall> walls, Forces forces) {
         this.law = law;
@@ -36,50 +31,45 @@ final class OracleRest {
         this.forces = forces;
     }
 
-    /** True if the last contact is rest that the oracle does not compute. */
-    boolean stopped() {
-        return stopped;
+    /** True if a force acts. */
+    boolean forced() {
+        return forces.act();
     }
 
-    /** Looks at a contact at a time of the turn, less a half. */
-    void look(List<OracleBody> bodies, int a, int b, BigDecimal at) {
-        stopped = false;
-        half = at;
-        p = bodies.get(a);
-        q = b < 0 ? null : bodies.get(b);
-        restitution = p.restitution.min(b < 0 ? Decimals.of(walls.get(~b).restitution()) : q.restitution);
+    /** The unit vector from one body to another or to {@code ~wall}; along x where there is none. */
+    BigDecimal[] normal(List<OracleBody> bodies, int a, int b) {
         if (b < 0) {
-            normal = OracleWallGeometry.normal(p, walls.get(~b));
-        } else {
-            BigDecimal dx = q.x.subtract(p.x);
-            BigDecimal dy = q.y.subtract(p.y);
-            BigDecimal distance = Decimals.length(dx, dy);
-            normal = distance.signum() == 0 ? new BigDecimal[] {BigDecimal.ONE, BigDecimal.ZERO}
-                : new BigDecimal[] {Decimals.divide(dx, distance), Decimals.divide(dy, distance)};
+            return OracleWallGeometry.normal(bodies.get(a), walls.get(~b));
         }
-        approach = along(p.vx, p.vy, q == null ? null : q.vx, q == null ? null : q.vy)
-            .add(half.multiply(along(p.ax, p.ay, q == null ? null : q.ax, q == null ? null : q.ay)));
-        p.most = p.most.max(twiceEnergy(p));
-        if (q != null) {
-            q.most = q.most.max(twiceEnergy(q));
+        BigDecimal dx = bodies.get(b).x.subtract(bodies.get(a).x);
+        BigDecimal dy = bodies.get(b).y.subtract(bodies.get(a).y);
+        BigDecimal distance = Decimals.length(dx, dy);
+        return distance.signum() == 0 ? new BigDecimal[] {BigDecimal.ONE, BigDecimal.ZERO}
+            : new BigDecimal[] {Decimals.divide(dx, distance), Decimals.divide(dy, distance)};
+    }
+
+    BigDecimal restitution(List<OracleBody> bodies, int a, int b) {
+        return bodies.get(a).restitution.min(b < 0 ? Decimals.of(walls.get(~b).restitution())
+            : bodies.get(b).restitution);
+    }
+
+    /** The speed at which two approach, a part of a turn from the middle of their flights. */
+    BigDecimal approach(List<OracleBody> bodies, int a, int b, BigDecimal turns) {
+        BigDecimal[] n = normal(bodies, a, b);
+        OracleBody p = bodies.get(a);
+        BigDecimal x = p.vx.add(p.ax.multiply(turns));
+        BigDecimal y = p.vy.add(p.ay.multiply(turns));
+        if (b >= 0) {
+            OracleBody q = bodies.get(b);
+            x = x.subtract(q.vx).subtract(q.ax.multiply(turns));
+            y = y.subtract(q.vy).subtract(q.ay.multiply(turns));
         }
+        return Decimals.dot(n[0], n[1], x, y);
     }
 
-    private static BigDecimal twiceEnergy(OracleBody body) {
-        return body.energy().multiply(TWO);
-    }
-
-    private BigDecimal along(BigDecimal x, BigDecimal y, BigDecimal otherX, BigDecimal otherY) {
-        return otherX == null ? Decimals.dot(normal[0], normal[1], x, y)
-            : Decimals.dot(normal[0], normal[1], x.subtract(otherX), y.subtract(otherY));
-    }
-
-    private BigDecimal inverse() {
-        return q == null ? p.inverseMass() : p.inverseMass().add(q.inverseMass());
-    }
-
-    /** True if the impact gives nothing back. */
-    boolean isRest() {
+    /** True if an impact at this approach speed gives nothing back. */
+    boolean isRest(List<OracleBody> bodies, int a, int b, BigDecimal approach) {
+        BigDecimal restitution = restitution(bodies, a, b);
         if (!law.bodiesRest() || law.separatingPairsReact() || restitution.compareTo(BigDecimal.ONE) >= 0) {
             return false;
         }
@@ -87,13 +77,20 @@ final class OracleRest {
         if (restitution.signum() == 0 || !Double.isNaN(law.restSpeed())) {
             return restitution.signum() == 0 || rebound.compareTo(Decimals.of(law.restSpeed())) <= 0;
         }
-        BigDecimal force = square(p).max(q == null ? BigDecimal.ZERO : square(q));
-        if (rebound.signum() <= 0
-            || Decimals.atMost(Decimals.square(rebound.multiply(TWO)), force)) {
+        if (rebound.signum() <= 0 || Decimals.atMost(Decimals.square(rebound.multiply(TWO)), largest(bodies, a, b))) {
             return true;
         }
+        OracleBody p = bodies.get(a);
+        OracleBody q = b < 0 ? null : bodies.get(b);
         BigDecimal least = q == null || q.mass == null ? p.most : p.mass == null ? q.most : p.most.min(q.most);
-        return Decimals.square(approach).compareTo(FEEBLE.multiply(least).multiply(inverse())) < 0;
+        BigDecimal inverse = q == null ? p.inverseMass() : p.inverseMass().add(q.inverseMass());
+        return Decimals.square(approach).compareTo(FEEBLE.multiply(least).multiply(inverse)) < 0;
+    }
+
+    /** The square of the larger acceleration by forces. */
+    BigDecimal largest(List<OracleBody> bodies, int a, int b) {
+        BigDecimal ofA = square(bodies.get(a));
+        return b < 0 ? ofA : ofA.max(square(bodies.get(b)));
     }
 
     private BigDecimal square(OracleBody body) {
@@ -101,105 +98,65 @@ final class OracleRest {
         return Decimals.dot(a[0], a[1], a[0], a[1]);
     }
 
-    private BigDecimal[] forced(OracleBody body) {
+    /** The acceleration of a body by forces. */
+    BigDecimal[] forced(OracleBody body) {
         BigDecimal inverse = body.inverseMass();
         return body.mass == null ? new BigDecimal[] {BigDecimal.ZERO, BigDecimal.ZERO}
             : new BigDecimal[] {Decimals.of(forces.forceX()).multiply(inverse).add(Decimals.of(forces.gravityX())),
                 Decimals.of(forces.forceY()).multiply(inverse).add(Decimals.of(forces.gravityY()))};
     }
 
-    /** True if the rest of this contact is computed here; without forces and restitution it is an ordinary impact. */
-    boolean rests(List<OracleBody> bodies, int a, int b) {
-        stopped = b < 0 && walls.get(~b) instanceof Arena || touches(bodies, a, b)
-            || b >= 0 && bodies.get(b).mass != null && touches(bodies, b, a);
-        return !stopped && (forces.act() || restitution.signum() > 0);
-    }
-
-    private boolean touches(List<OracleBody> bodies, int i, int partner) {
-        OracleBody body = bodies.get(i);
-        for (int k = 0; k < bodies.size(); k++) {
-            OracleBody other = bodies.get(k);
-            if (k != i && k != partner && OracleTimeOfImpact.within(body.x.subtract(other.x), body.y.subtract(other.y),
-                body.radius.add(other.radius).multiply(NEAR))) {
-                return true;
-            }
+    /** True if a body touches a rim so flatly that it slides, where bodies rest. */
+    boolean slides(OracleBody body, Wall wall) {
+        if (!(wall instanceof Arena arena) || !law.bodiesRest()) {
+            return false;
         }
-        for (int w = 0; w < walls.size() && body.mass != null; w++) {
-            if (~w != partner && OracleWallGeometry.gap(body, walls.get(w))
-                .compareTo(body.radius.multiply(NEAR.subtract(BigDecimal.ONE))) < 0) {
-                return true;
-            }
-        }
-        return false;
+        BigDecimal[] n = OracleWallGeometry.normal(body, wall);
+        BigDecimal out = Decimals.dot(n[0], n[1], body.vx, body.vy);
+        BigDecimal square = Decimals.dot(body.vx, body.vy, body.vx, body.vy);
+        BigDecimal room = Decimals.of(arena.radius()).subtract(body.radius);
+        return room.signum() > 0 && square.signum() > 0
+            && (out.abs().multiply(room).multiply(TWO).compareTo(square.multiply(CHORD)) <= 0
+            || Decimals.square(out).compareTo(square.multiply(Decimals.square(FLAT))) <= 0);
     }
 
-    /** Takes the approach, and gives the bodies the flight and the acceleration of a contact that stays closed. */
-    OracleImpact settle(OracleBody one, OracleBody other, int a, int b, BigDecimal time) {
-        whole(one);
-        if (other != null) {
-            whole(other);
-        }
-        BigDecimal pressed = along(one.ax, one.ay, other == null ? null : other.ax, other == null ? null : other.ay);
-        BigDecimal impulse = Decimals.divide(along(one.vx, one.vy, other == null ? null : other.vx,
-            other == null ? null : other.vy), inverse());
-        boolean closed = approach.multiply(TWO).add(pressed).signum() >= 0;
-        impulse = closed ? impulse : impulse.max(BigDecimal.ZERO);
-        push(impulse);
-        if (closed && pressed.signum() > 0) {
-            BigDecimal carried = Decimals.divide(pressed, inverse());
-            carry(one, carried.negate());
-            if (other != null) {
-                carry(other, carried);
-            }
-        }
-        OracleBody second = other == null ? one : other;
-        return new OracleImpact(time, a, b, impulse, one.x, one.y, second.x, second.y, one.vx, one.vy,
-            other == null ? BigDecimal.ZERO : other.vx, other == null ? BigDecimal.ZERO : other.vy);
-    }
-
-    /** Gives a body the whole acceleration of the forces, at the velocity that it now has. */
-    private void whole(OracleBody body) {
-        body.accelerate(half);
-        BigDecimal[] a = forced(body);
-        body.ax = a[0];
-        body.ay = a[1];
-        body.accelerate(half.negate());
-    }
-
-    private void push(BigDecimal impulse) {
-        p.push(impulse.negate(), normal[0], normal[1]);
-        if (q != null) {
-            q.push(impulse, normal[0], normal[1]);
-        }
-    }
-
-    private void carry(OracleBody body, BigDecimal force) {
-        BigDecimal change = force.multiply(body.inverseMass());
-        body.ax = Decimals.round(body.ax.add(change.multiply(normal[0])));
-        body.ay = Decimals.round(body.ay.add(change.multiply(normal[1])));
-    }
-
-    /** Returns a body to its flight; lifted off its support for more than a turn, by the whole force. */
+    /**
+     * Returns a body to its flight. Lifted off its support for more than a turn, it is accelerated by the whole force
+     * again and keeps its energy: of the speed u with which it is lifted (u^2 - h^2 s (1 - s))^(1/2) is left, h being
+     * the acceleration that the support has carried.
+     */
     void leave(OracleBody body, BigDecimal vx, BigDecimal vy, BigDecimal at) {
         BigDecimal[] a = forced(body);
         BigDecimal heldX = a[0].subtract(body.ax);
         BigDecimal heldY = a[1].subtract(body.ay);
-        if (TWO.multiply(Decimals.dot(heldX, heldY, vx.subtract(body.vx), vy.subtract(body.vy)))
-            .compareTo(Decimals.dot(heldX, heldY, heldX, heldY)) > 0) {
+        BigDecimal held = Decimals.dot(heldX, heldY, heldX, heldY);
+        BigDecimal lifted = Decimals.dot(heldX, heldY, vx.subtract(body.vx), vy.subtract(body.vy));
+        if (lifted.multiply(TWO).compareTo(held) > 0) {
+            BigDecimal left = Decimals.square(lifted)
+                .subtract(Decimals.square(held).multiply(QUARTER.subtract(Decimals.square(at))));
+            BigDecimal share = Decimals.divide(lifted.subtract(Decimals.root(left.max(BigDecimal.ZERO))), held);
+            body.vx = Decimals.round(body.vx.add(heldX.multiply(share)));
+            body.vy = Decimals.round(body.vy.add(heldY.multiply(share)));
             body.ax = a[0];
             body.ay = a[1];
         }
         body.accelerate(at.negate());
     }
 
-    /** Takes what the flights of the last contact still approach. @return the impulse */
-    BigDecimal stop() {
-        BigDecimal left = along(p.vx, p.vy, q == null ? null : q.vx, q == null ? null : q.vy);
+    /** Takes what the flights of two still approach. @return the impulse */
+    BigDecimal stop(List<OracleBody> bodies, int a, int b) {
+        BigDecimal left = approach(bodies, a, b, BigDecimal.ZERO);
         if (left.signum() <= 0) {
             return BigDecimal.ZERO;
         }
-        BigDecimal impulse = Decimals.divide(left, inverse());
-        push(impulse);
+        OracleBody p = bodies.get(a);
+        OracleBody q = b < 0 ? null : bodies.get(b);
+        BigDecimal impulse = Decimals.divide(left, q == null ? p.inverseMass() : p.inverseMass().add(q.inverseMass()));
+        BigDecimal[] n = normal(bodies, a, b);
+        p.push(impulse.negate(), n[0], n[1]);
+        if (q != null) {
+            q.push(impulse, n[0], n[1]);
+        }
         return impulse;
     }
 }

@@ -71,7 +71,8 @@ final class OracleTimeOfImpact {
         BigDecimal[] n = OracleWallGeometry.normal(body, plane);
         BigDecimal gap = OracleWallGeometry.gap(body, plane);
         BigDecimal closing = Decimals.dot(body.vx, body.vy, n[0], n[1]);
-        if (closing.signum() <= 0) {
+        boolean touching = gap.compareTo(Decimals.SAME.multiply(body.radius)) <= 0;
+        if (!approaches(n[0], n[1], body.vx.negate(), body.vy.negate(), touching)) {
             return null;
         }
         return gap.signum() <= 0 ? BigDecimal.ZERO : Decimals.divide(gap, closing);

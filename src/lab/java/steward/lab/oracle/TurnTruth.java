@@ -64,8 +64,8 @@ public final class TurnTruth {
     }
 
     /**
-     * Plays the turn; the bodies are not changed. If more than one contact comes to rest at a time in it, it is
-     * played on {@code exact}.
+     * Plays the turn; the bodies are not changed. If a body slides along a rim in it, it is played on {@code
+     * exact}.
      *
      * @param parts their law, walls, contacts and reaction are used; the arithmetic is not
      * @throws IllegalArgumentException if the reaction lets bodies bounce at a distance of their own
@@ -93,7 +93,7 @@ public final class TurnTruth {
             log.limited());
     }
 
-    /** The advance that stands for the truth where heaps rest. */
+    /** The advance that stands for the truth where the oracle stops. */
     public static Advance exact(PhysicsParts parts, Bodies bodies) {
         return Accuracy.event(Arithmetic.EXACT).advance(parts.withArithmetic(Arithmetic.EXACT), bodies.size());
     }

@@ -20,7 +20,7 @@ final class TradeoffFreeRun {
 
     /**
      * After how many turns each rung has diverged; one more than the bound if it never does. From the first turn on in
-     * which a heap rests, truth is {@code exact}.
+     * which the oracle stops ({@link Oracle#rested}), truth is {@code exact}.
      *
      * @param bound how many turns at most; fewer if the true turn reaches the law's limit on impacts
      */

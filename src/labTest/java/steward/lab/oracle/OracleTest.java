@@ -244,7 +244,7 @@ class OracleTest {
         return sums;
     }
 
-    /** Three in a row and a collapse of impacts: the oracle stops at the bound, or where they may rest, and says so. */
+    /** Three in a row and a collapse of impacts: the oracle stops at the bound, and says so. */
     @Test
     void aCollapseEndsAtTheBound() {
         Bodies bodies = new Bodies(3);
@@ -257,9 +257,6 @@ class OracleTest {
         Oracle oracle = new Oracle(SOFT.withRestSpeed(0).withMaximumImpacts(40), List.of());
         assertEquals(40, oracle.turn(OracleBody.of(bodies)).size());
         assertTrue(oracle.limited());
-        Oracle resting = new Oracle(SOFT, List.of());
-        assertTrue(resting.turn(OracleBody.of(bodies)).size() < 40, "until 2^-40 of the energy is left");
-        assertTrue(resting.rested(), "the law brings two contacts to rest, and the oracle knows one");
     }
 
     /** One that bounces between two others far apart keeps its share of the speed at each impact. */

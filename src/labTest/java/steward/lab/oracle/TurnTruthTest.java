@@ -10,6 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.numerics.SplitMix64;
+import steward.physics.Arena;
 import steward.physics.Arithmetic;
 import steward.physics.Bodies;
 import steward.physics.Contacts;
@@ -294,25 +295,25 @@ class TurnTruthTest {
             new Contacts(1).set(0, 0, Contacts.Meaning.ASK), List.of(), reaction, false);
     }
 
-    /** Three in a row that come to rest on each other: the oracle knows only impacts, exact stands for the truth. */
+    /** A disc along the rim of an arena, where another comes to it: the oracle does not slide, exact is the truth. */
     @Test
-    void whereAHeapRestsExactIsTheTruth() {
-        Bodies start = new Bodies(3);
-        for (int k = 0; k < 3; k++) {
-            start.add(100 * k, 0, 10, 1);
-            start.setRestitution(k, 0.05);
+    void whereABodySlidesExactIsTheTruth() {
+        Bodies start = new Bodies(2);
+        start.add(0, 90, 10, 1);
+        start.add(50, 40, 10, 1);
+        for (int k = 0; k < 2; k++) {
+            start.setRestitution(k, 0.5);
         }
-        start.setVelocity(0, 1000, 0);
-        start.setVelocity(2, -1000, 0);
+        start.setVelocity(0, 50, 0);
         PhysicsParts soft = new PhysicsParts(ImpactLaw.PHYSICS.withRestitution(ImpactLaw.Restitution.MINIMUM),
-            Arithmetic.EXACT, new Contacts(1), List.of(), null, false);
+            Arithmetic.EXACT, new Contacts(1), List.of(new Arena(0, 0, 100, 1)), null, false);
         TurnTruth truth = TurnTruth.of(start, soft);
         Bodies after = copy(start);
         TurnLog log = new TurnLog();
         new EventAdvance(soft).turn(after, log);
         assertEquals(new TurnError(0, 0, 0, 0), truth.error(after, log));
         assertFalse(truth.limited());
-        assertTrue(truth.impacts() > 2, "found " + truth.impacts());
+        assertTrue(truth.impacts() > 0, "found " + truth.impacts());
     }
 
     /** A pair that meets in time is never skipped, by however little; most pairs that are far apart are. */

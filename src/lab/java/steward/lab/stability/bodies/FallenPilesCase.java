@@ -2,6 +2,7 @@ package steward.lab.stability.bodies;
 
 import java.util.Locale;
 import steward.lab.trial.Finding;
+import steward.lab.trial.OracleTurns;
 import steward.lab.trial.Probe;
 import steward.lab.trial.Progress;
 import steward.lab.trial.RunLength;
@@ -21,6 +22,11 @@ public final class FallenPilesCase extends StabilityCase {
     private static final int AFTERWARDS = 20;
     private static final int MOST_IMPACTS = 500;
     private static final double MOST_OVERLAP = 1e-12;
+    /** Piles of up to so many discs are compared with the oracle's, in every so many turns. */
+    private static final int COMPARED = 20;
+    private static final int EVERY = 40;
+    private static final double MOST_OFF = 1e-9;
+    private static final double MOST_OFF_IN_ARENA = 0x1p-18;
     private static final double[] RESTITUTIONS = {0, 0.3, 0.6, 0.9};
     private static final double ROOM = 110;
     /** Wedges, the last a narrow one, and an arena. */
@@ -33,13 +39,17 @@ public final class FallenPilesCase extends StabilityCase {
             + "degrees, up to 20 into an arena of radius 110, gravity 2, e = 0, 0.3, 0.6, 0.9: they lie still (1e-6 u "
             + "a turn) within 600 turns, in the arena, where they swing, 4 R/a ln(3e6) later, then have at most 500 "
             + "impacts a turn, none overlap by more than 1e-12 of a radius, no turn reaches its limit, one by one and "
-            + "as a crowd are the same to the bit; on event rungs of ours");
+            + "as a crowd are the same to the bit; every 40th turn of up to 20 discs is the oracle's to 1e-9 of the "
+            + "speeds, in the arena, where a path ends on the rim to 2^-40 of the room, to 4 times its root; on event "
+            + "rungs of ours");
     }
 
     @Override
     public Finding run(Rung rung, RunLength size, Progress progress) {
         SplitMix64 random = new SplitMix64(SEED);
         int piles = size.pick(4, 8, 64);
+        OracleTurns straight = new OracleTurns();
+        OracleTurns inArena = new OracleTurns();
         int moving = 0;
         int most = 0;
         int before = 0;
@@ -53,6 +63,9 @@ public final class FallenPilesCase extends StabilityCase {
             Bodies bodies = bodies(random, count, RESTITUTIONS[(n + n / PLACES.length) % RESTITUTIONS.length], walls);
             Bodies copy = new Bodies(count);
             Falls falls = new Falls(bodies, rung, false, Falls.SOFT, 2, walls);
+            if (rung.isOurs() && count <= COMPARED) {
+                falls.comparing(round ? inArena : straight, EVERY);
+            }
             Falls crowd = new Falls(copy, rung, true, Falls.SOFT, 2, walls);
             int turns = round ? TURNS + (int) (4 * ROOM / 2 * StrictMath.log(3e6)) : TURNS;
             TurnLog log = new TurnLog();
@@ -74,10 +87,11 @@ public final class FallenPilesCase extends StabilityCase {
             moving += still < AFTERWARDS ? 1 : 0;
             overlap = Math.max(overlap, overlap(bodies, walls));
         }
-        boolean met = moving == 0 && most <= MOST_IMPACTS && limited == 0 && different == 0 && overlap <= MOST_OVERLAP;
+        boolean met = moving == 0 && most <= MOST_IMPACTS && limited == 0 && different == 0 && overlap <= MOST_OVERLAP
+            && straight.areWithin(MOST_OFF) && inArena.areWithin(MOST_OFF_IN_ARENA);
         return Finding.of(rung.isOurs(), met, String.format(Locale.ROOT, "%d piles, %d never still: at most %d impacts "
-            + "in a turn, %d at rest, %d limited, overlap %.1e of a radius, %d turns differ as a crowd", piles, moving,
-            before, most, limited, overlap, different));
+            + "in a turn, %d at rest, %d limited, overlap %.1e of a radius, %d turns differ as a crowd; %s; in the arena %s",
+            piles, moving, before, most, limited, overlap, different, straight.text(), inArena.text()));
     }
 
     private static Bodies bodies(SplitMix64 random, int count, double restitution, Wall... walls) {

@@ -1,6 +1,7 @@
 package steward.lab.stability.bodies;
 
 import java.util.List;
+import steward.lab.trial.OracleTurns;
 import steward.lab.trial.Rung;
 import steward.physics.Advance;
 import steward.physics.Bodies;
@@ -24,14 +25,26 @@ final class Falls {
     final Bodies bodies;
     private final Forces forces;
     private final Advance advance;
+    private final PhysicsParts parts;
+    /** {@code null} if no turns are compared. */
+    private OracleTurns truth;
+    private int every;
+    private int turns;
 
     /** @param gravity downwards, which is where y grows */
     Falls(Bodies bodies, Rung rung, boolean asCrowd, ImpactLaw law, double gravity, Wall... walls) {
         this.bodies = bodies;
         forces = new Forces(0, 0, 0, gravity);
-        PhysicsParts parts = new PhysicsParts(law, rung.arithmetic(), new Contacts(1), List.of(walls), null, true)
+        parts = new PhysicsParts(law, rung.arithmetic(), new Contacts(1), List.of(walls), null, true)
             .withForces(forces);
         advance = (asCrowd ? rung.crowdMaker() : rung.maker()).apply(parts);
+    }
+
+    /** Compares every so many turns with the oracle's. */
+    Falls comparing(OracleTurns with, int everyTurns) {
+        truth = with;
+        every = everyTurns;
+        return this;
     }
 
     /** A half-plane through the origin that rises to the left (1) or to the right (-1). */
@@ -54,7 +67,11 @@ final class Falls {
         for (int k = 0; k < bodies.size(); k++) {
             forces.accelerate(bodies, k, 0, 0);
         }
+        Bodies before = truth != null && turns++ % every == 0 ? bodies.copy() : null;
         advance.turn(bodies, sink);
+        if (before != null) {
+            truth.add(before, bodies, parts);
+        }
     }
 
     /** Returns how many impacts a turn has. */
