@@ -30,8 +30,8 @@ final class OracleHeap {
     private static final BigDecimal LEAST_LEFT = Decimals.of(0x1p-20);
     /** Room for rounding in the threshold by forces. */
     private static final BigDecimal ROUNDING = Decimals.of(1 + 0x1p-30);
-    /** Contacts part at this share of the speeds, so that no digit of rounding brings them together again. */
-    private static final BigDecimal PARTING = BigDecimal.ONE.movePointLeft(36);
+    /** Contacts part at this share of the speeds: which of two that are closed meets another first depends on it. */
+    private static final BigDecimal PARTING = Decimals.of(0x1p-42);
     /** A path that ends nearer to its rim than this, as a share of the room, ends there. */
     private static final BigDecimal ON_RIM = BigDecimal.ONE.movePointLeft(40);
     private static final int MOST_ROUNDS = 400;

@@ -34,7 +34,7 @@ final class OracleReaction {
         heap = new OracleHeap(this.walls, rest, contacts);
     }
 
-    /** Bodies a and b react, b being {@code ~w} for a wall. @return the impacts; none if there is nothing to react to */
+    /** Lets bodies a and b react, b being {@code ~w} for a wall. @return the impacts, if there are any */
     List<OracleImpact> react(List<OracleBody> bodies, int a, int b, BigDecimal time) {
         OracleBody p = bodies.get(a);
         OracleBody q = b < 0 ? null : bodies.get(b);

@@ -300,7 +300,7 @@ class TurnTruthTest {
     void whereABodySlidesExactIsTheTruth() {
         Bodies start = new Bodies(2);
         start.add(0, 90, 10, 1);
-        start.add(50, 40, 10, 1);
+        start.add(35, 70, 10, 1);
         for (int k = 0; k < 2; k++) {
             start.setRestitution(k, 0.5);
         }
