@@ -3,6 +3,7 @@ package steward.lab.stability.bodies;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.Locale;
+import java.util.stream.DoubleStream;
 import steward.lab.trial.Finding;
 import steward.lab.trial.OracleTurns;
 import steward.lab.trial.Progress;
@@ -18,11 +19,13 @@ public final class ColumnsCase extends StabilityCase {
     private static final long SEED = 57;
     private static final int MOST_IMPACTS = 1_000;
     private static final double MOST_OFF = 1e-9;
+    /** One column in so many has no restitution: it lies when the highest has fallen. */
+    private static final int WITHOUT = 7;
 
     public ColumnsCase() {
         super("falling columns", "columns of 2 to 5 discs, dropped from gaps of 5 to 65 turns' acceleration, equal or "
-            + "not, e = 0.5 to 0.95, gravity 0.5 to 5.5, of which the sequence of impacts in 50 digits collapses once: "
-            + "they lie still no later than that and 4 turns, no earlier than after half of it; 19 of 20 turns, of "
+            + "not, e = 0 or 0.5 to 0.95, gravity 0.5 to 5.5, of which the sequence of impacts in 50 digits collapses "
+            + "once: they lie still no later than that and 4 turns, no earlier than after half of it; 19 of 20 turns, of "
             + "every 10th, are the oracle's to 1e-9 of the speeds; on event rungs of ours");
     }
 
@@ -38,14 +41,14 @@ public final class ColumnsCase extends StabilityCase {
         for (int n = 0; n < columns; n++) {
             int count = n == 0 ? 2 : 2 + random.nextInt(4);
             double a = n == 0 ? 2 : 0.5 + 5 * random.nextDouble();
-            double e = n == 0 ? 0.8 : 0.5 + 0.45 * random.nextDouble();
+            double e = n == 0 ? 0.8 : n % WITHOUT == 0 ? 0 : 0.5 + 0.45 * random.nextDouble();
             double[] gaps = new double[count];
             double[] masses = new double[count];
             for (int k = 0; k < count; k++) {
                 gaps[k] = n == 0 ? 190 - 110 * k : (5 + 60 * random.nextDouble()) * a;
                 masses[k] = n == 0 || random.nextInt(2) == 0 ? 1 : 0.3 + 3 * random.nextDouble();
             }
-            double collapse = collapse(gaps, masses, e, a);
+            double collapse = e == 0 ? Math.sqrt(2 * DoubleStream.of(gaps).sum() / a) : collapse(gaps, masses, e, a);
             if (Double.isNaN(collapse)) {
                 continue;
             }

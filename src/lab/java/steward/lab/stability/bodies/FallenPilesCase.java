@@ -39,9 +39,9 @@ public final class FallenPilesCase extends StabilityCase {
             + "degrees, up to 20 into an arena of radius 110, gravity 2, e = 0, 0.3, 0.6, 0.9: they lie still (1e-6 u "
             + "a turn) within 600 turns, in the arena, where they swing, 4 R/a ln(3e6) later, then have at most 500 "
             + "impacts a turn, none overlap by more than 1e-12 of a radius, no turn reaches its limit, one by one and "
-            + "as a crowd are the same to the bit; of every 40th turn of up to 20 discs 19 of 20 are the oracle's to 1e-9 "
-            + "of the speeds, in the arena, where a path ends on the rim to 2^-40 of the room, to 4 times its root; on event "
-            + "rungs of ours");
+            + "as a crowd are the same to the bit; of every 40th turn of up to 20 discs 19 of 20 are the oracle's to "
+            + "1e-9 of the speeds, in the arena, where a path ends on the rim to 2^-40 of the room, to 4 times its "
+            + "root; on event rungs of ours");
     }
 
     @Override
@@ -91,7 +91,8 @@ public final class FallenPilesCase extends StabilityCase {
             && straight.areTrue() && inArena.areTrue();
         return Finding.of(rung.isOurs(), met, String.format(Locale.ROOT, "%d piles, %d never still: at most %d impacts "
             + "in a turn, %d at rest, %d limited, overlap %.1e of a radius, %d turns differ as a crowd; %s; in "
-            + "the arena %s", piles, moving, before, most, limited, overlap, different, straight.text(), inArena.text()));
+            + "the arena %s", piles, moving, before, most, limited, overlap, different, straight.text(),
+            inArena.text()));
     }
 
     private static Bodies bodies(SplitMix64 random, int count, double restitution, Wall... walls) {

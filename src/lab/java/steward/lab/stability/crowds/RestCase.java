@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import steward.lab.trial.Finding;
+import steward.lab.trial.OracleTurns;
 import steward.lab.trial.Probe;
 import steward.lab.trial.Progress;
 import steward.lab.trial.RunLength;
@@ -13,9 +14,11 @@ import steward.lab.trial.StabilityCase;
 import steward.numerics.SplitMix64;
 import steward.physics.Advance;
 import steward.physics.Bodies;
+import steward.physics.Contacts;
 import steward.physics.HalfPlane;
 import steward.physics.Impact;
 import steward.physics.ImpactLaw;
+import steward.physics.PhysicsParts;
 import steward.physics.TurnLog;
 import steward.physics.Wall;
 
@@ -29,6 +32,9 @@ public final class RestCase extends StabilityCase {
     private static final int TURNS = 40;
     private static final int MOST_IMPACTS = 500;
     private static final double STILL = 1e-9;
+    /** Piles of up to so many bodies are compared with the oracle's. */
+    private static final int COMPARED = 12;
+    private static final double MOST_OFF = 1e-9;
     /** Height of a row that lies in the gaps of the row below: half of the root of 3. */
     private static final double HEIGHT = 0.8660254037844387;
     /** Added energy, so that the growth of nothing is a number. */
@@ -41,8 +47,8 @@ public final class RestCase extends StabilityCase {
             + "gaps of 0 to 1e-1 radii and jitter, thrown once or pressed anew each turn against a wall or into a "
             + "corner: no turn has more than 500 impacts or its limit, energy never "
             + "grows (but for 1e-15 of it, by rounding), momentum is booked, one by one and as a crowd are the same to "
-            + "the bit; columns are then at rest; "
-            + "on every event rung");
+            + "the bit; columns are then at rest; the second turns of up to 12 bodies are the oracle's in 19 of 20, to "
+            + "1e-9 of the speeds, on event rungs of ours; on every event rung");
     }
 
     @Override
@@ -55,11 +61,11 @@ public final class RestCase extends StabilityCase {
         }
         boolean met = tally.most <= MOST_IMPACTS && tally.limited == 0 && tally.growth <= 1e-15
             && tally.unbooked <= 1e-12
-            && tally.different == 0 && tally.fastest <= STILL;
+            && tally.different == 0 && tally.fastest <= STILL && (tally.truth.areTrue() || !rung.isOurs());
         return Finding.of(rung.isEvent(), met, String.format(Locale.ROOT, "%d piles: at most %d impacts in a turn, %d "
             + "limited, energy grew by %.1e, momentum off by %.1e, %d turns differ as a crowd, columns keep %.1e of "
-            + "their speed", piles, tally.most, tally.limited, tally.growth, tally.unbooked, tally.different,
-            tally.fastest));
+            + "their speed; %s", piles, tally.most, tally.limited, tally.growth, tally.unbooked, tally.different,
+            tally.fastest, tally.truth.text()));
     }
 
     /** Counts over the piles of a rung. */
@@ -71,6 +77,7 @@ public final class RestCase extends StabilityCase {
         private double unbooked;
         private int different;
         private double fastest;
+        private final OracleTurns truth = new OracleTurns(MOST_OFF);
     }
 
     private static void pile(Rung rung, SplitMix64 random, Tally tally) {
@@ -86,7 +93,8 @@ public final class RestCase extends StabilityCase {
             walls.add(new HalfPlane(0, 0, 1, 0, 0));
         }
         Wall[] around = walls.toArray(new Wall[0]);
-        Advance alone = rung.advance(SOFT, around);
+        PhysicsParts parts = new PhysicsParts(SOFT, rung.arithmetic(), new Contacts(1), walls, null, false);
+        Advance alone = rung.maker().apply(parts);
         Advance crowd = rung.crowdAdvance(SOFT, around);
         Bodies copy = new Bodies(count);
         double speed = speed(bodies);
@@ -94,7 +102,11 @@ public final class RestCase extends StabilityCase {
             if (pressed && turn > 0) {
                 press(bodies, speed, corner);
             }
+            Bodies before = turn == 1 && rung.isOurs() && count <= COMPARED ? bodies.copy() : null;
             play(alone, crowd, bodies, copy, tally);
+            if (before != null) {
+                tally.truth.add(before, bodies, parts);
+            }
         }
         if (shape == Shape.COLUMN && !(pressed && corner)) {
             tally.fastest = Math.max(tally.fastest, speed(bodies) / speed);
