@@ -87,15 +87,15 @@ public final class MeasuredTable<R> implements AutoCloseable {
     }
 
     /**
-     * Writes page and pictures; nothing if there are no rows.
+     * Writes pictures; nothing if there are no rows.
      *
      * @return {@code null}, or why there is no picture: some installations of Java come without fonts
      * @throws UncheckedIOException if a file cannot be written
      */
-    public String finish(Writing page) {
+    public String finish(Writing pictures) {
         try {
             if (!rows.isEmpty()) {
-                writing(page);
+                writing(pictures);
             }
             return null;
         } catch (UncheckedIOException problem) {

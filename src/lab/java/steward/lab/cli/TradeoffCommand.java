@@ -56,7 +56,7 @@ public final class TradeoffCommand extends ProgramCommand {
     private Long jvms;
 
     @Option(names = "--out", paramLabel = "DIR", description = "Writes " + TradeoffReport.CSV + " and "
-        + TradeoffReport.JSON + " into a folder, scene by scene, and in the end pictures and a page that shows them.")
+        + TradeoffReport.JSON + " into a folder, scene by scene, and in the end pictures.")
     private String out;
 
     @Option(names = "--json", description = "Prints one JSON object in place of the table, as --out writes it.")

@@ -35,6 +35,11 @@ public record TradeoffRow(String scene, String rung, int states, long impacts, i
     /** The rung that the others' cost is compared with. */
     public static final String DEFAULT_RUNG = "event/double";
 
+    /** The rung without its way: {@code double} of {@code event/double}. */
+    public String shortName() {
+        return rung.replace("event/", "");
+    }
+
     /**
      * Cost of a turn. A JVM's time is the median of its rounds; there is none over JVMs, whose compilers settle in
      * different states: the middle one stands for them, beside the range.

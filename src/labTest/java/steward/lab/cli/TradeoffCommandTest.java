@@ -55,8 +55,6 @@ class TradeoffCommandTest {
         assertTrue(cli.out().lines().allMatch(line -> line.length() <= 120), cli.out());
         assertTrue(cli.out().endsWith("--quick: few states, and one JVM a rung. These figures may not be quoted.\n"),
             cli.out());
-        assertTrue(Files.readString(out.resolve("tradeoff.md")).contains("\nMeasured with --quick: few states, one JVM "
-            + "a rung. These figures may not be quoted.\n"), "the page");
         assertTrue(cli.err().contains("1 of 1: duel"), "progress: " + cli.err());
         for (String name : TradeoffReport.ALL) {
             assertTrue(Files.size(out.resolve(name)) > 0, name);

@@ -187,9 +187,10 @@ class TradeoffTest {
     @Test
     @Tag("slow")
     void theLastFilesShowThePlot() throws IOException {
+        List<TradeoffRow> rows = new ArrayList<>(ladder("official-race"));
+        rows.addAll(ladder("grazing"));
         try (TradeoffReport files = new TradeoffReport(folder, "a machine", "2030-01-02")) {
-            files.add(ladder("official-race"));
-            files.add(ladder("grazing"));
+            files.add(rows);
             files.finish();
         }
         BufferedImage picture = ImageIO.read(folder.resolve("tradeoff.png").toFile());
@@ -198,7 +199,7 @@ class TradeoffTest {
         assertEquals(1000, all.getWidth());
         assertTrue(all.getHeight() > picture.getHeight() + 700, "a panel more");
         assertTrue(Files.readString(folder.resolve("tradeoff-scenes.svg")).contains("<svg"), "a drawing");
-        String page = Files.readString(folder.resolve("tradeoff.md"));
+        String page = TradeoffPage.text(new TradeoffResult("a machine", "2030-01-02", rows));
         assertTrue(page.contains("on 2030-01-02: a machine."), page);
         assertTrue(page.contains(" srcset=\"tradeoff-scenes-dark.png\"><img alt=\"Error against cost, a panel a scene"
             + "\" src=\"tradeoff-scenes.png\"></picture>\n"), page);

@@ -101,7 +101,7 @@ final class TradeoffPanel {
         for (TradeoffRow row : rows.stream().filter(row -> !isStep(row)).sorted(Comparator.comparingDouble(
                 TradeoffPanel::error).reversed().thenComparing(TradeoffPanel::cost, Comparator.reverseOrder()))
                 .toList()) {
-            String name = TradeoffAdvice.shortName(row) + (row == chosen ? ", chosen" : "");
+            String name = row.shortName() + (row == chosen ? ", chosen" : "");
             line("leader " + row.rung(), cost(row), error(row), axes.at(NAMES_AT - HALF_LETTER * (1 + name.length())),
                 y, colours.faint()).setLineStyle(new BasicStroke(THIN));
             chart.addAnnotation(new AnnotationText(name, axes.at(NAMES_AT), y, false));

@@ -6,6 +6,7 @@ import java.awt.Graphics2D;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import steward.lab.chart.ChartColours;
 import steward.lab.chart.ChartFiles;
 import steward.lab.chart.Drawing;
@@ -78,7 +79,7 @@ record TradeoffPlot(TradeoffResult result, List<String> scenes) implements Drawi
     private List<String> title(String scene) {
         TradeoffRow usual = result.row(scene, TradeoffRow.DEFAULT_RUNG);
         return lines(scene + (usual == null ? "" : ": a turn of double takes "
-            + TradeoffPage.time(usual.cost().nanosPerTurn())), BOLD);
+            + time(usual.cost().nanosPerTurn())), BOLD);
     }
 
     private static List<String> lines(String text, Font font) {
@@ -110,5 +111,16 @@ record TradeoffPlot(TradeoffResult result, List<String> scenes) implements Drawi
             pen.drawString(line, MARGIN, y);
         }
         return y;
+    }
+
+    /** With three digits or more. */
+    static String time(double nanos) {
+        return Double.isNaN(nanos) ? "-" : nanos < 100 ? fixed("%.1f ns", nanos) : nanos < 1e4 ? fixed("%.0f ns", nanos)
+            : nanos < 1e5 ? fixed("%.1f us", nanos / 1e3) : nanos < 1e7 ? fixed("%.0f us", nanos / 1e3)
+            : fixed("%.1f ms", nanos / 1e6);
+    }
+
+    private static String fixed(String format, double value) {
+        return String.format(Locale.ROOT, format, value);
     }
 }

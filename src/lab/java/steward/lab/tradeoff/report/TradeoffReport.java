@@ -1,7 +1,6 @@
 package steward.lab.tradeoff.report;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -12,18 +11,16 @@ import steward.lab.tradeoff.TradeoffResult;
 import steward.lab.tradeoff.TradeoffRow;
 import tools.jackson.core.JsonGenerator;
 
-/** The trade-off in files, the rows of a scene together. The pictures and the page that shows them come last. */
+/** The trade-off in files, the rows of a scene together. The pictures come last. */
 public final class TradeoffReport implements AutoCloseable {
 
     /** Name of the table for spreadsheets. */
     public static final String CSV = "tradeoff.csv";
     /** Name of the table for programs. */
     public static final String JSON = "tradeoff.json";
-    /** Name of the page that shows the plot. */
-    public static final String PAGE = "tradeoff.md";
     /** All files that a run writes. */
     public static final List<String> ALL = List.of(CSV, JSON, TradeoffPlot.SVG, TradeoffPlot.DARK_SVG,
-        TradeoffPlot.PNG, TradeoffPlot.DARK_PNG, TradeoffPlot.ALL_PNG, TradeoffPlot.ALL_DARK_PNG, PAGE);
+        TradeoffPlot.PNG, TradeoffPlot.DARK_PNG, TradeoffPlot.ALL_PNG, TradeoffPlot.ALL_DARK_PNG);
 
     private static final List<Column<TradeoffRow>> COLUMNS = List.of(
         new Column<>("scene", TradeoffRow::scene),
@@ -84,13 +81,10 @@ public final class TradeoffReport implements AutoCloseable {
         table.add(more);
     }
 
-    /** Writes the page and the plot, see {@link MeasuredTable#finish}. */
+    /** Writes the plot, see {@link MeasuredTable#finish}. */
     public String finish() {
         TradeoffResult result = new TradeoffResult(machine, date, table.rows());
-        return table.finish(() -> {
-            Files.writeString(folder.resolve(PAGE), TradeoffPage.text(result));
-            TradeoffPlot.write(result, folder);
-        });
+        return table.finish(() -> TradeoffPlot.write(result, folder));
     }
 
     /** Writes the fields of the result's object. */

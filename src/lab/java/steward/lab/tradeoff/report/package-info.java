@@ -1,2 +1,2 @@
-/** The measured trade-off as CSV, JSON, plot and page. */
+/** The measured trade-off as CSV, JSON, and plot. */
 package steward.lab.tradeoff.report;

@@ -40,8 +40,8 @@ record TradeoffAdvice(TradeoffResult result) {
             String kind = KINDS.getOrDefault(scene, scene);
             out.append(String.format(Locale.ROOT, "| [%s](#%s) | ", kind, anchor(scene)));
             out.append(row == null ? "none | | | | | " : String.format(Locale.ROOT,
-                "`%s` | %d of %,d | %s u | %s | %s | ", shortName(row), row.missed() + row.invented(), row.impacts(),
-                TradeoffPage.power(row.most99()), range(row), TradeoffPage.time(row.cost().nanosPerTurn())));
+                "`%s` | %d of %,d | %s u | %s | %s | ", row.shortName(), row.missed() + row.invented(), row.impacts(),
+                TradeoffPage.power(row.most99()), range(row), TradeoffPlot.time(row.cost().nanosPerTurn())));
             out.append("`steward tradeoff --quick --scene ").append(KINDS.containsKey(scene) ? scene + " --scene " : "")
                 .append("my-scene.json` |\n");
         }
@@ -51,10 +51,6 @@ record TradeoffAdvice(TradeoffResult result) {
     /** The name of a heading, as code hosts make it. */
     static String anchor(String scene) {
         return scene.toLowerCase(Locale.ROOT).replaceAll("[^\\p{L}\\p{N} _-]", "").replace(' ', '-');
-    }
-
-    static String shortName(TradeoffRow row) {
-        return row.rung().replace("event/", "");
     }
 
     /** The range of a ratio over JVMs; one number if it is none with two digits. */
@@ -181,7 +177,7 @@ record TradeoffAdvice(TradeoffResult result) {
                 + "and a rung that does more may for once cost less. Over %d JVMs the widest range of a rung that "
                 + "costs at least a tenth of `double` is that of `%s` on %s, from %.2f to %.2f times `double`. Measure "
                 + "on your machine before you count on less.",
-                widest.jvms(), shortName(widest), widest.scene(), widest.ratioLow(), widest.ratioHigh()));
+                widest.jvms(), widest.shortName(), widest.scene(), widest.ratioLow(), widest.ratioHigh()));
         }
     }
 

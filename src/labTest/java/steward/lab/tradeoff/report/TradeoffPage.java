@@ -78,8 +78,9 @@ public final class TradeoffPage {
         out.append("|---|").append("---:|".repeat(rounds ? 14 : 13)).append('\n');
         for (TradeoffRow row : rows) {
             out.append(String.join(" | ", "| " + row.rung() + (row.onFront() ? " *" : ""),
-                time(row.cost().nanosPerTurn()), time(row.cost().low()) + " - " + time(row.cost().high()),
-                time(row.cost().nanosPerImpact()),
+                TradeoffPlot.time(row.cost().nanosPerTurn()),
+                TradeoffPlot.time(row.cost().low()) + " - " + TradeoffPlot.time(row.cost().high()),
+                TradeoffPlot.time(row.cost().nanosPerImpact()),
                 number("%.0f", row.cost().bytesPerTurn()), number("%.2f", row.costRatio()),
                 TradeoffAdvice.range(row), power(row.median()),
                 power(row.most99()), power(row.worst()), Long.toString(row.missed()), Long.toString(row.invented()),
@@ -91,14 +92,6 @@ public final class TradeoffPage {
 
     private static String number(String format, double value) {
         return Double.isNaN(value) ? "-" : String.format(Locale.ROOT, format, value);
-    }
-
-    /** With three digits or more. */
-    static String time(double nanos) {
-        return Double.isNaN(nanos) ? "-" : nanos < 100 ? number("%.1f ns", nanos)
-            : nanos < 1e4 ? number("%.0f ns", nanos)
-            : nanos < 1e5 ? number("%.1f us", nanos / 1e3) : nanos < 1e7 ? number("%.0f us", nanos / 1e3)
-            : number("%.1f ms", nanos / 1e6);
     }
 
     static String plain(double value) {
