@@ -35,11 +35,6 @@ public final class CsvRow {
         return FORMULA.matcher(cell).matches() && !NUMBER.matcher(cell).matches() ? "'" + cell : cell;
     }
 
-    /** Returns the text of a cell as it was before {@link #words} or {@link #text} put an apostrophe before it. */
-    public static String unshielded(String cell) {
-        return cell.startsWith("'") && FORMULA.matcher(cell).matches() ? cell.substring(1) : cell;
-    }
-
     private void put(String written) {
         line.append(begun ? "," : "").append(written);
         begun = true;

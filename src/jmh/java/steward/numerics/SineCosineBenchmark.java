@@ -40,7 +40,6 @@ public class SineCosineBenchmark {
     private final double[] angles = new double[ANGLES];
     private final SineCosine rounded = new SineCosine();
     private final SineCosine bySeries = new SineCosine(Double.POSITIVE_INFINITY);
-    private final StrictAngles strict = new StrictAngles();
 
     @Setup
     public void fill() {
@@ -74,29 +73,6 @@ public class SineCosineBenchmark {
         for (double angle : angles) {
             rounded.turn(angle + before * NOTHING);
             before = rounded.cos() + rounded.sin();
-        }
-        return before;
-    }
-
-    /** {@link StrictAngles}: the bits of {@code StrictMath}. */
-    @Benchmark
-    @OperationsPerInvocation(ANGLES)
-    public double strict() {
-        double sum = 0;
-        for (double angle : angles) {
-            strict.turn(angle);
-            sum += strict.cos() + strict.sin();
-        }
-        return sum;
-    }
-
-    @Benchmark
-    @OperationsPerInvocation(ANGLES)
-    public double strictInTurn() {
-        double before = 0;
-        for (double angle : angles) {
-            strict.turn(angle + before * NOTHING);
-            before = strict.cos() + strict.sin();
         }
         return before;
     }

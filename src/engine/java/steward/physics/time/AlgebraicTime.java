@@ -1,6 +1,6 @@
 package steward.physics.time;
 
-import steward.numerics.Dyadic;
+import java.math.BigDecimal;
 import steward.physics.Arena;
 import steward.physics.HalfPlane;
 import steward.physics.Segment;
@@ -20,38 +20,42 @@ import steward.physics.Wall;
  */
 
 /** Exact time of an impact, a number of degree two: equality and order without rounding. Allocates. */
-record AlgebraicTime(Dyadic p, Dyadic q, Dyadic r, Dyadic s) implements Comparable<AlgebraicTime> {
+record AlgebraicTime(BigDecimal p, BigDecimal q, BigDecimal r, BigDecimal s) implements Comparable<AlgebraicTime> {
 
-    private static final Dyadic ONE = Dyadic.of(1);
+    private static BigDecimal difference(double from, double what) {
+        return new BigDecimal(from).subtract(new BigDecimal(what));
+    }
 
     /** The sum of two doubles. */
     static AlgebraicTime of(double high, double low) {
-        return new AlgebraicTime(Dyadic.of(high).plus(Dyadic.of(low)), Dyadic.ZERO, Dyadic.ZERO, ONE);
+        return new AlgebraicTime(new BigDecimal(high).add(new BigDecimal(low)), BigDecimal.ZERO, BigDecimal.ZERO,
+            BigDecimal.ONE);
     }
 
     /** This much later. */
     AlgebraicTime plus(double high, double low) {
-        return new AlgebraicTime(p.plus(Dyadic.of(high).plus(Dyadic.of(low)).times(s)), q, r, s);
+        return new AlgebraicTime(p.add(new BigDecimal(high).add(new BigDecimal(low)).multiply(s)), q, r, s);
     }
 
     /** Two circles that approach, meet and do not touch yet: the time until they touch. */
     static AlgebraicTime ofPair(double x1, double x2, double y1, double y2, double vx1, double vx2, double vy1,
                                 double vy2, double r1, double r2) {
-        return root(Dyadic.difference(x1, x2), Dyadic.difference(y1, y2), Dyadic.difference(vx1, vx2),
-            Dyadic.difference(vy1, vy2), Dyadic.difference(r1, -r2), false);
+        return root(difference(x1, x2), difference(y1, y2), difference(vx1, vx2),
+            difference(vy1, vy2), difference(r1, -r2), false);
     }
 
     /** The time until |d + v t| = s; {@code null} for an earlier root that is not reached. */
-    private static AlgebraicTime root(Dyadic dx, Dyadic dy, Dyadic vx, Dyadic vy, Dyadic s, boolean later) {
-        Dyadic a = vx.square().plus(vy.square());
-        Dyadic b = dx.times(vx).plus(dy.times(vy));
-        Dyadic c = dx.square().plus(dy.square()).minus(s.square());
-        Dyadic discriminant = b.square().minus(a.times(c));
+    private static AlgebraicTime root(BigDecimal dx, BigDecimal dy, BigDecimal vx, BigDecimal vy, BigDecimal s,
+                                      boolean later) {
+        BigDecimal a = vx.pow(2).add(vy.pow(2));
+        BigDecimal b = dx.multiply(vx).add(dy.multiply(vy));
+        BigDecimal c = dx.pow(2).add(dy.pow(2)).subtract(s.pow(2));
+        BigDecimal discriminant = b.pow(2).subtract(a.multiply(c));
         if (discriminant.signum() <= 0) {
-            return later ? new AlgebraicTime(b.negate(), Dyadic.ZERO, Dyadic.ZERO, a) : null;
+            return later ? new AlgebraicTime(b.negate(), BigDecimal.ZERO, BigDecimal.ZERO, a) : null;
         }
         return later || b.signum() < 0
-            ? new AlgebraicTime(b.negate(), later ? ONE : ONE.negate(), discriminant, a) : null;
+            ? new AlgebraicTime(b.negate(), later ? BigDecimal.ONE : BigDecimal.ONE.negate(), discriminant, a) : null;
     }
 
     /** A circle that approaches a wall, hits it and does not touch it yet: the time until it does. */
@@ -60,78 +64,78 @@ record AlgebraicTime(Dyadic p, Dyadic q, Dyadic r, Dyadic s) implements Comparab
             return ofPlane(plane, x, y, vx, vy, radius);
         }
         if (wall instanceof Arena arena) {
-            return root(Dyadic.difference(x, arena.x()), Dyadic.difference(y, arena.y()), Dyadic.of(vx), Dyadic.of(vy),
-                radius <= arena.radius() ? Dyadic.difference(arena.radius(), radius) : Dyadic.ZERO, true);
+            return root(difference(x, arena.x()), difference(y, arena.y()), new BigDecimal(vx), new BigDecimal(vy),
+                radius <= arena.radius() ? difference(arena.radius(), radius) : BigDecimal.ZERO, true);
         }
         return ofSegment((Segment) wall, x, y, vx, vy, radius);
     }
 
     private static AlgebraicTime ofPlane(HalfPlane plane, double x, double y, double vx, double vy, double radius) {
-        Dyadic insideX = Dyadic.of(plane.insideX());
-        Dyadic insideY = Dyadic.of(plane.insideY());
-        Dyadic gap = Dyadic.difference(x, plane.x()).times(insideX).plus(Dyadic.difference(y, plane.y()).times(insideY))
-            .minus(Dyadic.of(radius));
-        Dyadic closing = Dyadic.of(vx).times(insideX).plus(Dyadic.of(vy).times(insideY)).negate();
-        return new AlgebraicTime(gap, Dyadic.ZERO, Dyadic.ZERO, closing);
+        BigDecimal insideX = new BigDecimal(plane.insideX());
+        BigDecimal insideY = new BigDecimal(plane.insideY());
+        BigDecimal gap = difference(x, plane.x()).multiply(insideX).add(difference(y, plane.y()).multiply(insideY))
+            .subtract(new BigDecimal(radius));
+        BigDecimal closing = new BigDecimal(vx).multiply(insideX).add(new BigDecimal(vy).multiply(insideY)).negate();
+        return new AlgebraicTime(gap, BigDecimal.ZERO, BigDecimal.ZERO, closing);
     }
 
     /** The flat side if its foot is between the ends then; otherwise the end that is hit first. */
     private static AlgebraicTime ofSegment(Segment segment, double x, double y, double vx, double vy, double radius) {
-        Dyadic bx = Dyadic.difference(segment.bx(), segment.ax());
-        Dyadic by = Dyadic.difference(segment.by(), segment.ay());
-        Dyadic px = Dyadic.difference(x, segment.ax());
-        Dyadic py = Dyadic.difference(y, segment.ay());
-        Dyadic vX = Dyadic.of(vx);
-        Dyadic vY = Dyadic.of(vy);
-        Dyadic r = Dyadic.of(radius);
-        Dyadic cross = bx.times(py).minus(by.times(px));
-        Dyadic closing = bx.times(vY).minus(by.times(vX));
+        BigDecimal bx = difference(segment.bx(), segment.ax());
+        BigDecimal by = difference(segment.by(), segment.ay());
+        BigDecimal px = difference(x, segment.ax());
+        BigDecimal py = difference(y, segment.ay());
+        BigDecimal vX = new BigDecimal(vx);
+        BigDecimal vY = new BigDecimal(vy);
+        BigDecimal r = new BigDecimal(radius);
+        BigDecimal cross = bx.multiply(py).subtract(by.multiply(px));
+        BigDecimal closing = bx.multiply(vY).subtract(by.multiply(vX));
         if (cross.signum() >= 0) {
             closing = closing.negate();
         } else {
             cross = cross.negate();
         }
-        Dyadic squared = bx.square().plus(by.square());
+        BigDecimal squared = bx.pow(2).add(by.pow(2));
         if (closing.signum() > 0) {
-            Dyadic along = bx.times(vX).plus(by.times(vY));
-            Dyadic foot = bx.times(px).plus(by.times(py)).times(closing).plus(along.times(cross));
-            Dyadic root = along.times(r).negate();
-            if (sign(foot, root, squared) >= 0 && sign(foot.minus(squared.times(closing)), root, squared) <= 0) {
+            BigDecimal along = bx.multiply(vX).add(by.multiply(vY));
+            BigDecimal foot = bx.multiply(px).add(by.multiply(py)).multiply(closing).add(along.multiply(cross));
+            BigDecimal root = along.multiply(r).negate();
+            if (sign(foot, root, squared) >= 0 && sign(foot.subtract(squared.multiply(closing)), root, squared) <= 0) {
                 return new AlgebraicTime(cross, r.negate(), squared, closing);
             }
         }
         AlgebraicTime first = root(px, py, vX, vY, r, false);
-        AlgebraicTime second = root(px.minus(bx), py.minus(by), vX, vY, r, false);
+        AlgebraicTime second = root(px.subtract(bx), py.subtract(by), vX, vY, r, false);
         return second == null || first != null && first.compareTo(second) <= 0 ? first : second;
     }
 
     @Override
     public int compareTo(AlgebraicTime other) {
-        return sign(p.times(other.s).minus(other.p.times(s)), q.times(other.s), r,
-            other.q.times(s).negate(), other.r);
+        return sign(p.multiply(other.s).subtract(other.p.multiply(s)), q.multiply(other.s), r,
+            other.q.multiply(s).negate(), other.r);
     }
 
     /** The sign of a + b sqrt x. */
-    private static int sign(Dyadic a, Dyadic b, Dyadic x) {
+    private static int sign(BigDecimal a, BigDecimal b, BigDecimal x) {
         int signA = a.signum();
         int signB = b.signum() * x.signum();
         return signA == 0 || signA == signB ? signB
-            : signB == 0 ? signA : signA * a.square().minus(b.square().times(x)).signum();
+            : signB == 0 ? signA : signA * a.pow(2).subtract(b.pow(2).multiply(x)).signum();
     }
 
     /** The sign of a + b sqrt x + c sqrt y. */
-    private static int sign(Dyadic a, Dyadic b, Dyadic x, Dyadic c, Dyadic y) {
-        Dyadic bb = b.square().times(x);
-        Dyadic cc = c.square().times(y);
+    private static int sign(BigDecimal a, BigDecimal b, BigDecimal x, BigDecimal c, BigDecimal y) {
+        BigDecimal bb = b.pow(2).multiply(x);
+        BigDecimal cc = c.pow(2).multiply(y);
         if (bb.signum() == 0 || cc.signum() == 0) {
             return bb.signum() == 0 ? sign(a, c, y) : sign(a, b, x);
         }
-        int roots = b.signum() == c.signum() ? b.signum() : b.signum() * bb.minus(cc).signum();
+        int roots = b.signum() == c.signum() ? b.signum() : b.signum() * bb.subtract(cc).signum();
         if (roots == 0 || a.signum() == 0 || a.signum() == roots) {
             return roots == 0 ? a.signum() : roots;
         }
-        Dyadic twice = b.times(c).times(Dyadic.of(-2));
-        return a.signum() * sign(a.square().minus(bb).minus(cc), twice, x.times(y));
+        BigDecimal twice = b.multiply(c).multiply(new BigDecimal(-2));
+        return a.signum() * sign(a.pow(2).subtract(bb).subtract(cc), twice, x.multiply(y));
     }
 
     @Override

@@ -14,9 +14,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import javax.imageio.ImageIO;
-import org.knowm.xchart.ChartEncoder;
-import org.knowm.xchart.XYChart;
-import org.knowm.xchart.XYChartBuilder;
 import org.knowm.xchart.style.AxesChartStyler;
 
 /** Pictures in files, for light and for dark pages, and their text in lines that fit. */
@@ -56,23 +53,6 @@ public final class ChartFiles {
         pen.dispose();
         try (OutputStream out = new BufferedOutputStream(Files.newOutputStream(file))) {
             ImageIO.write(image, "png", out);
-        }
-    }
-
-    /**
-     * Writes a drawing in lines, replacing an older one: as one chart of XChart, whose own encoder writes it.
-     *
-     * @throws IOException if it cannot be written
-     */
-    public static void svg(Drawing drawing, ChartColours colours, Path file) throws IOException {
-        XYChart all = new XYChart(new XYChartBuilder().width(drawing.width()).height(drawing.height())) {
-            @Override
-            public void paint(Graphics2D pen, int width, int height) {
-                ChartFiles.paint(drawing, colours, pen);
-            }
-        };
-        try (OutputStream out = new BufferedOutputStream(Files.newOutputStream(file))) {
-            ChartEncoder.saveChart(all, out, "svg");
         }
     }
 

@@ -33,7 +33,7 @@ import steward.text.Utf8Text;
     footer = {"",
         "A game that the league has already is passed over. All of them are checked",
         "before the first is stored.",
-        "", "Example:", "  steward league import night games.csv"})
+        "", "Example:", "  steward league import night games.jsonl"})
 final class ImportGamesCommand extends ProgramCommand {
 
     private static final int TOGETHER = 10_000;
@@ -41,8 +41,7 @@ final class ImportGamesCommand extends ProgramCommand {
     @Mixin
     private final LeagueArgument league = new LeagueArgument();
 
-    @Parameters(index = "1", paramLabel = "FILE", description = "The games; a name that ends in .csv means CSV, any "
-        + "other JSON Lines.")
+    @Parameters(index = "1", paramLabel = "FILE", description = "The games, in JSON Lines.")
     private String file;
 
     @Override
@@ -73,11 +72,7 @@ final class ImportGamesCommand extends ProgramCommand {
 
     private static void read(Path path, GameFile.Taker taker) {
         try (BufferedReader in = Files.newBufferedReader(path, StandardCharsets.UTF_8)) {
-            if (path.toString().endsWith(".csv")) {
-                GameFile.readCsv(in, path.toString(), taker);
-            } else {
-                GameFile.readJson(in, path.toString(), taker);
-            }
+            GameFile.readJson(in, path.toString(), taker);
         } catch (CharacterCodingException problem) {
             throw new InputException(place(path));
         } catch (IOException problem) {

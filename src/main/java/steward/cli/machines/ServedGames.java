@@ -15,28 +15,69 @@ import steward.league.Season;
 import steward.league.StoredGame;
 import steward.league.page.WorkerRow;
 import steward.league.play.LeagueRun;
+import steward.league.play.Roster.Member;
 import steward.machines.check.WorkerBook;
-import steward.machines.serve.ForwardedGames;
 import steward.machines.serve.RemoteGames;
 import steward.machines.serve.WorkerSeen;
 
 /** Workers of a run, and what is shown of them. */
-final class ServedGames extends ForwardedGames implements Serving.Service {
+final class ServedGames implements Serving.Service {
 
+    private final RemoteGames games;
     private final Consumer<String> teller;
     private volatile WorkerBook book = new WorkerBook(Integer::toString);
 
     ServedGames(LeagueFolder folder, Season season, Contest contest, LeagueSettings settings,
                 RemoteGames.Service service, Consumer<String> teller) {
-        super(new RemoteGames(folder, season, contest, settings, Games.types(), service, teller));
+        games = new RemoteGames(folder, season, contest, settings, Games.types(), service, teller);
         this.teller = teller;
         teller.accept("workers can join at " + service.address().getHostString() + ":" + service.address().getPort());
     }
 
     @Override
+    public int takePlace(long waitMs) throws InterruptedException {
+        return games.takePlace(waitMs);
+    }
+
+    @Override
+    public void leavePlace() {
+        games.leavePlace();
+    }
+
+    @Override
+    public List<List<StoredGame>> play(List<Game> together) throws InterruptedException {
+        return games.play(together);
+    }
+
+    @Override
+    public void hurry() {
+        games.hurry();
+    }
+
+    @Override
+    public boolean canPlay(List<Member> members) {
+        return games.canPlay(members);
+    }
+
+    @Override
+    public boolean isAway() {
+        return games.isAway();
+    }
+
+    @Override
+    public String obstacle(List<Member> members) {
+        return games.obstacle(members);
+    }
+
+    @Override
+    public boolean isTrusted(String machine) {
+        return games.isTrusted(machine);
+    }
+
+    @Override
     public void follow(LeagueRun run, Supplier<WorkerBook> read, Runnable changed) throws InterruptedException {
         book = read.get();
-        games().onCaught((fate, machine, why) -> {
+        games.onCaught((fate, machine, why) -> {
             int count = switch (fate) {
                 case ASIDE -> run.setAside(machine, why);
                 case SUSPENDED -> run.suspend(machine, why);
@@ -50,21 +91,21 @@ final class ServedGames extends ForwardedGames implements Serving.Service {
 
     @Override
     public void stored(StoredGame game) {
-        games().stored(game);
+        games.stored(game);
         book.add(game).forEach(doubt ->
             teller.accept("worker " + WorkerBook.worker(game.machine()) + " is doubtful: " + doubt));
     }
 
     @Override
     public int waiting() {
-        return games().waiting();
+        return games.waiting();
     }
 
     @Override
     public List<WorkerRow> workers() {
         Map<String, WorkerBook.Line> lines = book.lines().stream()
             .collect(Collectors.toMap(WorkerBook.Line::name, line -> line));
-        return games().seen().stream().map(worker -> row(worker, lines.getOrDefault(worker.name(),
+        return games.seen().stream().map(worker -> row(worker, lines.getOrDefault(worker.name(),
             new WorkerBook.Line(worker.name(), 0, 0, false, 0, 0, List.of())))).toList();
     }
 
@@ -78,6 +119,6 @@ final class ServedGames extends ForwardedGames implements Serving.Service {
 
     @Override
     public void close() {
-        games().close();
+        games.close();
     }
 }

@@ -35,9 +35,6 @@ public final class GameLine {
     /** The fields of a seat. */
     public static final List<String> SEAT = List.of("bot", "number", "identity", "command", "random", "rank", "score",
         "fault", "answers", "meanNanos", "worstNanos", "firstNanos", GameLine.VALUES, OwnLimits.FIELD);
-    /** Fields that games exported by earlier versions do not have. */
-    public static final List<String> OPTIONAL = List.of(GameLine.TRANSCRIPT, GameLine.VALUES,
-        OwnLimits.FIELD);
 
     private static final Predicate<String> IDENTITY = Pattern.compile("[0-9a-f]{1,64}").asMatchPredicate();
     /** Characters of a command or a machine at most. */

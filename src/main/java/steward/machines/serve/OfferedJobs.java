@@ -49,8 +49,6 @@ final class OfferedJobs {
     private volatile boolean closed;
 
     /** Guarded by this. */
-    private long jobs;
-    private long games;
 
     /** Time for which a worker may keep a job. */
     interface Patience {
@@ -91,11 +89,6 @@ final class OfferedJobs {
             .mapToInt(each -> each.getValue().games()).sum();
     }
 
-    /** Returns how many have gone together, on average; 1 if none have. */
-    synchronized double perJob() {
-        return jobs == 0 ? 1 : (double) games / jobs;
-    }
-
     /**
      * Offers games, as many as fit into a message.
      *
@@ -113,10 +106,6 @@ final class OfferedJobs {
             GameJob.Game game = wanted.get(asked.size());
             size += game.seats().stream().filter(bots::add).mapToInt(OfferedJobs::size).sum();
             asked.add(game);
-        }
-        synchronized (this) {
-            jobs++;
-            games += asked.size();
         }
         Offer offer = new Offer(bots.stream().map(GameJob.Seat::bundle).collect(Collectors.toSet()),
             asked.size(), new CompletableFuture<>());

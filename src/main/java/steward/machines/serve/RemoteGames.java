@@ -209,11 +209,6 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
         return offered.waiting();
     }
 
-    /** Returns how many games have gone together, on average. */
-    public double perJob() {
-        return offered.perJob();
-    }
-
     @Override
     public List<List<StoredGame>> play(List<Game> games) throws InterruptedException {
         if (unusable != null) {

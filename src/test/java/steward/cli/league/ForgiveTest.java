@@ -91,9 +91,9 @@ class ForgiveTest {
         assertTrue(games("--forgiven").endsWith(2 * failed + " games\n"), games("--forgiven"));
         assertEquals("Every row can be used: " + (8 + 2 * failed) + " games\n", done("verify", "TMP/a"));
 
-        done("export", "TMP/a", "--out", "TMP/games.csv");
+        done("export", "TMP/a", "--out", "TMP/games.jsonl");
         done("init", "TMP/b", "--scene", "TMP/short.json");
-        assertEquals(8 + 2 * failed + " games stored\n", done("import", "TMP/b", "TMP/games.csv"));
+        assertEquals(8 + 2 * failed + " games stored\n", done("import", "TMP/b", "TMP/games.jsonl"));
         assertEquals(List.of(done("table", "TMP/a").lines().findFirst()),
             List.of(done("table", "TMP/b").lines().findFirst()));
     }

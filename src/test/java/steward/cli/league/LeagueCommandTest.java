@@ -79,14 +79,11 @@ class LeagueCommandTest {
     void gamesThatAreExportedAndImportedMakeTheSameTable() throws IOException {
         generated("a", 300);
         String table = done("table", "TMP/a", "--json");
-        for (String form : new String[] {"csv", "jsonl"}) {
-            done("export", "TMP/a", "--out", "TMP/games." + form);
-            done("init", "TMP/" + form, "--scene", "duel");
-            assertEquals("300 games stored\n", done("import", "TMP/" + form, "TMP/games." + form));
-            assertEquals("0 games stored, 300 were there already\n",
-                done("import", "TMP/" + form, "TMP/games." + form));
-            assertEquals(rounded(table), rounded(done("table", "TMP/" + form, "--json")));
-        }
+        done("export", "TMP/a", "--out", "TMP/games.jsonl");
+        done("init", "TMP/b", "--scene", "duel");
+        assertEquals("300 games stored\n", done("import", "TMP/b", "TMP/games.jsonl"));
+        assertEquals("0 games stored, 300 were there already\n", done("import", "TMP/b", "TMP/games.jsonl"));
+        assertEquals(rounded(table), rounded(done("table", "TMP/b", "--json")));
         Path file = folder.resolve("games.jsonl");
         String games = Files.readString(file);
         Files.writeString(file, games.replaceFirst("\"seed\":\"\\d+\"", "\"seed\":\"987654\""));
@@ -94,7 +91,7 @@ class LeagueCommandTest {
         assertTrue(refused("import", "TMP/wrong", "TMP/games.jsonl").startsWith("steward: TMP/games.jsonl:1: name: "));
         assertTrue(refused("table", "TMP/wrong").contains("has been played"), "nothing was stored");
         done("init", "TMP/other", "--scene", "mad-pod-racing");
-        assertTrue(refused("import", "TMP/other", "TMP/games.csv").contains("found a game of another season"));
+        assertTrue(refused("import", "TMP/other", "TMP/games.jsonl").contains("found a game of another season"));
     }
 
     /** What {@code add} refuses comes in by no other way. */
@@ -103,7 +100,6 @@ class LeagueCommandTest {
     void namesThatAddRefusesAreNotImported() throws IOException {
         generated("a", 6);
         String games = done("export", "TMP/a");
-        String csv = done("export", "TMP/a", "--format", "csv");
         done("init", "TMP/b", "--scene", "duel");
         for (String name : List.of("a,b", "=cmd()", "a\\nb", "\\u001b[2J", "x".repeat(300), "a b", "a@elsewhere")) {
             Files.writeString(folder.resolve("games.jsonl"), games.replace("\"bot\":\"bot-1\"",
@@ -112,8 +108,6 @@ class LeagueCommandTest {
             assertTrue(refused.matches("steward: TMP/games.jsonl:\\d: bot: found '[^\\p{Cntrl}]{1,60}', expected 1 to "
                 + "100 letters, digits, dots, underscores and hyphens\n"), refused);
         }
-        Files.writeString(folder.resolve("games.csv"), csv.replace("bot-1", "\"a,b\""));
-        assertTrue(refused("import", "TMP/b", "TMP/games.csv").contains(": bot: found 'a,b', expected 1 to 100"));
         for (String field : List.of("command", "machine")) {
             Files.writeString(folder.resolve("games.jsonl"), games.replaceFirst("\"" + field + "\":\"",
                 "$0\\\\u001b"));
@@ -124,10 +118,7 @@ class LeagueCommandTest {
         Files.writeString(folder.resolve("games.jsonl"), games.replace("\"bot\":\"bot-1\"", "\"bot\":\"-x\""));
         assertEquals("6 games stored\n", done("import", "TMP/b", "TMP/games.jsonl"));
         assertTrue(done("table", "TMP/b", "--csv").contains(",'-x,"));
-        Files.writeString(folder.resolve("games.csv"), done("export", "TMP/b", "--format", "csv"));
-        done("init", "TMP/c", "--scene", "duel");
-        done("import", "TMP/c", "TMP/games.csv");
-        assertEquals(done("table", "TMP/b", "--csv"), done("table", "TMP/c", "--csv"));
+        assertTrue(done("export", "TMP/b", "--format", "csv").contains(",'-x,"));
     }
 
     /** Versions have the numbers in which they came, and sums the rounding of their order. */

@@ -25,8 +25,6 @@ record TradeoffPlot(TradeoffResult result, List<String> scenes) implements Drawi
     /** All scenes. */
     static final String ALL_PNG = "tradeoff-scenes.png";
     static final String ALL_DARK_PNG = "tradeoff-scenes-dark.png";
-    static final String SVG = "tradeoff-scenes.svg";
-    static final String DARK_SVG = "tradeoff-scenes-dark.svg";
 
     private static final int WIDTH = 500;
     private static final int PANEL = 380;
@@ -51,7 +49,6 @@ record TradeoffPlot(TradeoffResult result, List<String> scenes) implements Drawi
         for (ChartColours colours : ChartColours.both()) {
             ChartFiles.png(first, colours, folder.resolve(colours.isDark() ? DARK_PNG : PNG));
             ChartFiles.png(all, colours, folder.resolve(colours.isDark() ? ALL_DARK_PNG : ALL_PNG));
-            ChartFiles.svg(all, colours, folder.resolve(colours.isDark() ? DARK_SVG : SVG));
         }
     }
 

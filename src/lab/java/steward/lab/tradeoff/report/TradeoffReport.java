@@ -19,7 +19,7 @@ public final class TradeoffReport implements AutoCloseable {
     /** Name of the table for programs. */
     public static final String JSON = "tradeoff.json";
     /** All files that a run writes. */
-    public static final List<String> ALL = List.of(CSV, JSON, TradeoffPlot.SVG, TradeoffPlot.DARK_SVG,
+    public static final List<String> ALL = List.of(CSV, JSON,
         TradeoffPlot.PNG, TradeoffPlot.DARK_PNG, TradeoffPlot.ALL_PNG, TradeoffPlot.ALL_DARK_PNG);
 
     private static final List<Column<TradeoffRow>> COLUMNS = List.of(
