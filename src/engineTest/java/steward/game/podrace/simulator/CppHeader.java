@@ -34,10 +34,10 @@ public final class CppHeader implements AutoCloseable {
 
     private static final int PODS = 4;
     private static final List<String> USUAL = List.of("-O2");
-    private static final List<List<String>> FLAGS = List.of(USUAL, List.of("-O0"), List.of("-O3", "-march=native"));
+    private static final List<List<String>> FLAGS = List.of(USUAL, List.of("-O0"), List.of("-O3", "-march=native"),
+        List.of("-O2", "-DSTEWARD_SCALAR"));
     private static final int LARGEST_RECORD = 1 << 14;
-    static final Path HEADER = Path.of(
-        "src/main/resources/steward/starters/cpp-simulator/steward_podrace.hpp");
+    static final Path HEADER = Path.of("src/python/include/steward_podrace.hpp");
     private static final Path SOURCE = Path.of("src/test/resources/steward/podrace/compare.cpp");
     /** As an author of a contest begins a file. */
     private static final String OFAST = "#pragma GCC optimize(\"Ofast\")\n#pragma GCC target(\"avx2,fma\")\n";

@@ -30,7 +30,7 @@ public final class HeaderSpeed {
     /** Times that a program plays the games in a round. */
     private static final String REPETITIONS = "20";
     private static final Path RESOURCES = Path.of("src/test/resources/steward/podrace");
-    private static final Path HEADER = Path.of("src/main/resources/steward/starters/cpp-simulator");
+    private static final Path HEADER = Path.of("src/python/include");
 
     private final Map<String, List<Double>> times = new LinkedHashMap<>();
     private final Path folder = Files.createTempDirectory("header-speed");
@@ -46,8 +46,10 @@ public final class HeaderSpeed {
     private void run(int rounds) throws Exception {
         Map<String, Path> programs = new LinkedHashMap<>();
         for (String compiler : List.of("g++", "clang++")) {
-            programs.put(compiler + " -O3 -march=native", compile(compiler, "-O3", "-march=native"));
-            programs.put(compiler + " -O2", compile(compiler, "-O2"));
+            if (CppHeader.isInstalled(compiler)) {
+                programs.put(compiler + " -O3 -march=native", compile(compiler, "-O3", "-march=native"));
+                programs.put(compiler + " -O2", compile(compiler, "-O2"));
+            }
         }
         PodRaceType.PodRaceSetup setup = (PodRaceType.PodRaceSetup) TestScenes.open("mad-pod-racing");
         SpeedGames race = new SpeedGames(setup, false);

@@ -15,7 +15,7 @@
 //     double worth = 50000.0 * trial.passed[0] - map.toNext(trial, 0);
 //
 // Speed: with AVX2 (-mavx2, -march=native, or #pragma GCC target("avx2") at the head of the file) four pods are steered
-// at once. Without it the plain form gives the same bits.
+// at once, otherwise two, which every x86-64 can; elsewhere, or with -DSTEWARD_SCALAR, one. All give the same bits.
 //
 // Bits: no flag may let the compiler change the order or the rounding of operations. The header switches that off for
 // itself: g++ with #pragma GCC optimize("Ofast") at the head of the file is fine. The constructor of Map checks, within
@@ -38,9 +38,15 @@
 #include <vector>
 #if defined(__AVX2__) && defined(__GNUC__)
 #define STEWARD_AVX2 1
+#define STEWARD_SSE2 0
 #include <immintrin.h>
+#elif defined(__SSE2__) && defined(__GNUC__) && !defined(STEWARD_SCALAR)
+#define STEWARD_AVX2 0
+#define STEWARD_SSE2 1
+#include <emmintrin.h>
 #else
 #define STEWARD_AVX2 0
+#define STEWARD_SSE2 0
 #endif
 
 #if FLT_EVAL_METHOD != 0
@@ -102,7 +108,7 @@ inline double number(std::uint64_t word) {
     return value;
 }
 
-/* ---- Lanes: four doubles at once, or one. ---- */
+/* ---- Lanes: four doubles at once, two, or one. ---- */
 
 #if STEWARD_AVX2
 constexpr int LANES = 4;
@@ -133,6 +139,37 @@ inline V next(M mask, V of) { return _mm256_castsi256_pd(_mm256_sub_epi64(_mm256
     _mm256_castpd_si256(mask))); }
 inline V roundDown(V a) { return _mm256_floor_pd(a); }
 inline V cut(V a) { return _mm256_round_pd(a, _MM_FROUND_TO_ZERO | _MM_FROUND_NO_EXC); }
+#elif STEWARD_SSE2
+constexpr int LANES = 2;
+typedef __m128d V;
+typedef __m128d M;
+inline V all(double value) { return _mm_set1_pd(value); }
+inline V load(const double* from) { return _mm_loadu_pd(from); }
+inline void store(double* to, V value) { _mm_storeu_pd(to, value); }
+inline V whole(const std::int32_t* from) {
+    return _mm_cvtepi32_pd(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(from)));
+}
+inline M less(V a, V b) { return _mm_cmplt_pd(a, b); }
+inline M atMost(V a, V b) { return _mm_cmple_pd(a, b); }
+inline M equal(V a, V b) { return _mm_cmpeq_pd(a, b); }
+inline M isNan(V a) { return _mm_cmpunord_pd(a, a); }
+inline M both(M a, M b) { return _mm_and_pd(a, b); }
+inline M either(M a, M b) { return _mm_or_pd(a, b); }
+inline M without(M a, M b) { return _mm_andnot_pd(b, a); }
+inline V select(M mask, V yes, V no) { return _mm_or_pd(_mm_and_pd(mask, yes), _mm_andnot_pd(mask, no)); }
+inline V onlyIf(M mask, V value) { return _mm_and_pd(mask, value); }
+inline int lanesOf(M mask) { return _mm_movemask_pd(mask); }
+inline V size(V a) { return _mm_andnot_pd(all(-0.0), a); }
+inline V withSign(V of, V sign) { return _mm_or_pd(size(of), _mm_and_pd(all(-0.0), sign)); }
+inline V oppositeIf(V of, V sign) { return _mm_xor_pd(of, _mm_and_pd(all(-0.0), sign)); }
+inline V next(M mask, V of) { return _mm_castsi128_pd(_mm_sub_epi64(_mm_castpd_si128(of), _mm_castpd_si128(mask))); }
+/* From 2^52 on all doubles are whole; below it adding that rounds to the nearest whole number. */
+inline V cut(V a) {
+    V positive = size(a), near = (positive + all(0x1p52)) - all(0x1p52);
+    V down = near - onlyIf(less(positive, near), all(1));
+    return withSign(select(less(positive, all(0x1p52)), down, positive), a);
+}
+inline V roundDown(V a) { V toZero = cut(a); return toZero - onlyIf(less(a, toZero), all(1)); }
 #else
 constexpr int LANES = 1;
 typedef double V;
@@ -349,6 +386,15 @@ inline void directions(V shifted, V& s1, V& s2, V& c1, V& c2) {
     s2 = _mm256_permute2f128_pd(high01, high23, 0x20);
     c1 = _mm256_permute2f128_pd(low01, low23, 0x31);
     c2 = _mm256_permute2f128_pd(high01, high23, 0x31);
+#elif STEWARD_SSE2
+    alignas(16) std::uint64_t at[2];
+    _mm_store_si128(reinterpret_cast<__m128i*>(at), _mm_castpd_si128(shifted));
+    const double* first = DIRECTIONS.row[at[0] & 255];
+    const double* second = DIRECTIONS.row[at[1] & 255];
+    s1 = _mm_unpacklo_pd(load(first), load(second));
+    s2 = _mm_unpackhi_pd(load(first), load(second));
+    c1 = _mm_unpacklo_pd(load(first + 2), load(second + 2));
+    c2 = _mm_unpackhi_pd(load(first + 2), load(second + 2));
 #else
     const double* row = DIRECTIONS.row[bits(shifted) & 255];
     s1 = row[0];
@@ -507,11 +553,16 @@ inline int nearPairs(const double* x, const double* y, const double* vx, const d
         | (next & 1) << 5;
 #else
     int near = 0;
-    for (int pair = 0; pair < 6; pair++) {
-        int i = FIRST[pair], j = SECOND[pair];
-        if (!staysFar(x[i] - x[j], y[i] - y[j], vx[i] - vx[j], vy[i] - vy[j], time, reach)) {
-            near |= 1 << pair;
+    for (int pair = 0; pair < 6; pair += LANES) {
+        double dx[LANES], dy[LANES], wx[LANES], wy[LANES];
+        for (int lane = 0; lane < LANES; lane++) {
+            int i = FIRST[pair + lane], j = SECOND[pair + lane];
+            dx[lane] = x[i] - x[j];
+            dy[lane] = y[i] - y[j];
+            wx[lane] = vx[i] - vx[j];
+            wy[lane] = vy[i] - vy[j];
         }
+        near |= (lanesOf(staysFar(load(dx), load(dy), load(wx), load(wy), time, reach)) ^ EVERY) << pair;
     }
     return near;
 #endif
@@ -767,8 +818,15 @@ public:
         return whole;
     }
 
-    /// The hash of the state after a turn, as it stands in a replay of Steward while no player is out.
-    std::uint64_t hash(const State& state, int turn) const {
+    /// Moves to other checkpoints under the rules it has; allocates nothing if it had as many before. Each as the
+    /// constructor takes them, which is not checked here.
+    void place(const double* px, const double* py, int count) {
+        x.assign(px, px + count);
+        y.assign(py, py + count);
+    }
+
+    /// The hash of the state after a turn, as it stands in a replay of Steward. A player who is out has the turn of it.
+    std::uint64_t hash(const State& state, int turn, int out0 = 0x7fffffff, int out1 = 0x7fffffff) const {
         std::uint64_t h = mix(0, static_cast<std::uint64_t>(turn));
         for (int pod = 0; pod < podrace::PODS; pod++) {
             double numbers[] = {state.x[pod], state.y[pod], state.vx[pod], state.vy[pod], state.heading[pod]};
@@ -783,7 +841,7 @@ public:
         }
         for (int player = 0; player < 2; player++) {
             h = mix(h, static_cast<std::uint64_t>(static_cast<std::int64_t>(state.left[player])));
-            h = mix(h, 0x7fffffff);
+            h = mix(h, static_cast<std::uint64_t>(player == 0 ? out0 : out1));
         }
         return h;
     }
@@ -912,6 +970,8 @@ private:
     static podrace::V placesOf(const std::vector<double>& of, const std::int32_t* next) {
 #if STEWARD_AVX2
         return _mm256_set_pd(of[next[3]], of[next[2]], of[next[1]], of[next[0]]);
+#elif STEWARD_SSE2
+        return _mm_set_pd(of[next[1]], of[next[0]]);
 #else
         return of[*next];
 #endif
@@ -921,6 +981,8 @@ private:
 #if STEWARD_AVX2
         return _mm256_castsi256_pd(_mm256_cmpgt_epi64(_mm256_and_si256(_mm256_set1_epi64x(set),
             _mm256_set_epi64x(8, 4, 2, 1)), _mm256_setzero_si256()));
+#elif STEWARD_SSE2
+        return _mm_castsi128_pd(_mm_set_epi32(-(set >> 1 & 1), -(set >> 1 & 1), -(set & 1), -(set & 1)));
 #else
         return (set & 1) != 0;
 #endif
@@ -985,6 +1047,7 @@ private:
 } // namespace steward
 
 #undef STEWARD_AVX2
+#undef STEWARD_SSE2
 #undef STEWARD_ONE_CALL
 #if defined(__clang__) || defined(_MSC_VER)
 #pragma float_control(pop)
