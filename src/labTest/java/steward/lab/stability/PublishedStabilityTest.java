@@ -19,7 +19,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import steward.lab.stability.crowds.TruePathCase;
-import steward.lab.stability.crowds.TruePathCase.Figure;
+import steward.lab.stability.TruePathPlot.Figure;
 import steward.lab.trial.Finding;
 import steward.lab.trial.RunLength;
 import steward.lab.trial.Rung;
@@ -91,8 +91,8 @@ class PublishedStabilityTest {
     @Test
     void theFiguresOfAPathAreThoseOfItsText() {
         assertEquals(List.of(new Figure(3, 60, 40), new Figure(10, 100, 20)),
-            TruePathCase.figures(path("double", 40, 20).seen()));
-        assertEquals(List.of(), TruePathCase.figures(Finding.reported("not tried")));
+            TruePathPlot.figures(path("double", 40, 20).seen()));
+        assertEquals(List.of(), TruePathPlot.figures(Finding.reported("not tried")));
     }
 
     @Test

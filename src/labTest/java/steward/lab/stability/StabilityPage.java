@@ -7,8 +7,7 @@ import java.util.Locale;
 import java.util.Map;
 import steward.files.Resources;
 import steward.lab.chart.ChartFiles;
-import steward.lab.stability.crowds.TruePathCase;
-import steward.lab.stability.crowds.TruePathCase.Figure;
+import steward.lab.stability.TruePathPlot.Figure;
 import steward.lab.trial.Finding;
 import steward.lab.trial.RunLength;
 import steward.text.TextFormat;
@@ -133,7 +132,7 @@ public final class StabilityPage {
         int most = 0;
         int steps = 0;
         for (StabilityRow row : paths) {
-            for (Figure figure : TruePathCase.figures(row.seen())) {
+            for (Figure figure : TruePathPlot.figures(row.seen())) {
                 if (row.rung().startsWith(STEPS)) {
                     steps = Math.max(steps, figure.each());
                 } else {

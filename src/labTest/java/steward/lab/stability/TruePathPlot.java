@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
+import java.util.regex.Pattern;
 import org.knowm.xchart.CategoryChart;
 import org.knowm.xchart.CategoryChartBuilder;
 import org.knowm.xchart.style.CategoryStyler;
@@ -14,7 +15,7 @@ import steward.lab.chart.ChartColours;
 import steward.lab.chart.ChartFiles;
 import steward.lab.chart.Drawing;
 import steward.lab.stability.crowds.TruePathCase;
-import steward.lab.stability.crowds.TruePathCase.Figure;
+import steward.lab.trial.Finding;
 
 /** Draws how long a path is true, by the rung and the number of bodies. */
 record TruePathPlot(List<StabilityRow> rows) implements Drawing {
@@ -34,10 +35,26 @@ record TruePathPlot(List<StabilityRow> rows) implements Drawing {
     private static final double FILLED = 0.9;
     private static final double ABOVE = 1.15;
 
+    private static final Pattern FIGURES = Pattern.compile("(\\d+) discs: (\\d+) impacts, (\\d+) for each");
+
+    /**
+     * How long the path of some discs is true.
+     *
+     * @param impacts of all discs together
+     * @param each    of each disc
+     */
+    record Figure(int discs, int impacts, int each) { }
+
+    /** The figures of a finding, by the number of discs. */
+    static List<Figure> figures(Finding seen) {
+        return FIGURES.matcher(seen.text()).results().map(found -> new Figure(Integer.parseInt(found.group(1)),
+            Integer.parseInt(found.group(2)), Integer.parseInt(found.group(3)))).toList();
+    }
+
     /** The rows of the case among others. */
     static List<StabilityRow> of(List<StabilityRow> all) {
         return all.stream().filter(row -> row.name().equals(TruePathCase.NAME)
-            && !TruePathCase.figures(row.seen()).isEmpty()).toList();
+            && !figures(row.seen()).isEmpty()).toList();
     }
 
     /**
@@ -70,7 +87,7 @@ record TruePathPlot(List<StabilityRow> rows) implements Drawing {
         style(chart.getStyler(), colours);
         double most = 1;
         for (int k = 0; k < rows.size(); k++) {
-            List<Figure> figures = TruePathCase.figures(rows.get(k).seen());
+            List<Figure> figures = figures(rows.get(k).seen());
             Color colour = colours.bars().get(k % colours.bars().size());
             chart.addSeries(rows.get(k).rung(), figures.stream().map(Figure::discs).map(String::valueOf).toList(),
                 figures.stream().map(Figure::each).toList()).setFillColor(colour);

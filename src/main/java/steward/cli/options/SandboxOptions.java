@@ -101,12 +101,6 @@ public final class SandboxOptions {
         return List.copyOf(variables);
     }
 
-    /** True if any is there. */
-    public boolean isAny() {
-        return level != null || network || isHold() || cleanEnvironment || memory != null || processes != null
-            || fileSize != null || openFiles != null || !variables.isEmpty() || !visible.isEmpty();
-    }
-
     /** True if it is said which bots are held. */
     public boolean isHold() {
         return hold != null;

@@ -75,11 +75,6 @@ public final class TimeLimitOptions {
         return contest.limitedBy(basis()).limitedBy(own(contest.entrants().stream().map(Entrant::name).toList()));
     }
 
-    /** True if a bot is given limits of its own. */
-    public boolean isOwn() {
-        return !limits.isEmpty();
-    }
-
     /**
      * Returns the limits of bots that have their own, by their names.
      *

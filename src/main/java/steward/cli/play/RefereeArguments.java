@@ -55,12 +55,6 @@ record RefereeArguments(CommandSpec spec) {
         return (int) IntStream.rangeClosed(1, MOST_PLAYERS).takeWhile(player -> value(bot(player)) != null).count();
     }
 
-    /** True if there is any player. */
-    boolean hasPlayers() {
-        return IntStream.rangeClosed(1, MOST_PLAYERS).anyMatch(player -> value(bot(player)) != null
-            || value(name(player)) != null);
-    }
-
     /**
      * The bots in order.
      *

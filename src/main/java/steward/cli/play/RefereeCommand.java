@@ -7,25 +7,19 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import steward.bot.TimeBasis;
 import steward.cli.options.AccuracyOption;
 import steward.cli.options.ProgramCommand;
 import steward.cli.options.SandboxOptions;
 import steward.cli.options.SceneOptions;
-import steward.cli.options.SeedOption;
 import steward.cli.options.ShippedScenes;
 import steward.cli.options.TimeLimitOptions;
-import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Games;
 import steward.cli.shared.RefusedCall;
-import steward.codingame.OldReferee;
 import steward.contest.Contest;
-import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.game.GameSetup;
 import steward.game.GameType;
 import steward.match.Protocol;
-import steward.match.TimeControl;
 import steward.scene.json.SceneException;
 import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.ObjectNode;
@@ -41,16 +35,13 @@ import tools.jackson.databind.node.ObjectNode;
         "also say for how many players the scene is, where its game allows several.",
         "", "A game that a bot lost on time while others used the processors is played again,",
         "as 'match' does; the standard error says why, and why a bot failed. In a",
-        "call that is refused each bot named gets -1. With --old the tool runs the bots:",
-        "of those that are silent, crash or are missing nothing is known: use -r.",
+        "call that is refused each bot named gets -1.",
         "", "Files of -l and -r are replaced if they are empty or a file of their own kind,",
         "since tools name the same files again; any other file is kept, and refused.",
         "", "Examples:",
         "  steward referee -p1 ./mine -p2 'python3 other.py' -d seed=7 -l game.json",
         "  java -jar cg-brutaltester.jar -r 'steward referee' -p1 ./mine -p2 ./other \\",
         "      -n 100 -s",
-        "  java -jar cg-brutaltester.jar -o -r 'steward referee --old' -p1 ./mine \\",
-        "      -p2 ./other -n 100",
         "", "Exit status: 0 there is a result; 1 there is none; 2 wrong call."})
 public final class RefereeCommand extends ProgramCommand implements RefusedCall {
 
@@ -84,10 +75,6 @@ public final class RefereeCommand extends ProgramCommand implements RefusedCall 
             + "higher number is the highest. Without it, with 0 and in other games the rules are the scene's.")
     private Integer league;
 
-    @Option(names = {"--old", "-old"}, description = "Talks with the tool by ###Input and ###Output on the standard "
-        + "streams; the tool starts the bots.")
-    private boolean old;
-
     @Mixin
     private final TimeLimitOptions pace = new TimeLimitOptions();
 
@@ -111,16 +98,7 @@ public final class RefereeCommand extends ProgramCommand implements RefusedCall 
             "found two seeds, " + seed + " and " + inData + ", expected one");
         check.that(league == null || league >= 0, "-league: found " + league + ", expected 0 or more");
         double factor = pace.factor();
-        TimeBasis basis = pace.basis();
         Long wanted = seed != null ? seed : inData;
-        if (old) {
-            check.that(basis == TimeBasis.WALL, "--old: expected no --time cpu with it: the tool has the bots");
-            check.that(!pace.isOwn(), "--old: expected no --time-limit with it: the tool has the bots");
-            check.that(!arguments.hasPlayers() && log == null && replay == null && !page,
-                "--old: expected no -p1, -l, -r or -s with it: the tool has the bots");
-            check.that(!sandbox.isAny(), "--old: expected no option of the sandbox with it: the tool starts the bots");
-            return playOld(factor, wanted);
-        }
         GameSetup setup = seated(open(), arguments.players());
         List<String> bots = arguments.bots(setup.scene().players(), setup.scene().name());
         Contest contest = pace.limit(named(Contest.withFailing(setup, bots, Protocol.CODINGAME, factor), arguments));
@@ -168,19 +146,6 @@ public final class RefereeCommand extends ProgramCommand implements RefusedCall 
         arguments.stream().filter(RefereeArguments::isPlayer).map(argument -> argument.replaceFirst("=.*", ""))
             .distinct().forEach(player -> streams.out().println(-1));
         streams.out().flush();
-    }
-
-    private Integer playOld(double factor, Long wanted) throws InterruptedException {
-        GameSetup setup = open();
-        OldReferee referee = new OldReferee(setup, streams.in(), streams.out());
-        try {
-            TimeControl time = factor == Double.POSITIVE_INFINITY ? TimeControl.UNLIMITED
-                : TimeControl.of(setup.scene().time(), factor);
-            referee.play(time, () -> wanted == null ? SeedOption.draw() : wanted);
-        } catch (IllegalArgumentException problem) {
-            throw new InputException(problem.getMessage());
-        }
-        return ExitStatus.DONE;
     }
 
     private static Contest named(Contest contest, RefereeArguments arguments) {

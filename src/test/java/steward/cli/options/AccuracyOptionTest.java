@@ -91,7 +91,7 @@ class AccuracyOptionTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"match --scene duel --bot sh --bot sh", "play --json-league sh sh", "referee -p1 sh -p2 sh",
-        "referee --old", "demo", "explain duel"})
+        "demo", "explain duel"})
     void aWrongRungIsRefusedByEveryCommand(String call) {
         refused(call + " --accuracy exakt", "found \"exakt\", expected ", "did you mean \"exact\"?");
         refused(call + " --accuracy step/1025", "found \"step/1025\", expected step/ and a whole number 1..1024");

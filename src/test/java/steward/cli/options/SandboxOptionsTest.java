@@ -213,11 +213,6 @@ class SandboxOptionsTest {
         assertFalse(down.equals(up), "it makes no difference: " + up);
     }
 
-    @Test
-    void aToolThatHasTheBotsHasTheirSandboxToo() {
-        Cli.run("referee", "--old", "--sandbox", "off").assertRefused("option of the sandbox");
-    }
-
     /** Found by the example in docs/security.md: the builtin opponent could not start. */
     @Test
     void aBuiltinBotPlaysUnderALimitOfMemory() {

@@ -231,9 +231,7 @@ class RefereeCommandTest {
         "-p1 cat -p2 cat -scene nowhere | nowhere: found no such file",
         "-p1 cat -p2 cat --time-factor 0 | expected a finite number above 0",
         "-p1 cat -p2 cat --time-factor 2 --no-deadline | exclude each other",
-        "-p1 cat -p2 cat extra | 'extra': found more than",
-        "--old -p1 cat | --old: expected no -p1",
-        "--old -l x.json | --old: expected no -p1, -l, -r or -s"})
+        "-p1 cat -p2 cat extra | 'extra': found more than"})
     void aWrongCallGivesEachBotThatItNamesMinusOne(String arguments, String problem) {
         List<String> words = new ArrayList<>(List.of("referee"));
         if (arguments == null || !arguments.contains("-scene")) {

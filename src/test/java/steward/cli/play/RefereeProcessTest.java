@@ -4,9 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
-import java.io.BufferedReader;
 import java.io.IOException;
-import java.io.Writer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -51,40 +49,5 @@ class RefereeProcessTest {
         String end = end(process);
         assertTrue(end.startsWith("status 0steward: warning: -p2 has failed in turn 2: line 1 of 1: ")
             && end.lines().skip(1).allMatch(line -> line.startsWith("  ")), end);
-    }
-
-    /** Does what the tool does: passes lines on as soon as the next command has come. */
-    @Test
-    void talksWithTheToolInTheOldMode() throws IOException, InterruptedException {
-        Process process = start("--old", "--no-deadline", "-scene", "duel");
-        List<String> given = new ArrayList<>();
-        String line;
-        try (BufferedReader in = process.inputReader(StandardCharsets.UTF_8);
-             Writer out = process.outputWriter(StandardCharsets.UTF_8)) {
-            out.write("###Seed 5\n###Start 2\n");
-            out.flush();
-            line = in.readLine();
-            while (line != null && !line.startsWith("###End")) {
-                if (line.startsWith("###Output ")) {
-                    assertEquals(2, given.size());
-                    String[] pod = given.get(0).split(" ");
-                    out.write(line.equals("###Output 1 1") ? pod[2] + " " + pod[3] + " 100\n" : "0 0 0\n");
-                    out.flush();
-                } else {
-                    assertTrue(line.matches("###Input [01]"), line);
-                    given.clear();
-                    line = in.readLine();
-                    while (line != null && !line.startsWith("###")) {
-                        given.add(line);
-                        line = in.readLine();
-                    }
-                    continue;
-                }
-                line = in.readLine();
-            }
-            assertEquals(null, in.readLine());
-        }
-        assertEquals("###End 1 0", line);
-        assertEquals("status 0", end(process));
     }
 }

@@ -138,8 +138,7 @@ class StarvedReportTest {
         "match --bot false --bot false --games 2 --hiccups never | --hiccups: found 'never', expected replay or count",
         "match --bot false --bot false --time clock | --time: found 'clock', expected wall or cpu",
         "match --bot false --bot false --time cpu --no-deadline | --no-deadline and --time cpu exclude each other",
-        "play --json-league false false --time x | --time: found 'x', expected wall or cpu",
-        "referee --old --time cpu | --old: expected no --time cpu with it: the tool has the bots"})
+        "play --json-league false false --time x | --time: found 'x', expected wall or cpu"})
     void wrongCallsAreRefused(String call, String problem) {
         Cli cli = Cli.run(call.split(" "));
         assertEquals(ExitStatus.UNUSABLE, cli.status(), cli.out() + cli.err());

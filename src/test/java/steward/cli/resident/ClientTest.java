@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.BufferedReader;
 import java.io.IOException;
-import java.io.Writer;
 import java.net.StandardProtocolFamily;
 import java.net.UnixDomainSocketAddress;
 import java.nio.channels.ServerSocketChannel;
@@ -29,6 +28,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import steward.cli.TextShellBots;
 import steward.match.TestSize;
+import steward.scene.SceneFiles;
 
 /** The compiled clients, {@code steward-referee} and {@code steward-play}, and the residents that they start. */
 @Tag("process")
@@ -276,15 +276,12 @@ class ClientTest {
 
     @Test
     void inputGoesThrough() throws IOException, InterruptedException {
-        Process client = home.builder(REFEREE, "--old", "--no-deadline", "-scene", "duel").start();
-        try (BufferedReader in = client.inputReader(StandardCharsets.UTF_8);
-             Writer out = client.outputWriter(StandardCharsets.UTF_8)) {
-            out.write("###Seed 5\n###Start 2\n");
-            out.flush();
-            assertEquals("###Input 0", in.readLine());
-        }
+        Path scene = Files.writeString(folder.resolve("scene.json"), SceneFiles.load("duel").text());
+        Process client = home.builder(REFEREE, "-scene", "-", "-p1", bots.driver(), "-p2", bots.driver(),
+            "--no-deadline", "--sandbox", "off").redirectInput(scene.toFile()).start();
+        ClientHome.Said said = ClientHome.end(client);
+        assertEquals(List.of(0, 3L), List.of(said.status(), said.out().lines().count()), said.toString());
         assertEquals(1, home.residents().size());
-        client.destroyForcibly().waitFor();
     }
 
     @Test

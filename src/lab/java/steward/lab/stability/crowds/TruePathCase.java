@@ -2,7 +2,6 @@ package steward.lab.stability.crowds;
 
 import java.util.List;
 import java.util.Locale;
-import java.util.regex.Pattern;
 import steward.lab.oracle.Oracle;
 import steward.lab.oracle.OracleBody;
 import steward.lab.oracle.OracleImpact;
@@ -32,23 +31,8 @@ public final class TruePathCase extends StabilityCase {
     private static final double COVERAGE = 0.2;
     /** Impacts at times that differ by more than this part of a turn are not the same. */
     private static final double SAME_TIME = 1e-4;
-    private static final Pattern FIGURES = Pattern.compile("(\\d+) discs: (\\d+) impacts, (\\d+) for each");
     /** Fewer true impacts of each disc than this would mean that more than rounding is lost. */
     private static final double LEAST_EACH = 15;
-
-    /**
-     * How long the path of some discs is true.
-     *
-     * @param impacts of all discs together
-     * @param each    of each disc
-     */
-    public record Figure(int discs, int impacts, int each) { }
-
-    /** The figures of a finding, by the number of discs. */
-    public static List<Figure> figures(Finding seen) {
-        return FIGURES.matcher(seen.text()).results().map(found -> new Figure(Integer.parseInt(found.group(1)),
-            Integer.parseInt(found.group(2)), Integer.parseInt(found.group(3)))).toList();
-    }
 
     public TruePathCase() {
         super(NAME,
