@@ -65,7 +65,8 @@ public final class OracleTurns {
     }
 
     public String text() {
-        return String.format(Locale.ROOT, "%d of %d turns are the oracle's, off by %.1e%s", compared - others,
-            compared, worst, stopped > 0 ? ", " + stopped + " not computed by it" : "");
+        return (compared == 0 ? "no turn is compared with the oracle's" : String.format(Locale.ROOT,
+            "%d of %d turns are the oracle's, off by %.1e", compared - others, compared, worst))
+            + (stopped > 0 ? ", " + stopped + " not computed by it" : "");
     }
 }

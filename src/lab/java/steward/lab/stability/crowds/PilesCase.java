@@ -98,7 +98,7 @@ public final class PilesCase extends StabilityCase {
             copy.copyFrom(bodies);
             TurnLog log = new TurnLog();
             alone.turn(bodies, log);
-            if (turn == 1 && rung.isOurs() && count <= COMPARED && opening > 0) {
+            if (turn == 1 && rung.isEvent() && count <= COMPARED && opening > 0) {
                 truth.add(copy, bodies, parts);
             }
             TurnLog other = new TurnLog();

@@ -102,7 +102,7 @@ public final class RestCase extends StabilityCase {
             if (pressed && turn > 0) {
                 press(bodies, speed, corner);
             }
-            Bodies before = turn == 1 && rung.isOurs() && count <= COMPARED ? bodies.copy() : null;
+            Bodies before = turn == 1 && rung.isEvent() && count <= COMPARED ? bodies.copy() : null;
             play(alone, crowd, bodies, copy, tally);
             if (before != null) {
                 tally.truth.add(before, bodies, parts);
