@@ -25,12 +25,12 @@ public final class TradeoffPage {
         settle in different states: "a turn" is the JVM in the middle, with the fastest and the slowest beside it. A
         ratio is that of the middle ones; its range is that of two JVMs measured in the same rounds. Compare ratios
         rather than nanoseconds. Errors are against the oracle (64 decimal digits) after one turn from the same states
-        that were timed: the farthest that any body's centre is off. Turns in which a body [slides](scenes.md#rest-and-sliding)
-        along a rim are compared with `exact` instead: the oracle knows impacts and rest. An impact
-        is missed or invented if other pairs meet. "Free run": after how many turns without commands and forces a body
-        is off by 1 u, the median of some runs. "Ends": how many bodies end their turn in rounded values that differ
-        from the exact ones. A rung with a star is on the Pareto front: none is both cheaper and nearer to the truth.
-        All figures are in [%s](%s).
+        that were timed: the farthest that any body's centre is off. Turns in which a body
+        [slides](scenes.md#rest-and-sliding) along a rim are compared with `exact` instead: the oracle knows impacts and
+        rest. An impact is missed or invented if other pairs meet. "Free run": after how many turns without commands
+        and forces a body is off by 1 u, the median of some runs. "Ends": how many bodies end their turn in rounded
+        values that differ from the exact ones. A rung with a star is on the Pareto front: none is both cheaper and
+        nearer to the truth. All figures are in [%s](%s).
         """;
     private static final String ONE_JVM = "Measured with --quick: few states, one JVM a rung. These figures may not be "
         + "quoted.";
