@@ -204,7 +204,8 @@ public final class Collision {
 
     public void reactWall(Bodies bodies, int a, int w, double time, TurnSink sink) {
         Wall wall = walls[w];
-        if (slides && RimSliding.slide(bodies, a, w, wall, time, recordsSlides, sink)) {
+        double restitution = restitutionRule.atWall(bodies, a, wall);
+        if (slides && RimSliding.slide(bodies, a, w, wall, restitution, time, recordsSlides, sink)) {
             solver.forgetRounding(a);
             return;
         }
@@ -215,8 +216,7 @@ public final class Collision {
         double vay = bodies.vy[a];
         boolean approaches = true;
         if (accelerations == null) {
-            approaches = solver.exchangeWithWall(bodies, a, w, wall, restitutionRule.atWall(bodies, a, wall),
-                wallImpulse, solved);
+            approaches = solver.exchangeWithWall(bodies, a, w, wall, restitution, wallImpulse, solved);
         } else {
             exchangeWithWallUnderForces(bodies, a, w, wall, half);
         }

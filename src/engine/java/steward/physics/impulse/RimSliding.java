@@ -20,21 +20,33 @@ import steward.physics.Wall;
 
 /**
  * Sliding along the rim of an {@link Arena}. A body that moves along a concave wall is in contact all the time: bounces
- * would follow each other without end. So a contact after which the next one would come within 1/{@value #CHORDS} of a
- * turn or so is no bounce: the body keeps its speed, whatever the restitution, is put exactly on the rim and flies on
+ * would follow each other without end. With restitution below 1, a contact after which the next one would come within
+ * 1/{@value #CHORDS} of a turn or so is no bounce: the body keeps its speed, is put exactly on the rim and flies on
  * along the chord to the place where it will be on the rim 1/{@value #CHORDS} turn later. On the chord it meets others
  * as in any flight. Bodies that cover more than 25 radians in a turn make longer flights of a tenth of a radian each,
  * very slow ones flights of 2e-6 radians.
  *
- * <p>Caveats: between two contacts velocity and place are those on the chord, off those on the rim by up to theta and R
- * theta^2 / 2, where 2 theta is the angle of a chord. Such a contact is a knot of the path; under laws without rest it
- * is recorded as an impact, too, with the change of energy 0 and the direction of the change of momentum as its normal,
- * which is off the normal of the rim by up to theta.
+ * <p>An elastic body keeps the angle of its bounces: it slides only where they are more than
+ * {@value #MOST_BOUNCES} a turn, too flat to be told from a slide.
+ *
+ * <p>Caveats: a slide that begins at an angle alpha keeps the whole speed, of which the share alpha^2 / 2 was not along
+ * the rim: the body is then up to 4.5e-6 w^3 radians ahead after a turn of w radians, elastic ones 2e-9 w^3. Between two
+ * contacts velocity and place are those on the chord, off those on the rim by up to theta and R theta^2 / 2, where 2
+ * theta is the angle of a chord. Such a contact is a knot of the path; under laws without rest it is recorded as an
+ * impact, too, with the change of energy 0 and the direction of the change of momentum as its normal, which is off the
+ * normal of the rim by up to theta.
  */
 final class RimSliding {
 
     /** Chords in a turn: leaves some of 256 for contacts at which a slide begins. */
     static final int CHORDS = 250;
+    /** Bounces of an elastic body in a turn, at most; half of the least bound on the impacts of a turn. */
+    static final int MOST_BOUNCES = 5000;
+    /**
+     * Chords of an elastic slide, as a share of the others. It is no simple number, so that a flight is taken for such
+     * a chord only if it is one, not because a scene has bounces of that angle.
+     */
+    private static final double ELASTIC_CHORD = 1.0037192865043;
     /** The steepest chord, sin theta: 25 rad a turn. */
     private static final double STEEPEST = 0.05;
     /** The flattest: its depth, 5e-13 of the room, is well above the rounding of coordinates. */
@@ -55,8 +67,12 @@ final class RimSliding {
         return arena && !(law.minimumImpulseAtWalls() && law.minimumImpulse() > 0);
     }
 
-    /** True if a body touches an arena so flatly that it slides. */
+    /** True if a body touches an arena so flatly that it slides, by the lower of two restitutions. */
     static boolean grazes(Bodies bodies, int a, Wall wall) {
+        return grazes(bodies, a, wall, Math.min(bodies.restitution[a], wall.restitution()));
+    }
+
+    private static boolean grazes(Bodies bodies, int a, Wall wall, double restitution) {
         if (!(wall instanceof Arena arena)) {
             return false;
         }
@@ -67,23 +83,37 @@ final class RimSliding {
         double dy = bodies.y[a] - arena.y();
         double distance = Math.sqrt(dx * dx + dy * dy);
         double room = arena.radius() - bodies.radius[a];
-        return room > 0 && speed > 0 && Math.abs(distance - room) <= OFF_RIM * room
-            && Math.abs((dx * vx + dy * vy) / distance) <= STEEPER * chord(speed, room) * speed;
+        double rise = (dx * vx + dy * vy) / distance;
+        if (!(room > 0 && speed > 0 && Math.abs(distance - room) <= OFF_RIM * room)) {
+            return false;
+        }
+        double chord = chord(speed, room, restitution);
+        return restitution == 1
+            ? Math.abs(rise) * MOST_BOUNCES * 2 * room <= speed * speed || isChord(rise / speed, chord)
+            : Math.abs(rise) <= STEEPER * chord * speed;
     }
 
     /** The angle of a chord, sin theta. */
-    private static double chord(double speed, double room) {
-        return Math.min(STEEPEST, Math.max(FLATTEST, speed / (2 * CHORDS * room)));
+    private static double chord(double speed, double room, double restitution) {
+        double chord = Math.min(STEEPEST, Math.max(FLATTEST, speed / (2 * CHORDS * room)));
+        return restitution == 1 ? ELASTIC_CHORD * chord : chord;
+    }
+
+    /** True if a flight that ends with this sine of its angle to the rim was a chord of a slide. */
+    private static boolean isChord(double rise, double chord) {
+        return Math.abs(rise - chord) <= SAME * chord;
     }
 
     /**
      * Starts the next chord of a body that touches a wall.
      *
-     * @param records whether the contact is recorded as an impact
+     * @param restitution of the contact
+     * @param records     whether the contact is recorded as an impact
      * @return false if it bounces instead, or has no room
      */
-    static boolean slide(Bodies bodies, int a, int w, Wall wall, double time, boolean records, TurnSink sink) {
-        if (!grazes(bodies, a, wall)) {
+    static boolean slide(Bodies bodies, int a, int w, Wall wall, double restitution, double time, boolean records,
+                         TurnSink sink) {
+        if (!grazes(bodies, a, wall, restitution)) {
             return false;
         }
         Arena arena = (Arena) wall;
@@ -97,9 +127,9 @@ final class RimSliding {
         double nx = dx / distance;
         double ny = dy / distance;
         double rise = (nx * vx + ny * vy) / speed;
-        double chord = chord(speed, room);
+        double chord = chord(speed, room, restitution);
         double turn = nx * vy - ny * vx > 0 ? 1 : -1;
-        if (Math.abs(rise - chord) <= SAME * chord) {
+        if (isChord(rise, chord)) {
             double ahead = chord * chord * chord * (1.0 / 3 + 3.0 / 20 * chord * chord);
             double x = nx + turn * ahead * ny;
             double y = ny - turn * ahead * nx;

@@ -16,6 +16,7 @@ import steward.physics.Contacts;
 import steward.physics.ImpactLaw;
 import steward.physics.PhysicsParts;
 import steward.physics.TurnLog;
+import steward.physics.TurnSink;
 import steward.physics.queue.QueueAdvance;
 
 /** A body on the rim of an arena goes round: 300 u on a circle of 490 u are 0.612 radians. */
@@ -94,6 +95,33 @@ class SlidingTest {
             double energy = Scenes.energy(bodies);
             assertEquals(300.0 * 300 / 2, energy, 1e-9 * energy);
             assertTrue(Math.atan2(bodies.y[1], bodies.x[1]) > 0.5, "it goes round now");
+        }
+    }
+
+    /**
+     * A contact without restitution at an angle alpha leaves the speed times cos(alpha) along the rim. A slide keeps
+     * the whole: after a turn of w radians it is ahead by w alpha^2 / 2, for the steepest one 1.5 w / 500. An elastic
+     * one that bounces goes round by alpha / sin(alpha) faster: by w alpha^2 / 6 at 5,000 bounces a turn. At the end of
+     * a turn a body may be in a chord, up to (w / 500)^3 / 3 ahead.
+     */
+    @ParameterizedTest
+    @EnumSource(Arithmetic.class)
+    void itIsAheadByWhatItsFirstContactHadAcross(Arithmetic arithmetic) {
+        for (double w : new double[] {0.6, 2, 5, 20}) {
+            for (double restitution : new double[] {0, 1}) {
+                double alpha = restitution == 0 ? 1.49 * w / 500 : 0.99 * w / 10_000;
+                double right = restitution == 0 ? w * Math.cos(alpha) : w * alpha / Math.sin(alpha);
+                double bound = (restitution == 0 ? 4.5e-6 : 2e-9) * w * w * w;
+                for (Advance advance : both(Scenes.WITH_RESTITUTION, arithmetic, restitution)) {
+                    Bodies bodies = new Bodies(1);
+                    Scenes.add(bodies, 490, 0, 490 * w * Math.sin(alpha), 490 * w * Math.cos(alpha), 1);
+                    advance.turn(bodies, TurnSink.NONE);
+                    double ahead = Math.IEEEremainder(Math.atan2(bodies.y[0], bodies.x[0]) - right, 2 * Math.PI);
+                    assertTrue(Math.abs(ahead) <= bound + Math.pow(w / 500, 3) / 3, w + ", e " + restitution + ": "
+                        + ahead);
+                    assertTrue(restitution == 1 || ahead > 0.9 * bound, w + ": " + ahead);
+                }
+            }
         }
     }
 }

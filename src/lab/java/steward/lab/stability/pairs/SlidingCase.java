@@ -60,6 +60,9 @@ public final class SlidingCase extends StabilityCase {
         double arc = 6 * StrictMath.pow(10, -3 * random.nextDouble()) * (random.nextInt(2) * 2 - 1);
         double speed = arc * room;
         double share = (random.nextInt(3) - 1) * StrictMath.pow(10, -6 - 8 * random.nextDouble());
+        if (restitution == 1) {
+            share *= Math.min(1, 100 * Math.abs(arc));         // steeper elastic contacts bounce
+        }
         double cos = StrictMath.cos(from);
         double sin = StrictMath.sin(from);
         Bodies bodies = new Bodies(1);
