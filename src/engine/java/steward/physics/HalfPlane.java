@@ -1,8 +1,8 @@
 package steward.physics;
 
 /**
- * A straight wall of infinite length. The vector is normalised, so that one written with 12 digits does not change the
- * speed of a body that bounces.
+ * A straight wall of infinite length. The vector is normalised, so that one written with few digits, such as 0.7071,
+ * does not change the speed of a body that bounces.
  *
  * @param x           a point on its edge
  * @param y           a point on its edge
@@ -12,15 +12,17 @@ package steward.physics;
  */
 public record HalfPlane(double x, double y, double insideX, double insideY, double restitution) implements Wall {
 
+    private static final double TOLERANCE = 1e-3;
+
     /**
-     * @throws IllegalArgumentException if a number is not finite, the vector not of length 1 (to 1e-12) or the
+     * @throws IllegalArgumentException if a number is not finite, the vector not of length 1 (to 1e-3) or the
      *                                  restitution not in 0..1
      */
     public HalfPlane {
         Wall.require(Double.isFinite(x), "x", x, "a finite number");
         Wall.require(Double.isFinite(y), "y", y, "a finite number");
         double length = Math.sqrt(insideX * insideX + insideY * insideY);
-        Wall.require(Math.abs(length - 1) <= 1e-12, "length of the inside vector", length, "1");
+        Wall.require(Math.abs(length - 1) <= TOLERANCE, "length of the inside vector", length, "1");
         Wall.requireRestitution(restitution);
         insideX /= length;
         insideY /= length;

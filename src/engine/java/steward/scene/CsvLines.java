@@ -9,11 +9,13 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.regex.Pattern;
 import steward.scene.json.Block;
 import steward.scene.json.JsonLimits;
 import steward.scene.json.JsonValue;
 import steward.scene.json.JsonValue.Entry;
 import steward.scene.json.JsonValue.JsonArray;
+import steward.scene.json.JsonValue.JsonNumber;
 import steward.scene.json.JsonValue.JsonObject;
 import steward.scene.json.JsonValue.JsonText;
 import steward.scene.json.SceneException;
@@ -22,11 +24,13 @@ import steward.scene.json.SourcePosition;
 /**
  * Takes CSV files into a scene, so that leagues, replays and workers have them. In a block of a scene
  * {@code "csv": "NAME"} names a file in the scene's folder; it becomes
- * {@code "csv": {"file": "NAME", "lines": ["x,y,radius", "1,2,3"]}}.
+ * {@code "csv": {"file": "NAME", "lines": ["x,y,radius", "1,2,3"]}}. Of a table of states by turn, whose first column
+ * is {@code turn}, it is the last turn; then {@code "from"} is the line of its first row.
  */
 final class CsvLines {
 
     private static final String FIELD = "csv";
+    private static final Pattern TURN = Pattern.compile("\\s*turn\\s*(\\[[^\\]]*]\\s*)?,");
 
     /** Returns the scene with the lines of its files. */
     static Block takenIn(SceneText text, Block root) {
@@ -60,16 +64,20 @@ final class CsvLines {
             throw block.error(FIELD, "the name of a file in a scene that is none", "\"file\" and \"lines\" of it");
         }
         List<JsonValue> lines = new ArrayList<>();
+        int from = 2;
         String source = name.text();
         try {
             Path path = text.figures().get().resolveSibling(source);
             if (path.getNameCount() == 0 || !path.getFileName().toString().equals(source)) {
                 throw block.error(FIELD, name.shown(), "a file's name without a folder");
             }
-            for (String line : SceneFiles.decode(bytes(path, source), source).split("\r?\n", -1)) {
+            String[] all = SceneFiles.decode(bytes(path, source), source).split("\r?\n", -1);
+            from = lastTurn(all);
+            for (int k = 0; k < all.length; k = k == 0 ? from - 1 : k + 1) {
+                String line = all[k];
                 lines.add(new JsonText(name.place(), line));
                 if (line.length() > JsonLimits.TEXT) {
-                    throw new SceneException(source + ":" + lines.size() + ":1: found a line of " + line.length()
+                    throw new SceneException(source + ":" + (k + 1) + ":1: found a line of " + line.length()
                         + " characters, expected at most " + JsonLimits.TEXT);
                 }
             }
@@ -87,7 +95,26 @@ final class CsvLines {
         Map<String, Entry> entries = new LinkedHashMap<>();
         entries.put("file", new Entry(place, name));
         entries.put("lines", new Entry(place, new JsonArray(place, lines)));
+        if (from > 2) {
+            entries.put("from", new Entry(place, new JsonNumber(place, Integer.toString(from))));
+        }
         return new JsonObject(place, entries);
+    }
+
+    /** The line, from 1, at which the last turn of a table by turns begins; 2 for another table. */
+    private static int lastTurn(String... lines) {
+        int line = lines.length;
+        while (line > 1 && lines[line - 1].isBlank()) {
+            line--;
+        }
+        if (line < 2 || !TURN.matcher(lines[0]).lookingAt()) {
+            return 2;
+        }
+        String turn = lines[line - 1].split(",", 2)[0].strip();
+        while (line > 2 && lines[line - 2].split(",", 2)[0].strip().equals(turn)) {
+            line--;
+        }
+        return line;
     }
 
     private static byte[] bytes(Path path, String source) throws IOException {

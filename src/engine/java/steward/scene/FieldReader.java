@@ -9,6 +9,7 @@ import steward.physics.HalfPlane;
 import steward.physics.Segment;
 import steward.physics.Wall;
 import steward.scene.json.Block;
+import steward.text.NearestName;
 
 /** Reads the block {@code field}. */
 final class FieldReader {
@@ -32,7 +33,11 @@ final class FieldReader {
             return List.of();
         }
         if (block.isText("walls")) {
-            block.choice("walls", box);
+            if (!block.text("walls").equals("box")) {
+                throw block.error("walls", block.shown("walls"), "\"box\" or an array of walls, each of the \"type\" "
+                    + "\"arena\", \"box\", \"half-plane\" or \"segment\"" + NearestName.question(block.text("walls"),
+                    WALLS.keySet(), "\""));
+            }
             return List.of(Wall.box(x, y, width, height, 1));
         }
         if (block.isArray("walls")) {

@@ -1,6 +1,7 @@
 package steward.scene;
 
 import java.util.List;
+import java.util.function.UnaryOperator;
 import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
 import steward.Internal;
@@ -116,9 +117,19 @@ public final class Plan {
      * @param reaction as in {@link #physics}
      */
     public Advance advance(Reaction reaction) {
+        return advance(reaction, UnaryOperator.identity());
+    }
+
+    /**
+     * The advance that the scene's accuracy requires, in a frame of the game's.
+     *
+     * @param reaction as in {@link #physics}
+     * @param frame    returns an advance around another one
+     */
+    public Advance advance(Reaction reaction, UnaryOperator<Advance> frame) {
         PhysicsParts physics = physics(reaction);
         Advance advance = scene.accuracy().advance(physics, bodies);
-        return scene.observer().observe(physics, advance);
+        return scene.observer().observe(physics, frame.apply(advance));
     }
 
     /** The rung that the scene is computed on, and why that one. */

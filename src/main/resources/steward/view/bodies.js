@@ -1,4 +1,4 @@
-// The look of bodies: balls in their own colours or in that of their speed; energy, momentum and impacts.
+// The look of bodies: balls in their own colours or in that of their speed; energy, momenta, pressure and impacts.
 
 import { FONT, write } from './draw.js';
 import { putBall, putDisc } from './hulls.js';
@@ -43,7 +43,10 @@ addLook('bodies', {
     return [
       { title: 'Kinetic energy', unit: 'm·(u/turn)²', names: act ? ['energy', 'potential'] : ['energy'],
         lists: () => sums().slice(0, act ? 2 : 1) },
-      { title: 'Momentum', unit: 'm·u/turn', names: ['x', 'y'], lists: () => sums().slice(2) },
+      { title: 'Momentum', unit: 'm·u/turn', names: ['x', 'y'], lists: () => sums().slice(2, 4) },
+      { title: 'Angular momentum', unit: 'm·u²/turn', names: ['about the origin'], lists: () => sums().slice(4, 5) },
+      { title: 'Temperature', unit: 'm·(u/turn)², energy of a body', names: ['temperature'], lists: () => sums().slice(5, 6) },
+      ...pressures(match, act, sums),
       { title: limited ? `Impacts (${limited} turns at the bound)` : 'Impacts', unit: 'in a turn', names: ['impacts'],
         isWithin: true, lists: () => series.ofTurns('impacts', 1, turn => [turn.impactsInAll ?? 0]) },
     ];
@@ -52,7 +55,62 @@ addLook('bodies', {
 
 function sumsOfTurns(match, series) {
   const forces = forcesOf(match);
-  return series.ofTurns('sums', 4, turn => (turn.isKept === false ? [] : sumsOf(match, turn, forces)));
+  const room = roomOf(match);
+  return series.ofTurns('sums', 8, turn => (turn.isKept === false ? [] : sumsOf(match, turn, forces, room)));
+}
+
+/** The chart of what presses on walls, and of what follows from the virial where no force acts. */
+function pressures(match, act, sums) {
+  const { length, area } = roomOf(match);
+  const names = [...(length ? ['on walls'] : []), ...(area && !act ? ['virial'] : [])];
+  return names.length ? [{ title: 'Pressure', unit: 'm/turn²', names, isWithin: true,
+    lists: () => [...(length ? [sums()[6]] : []), ...(area && !act ? [sums()[7]] : [])] }] : [];
+}
+
+/** Length of all that holds bodies, and area of the field between four walls or of the smallest arena; 0 if unknown. */
+function roomOf(match) {
+  const { field, walls = [], bodies = [] } = match.header.drawing;
+  let [length, area] = [0, Infinity];
+  const sides = new Set();
+  for (const wall of walls) {
+    if (wall.type === 'arena') {
+      length += 2 * Math.PI * wall.radius;
+      area = Math.min(area, Math.PI * wall.radius ** 2);
+    } else if (wall.type === 'segment') {
+      length += 2 * Math.hypot(wall.bx - wall.ax, wall.by - wall.ay);
+    } else {
+      const side = sideOf(wall, field);
+      length += side ? (side < 3 ? field.height : field.width) : NaN;
+      sides.add(side);
+    }
+  }
+  if (area === Infinity) area = [1, 2, 3, 4].every(side => sides.has(side)) ? field.width * field.height : NaN;
+  for (const { kind, radius } of bodies) {
+    if (kind === 'bumper') {
+      length += 2 * Math.PI * radius;
+      area -= Math.PI * radius ** 2;
+    }
+  }
+  return { length: length || 0, area: area || 0 };
+}
+
+/** The side of the field that a straight wall is: 1 left, 2 right, 3 top, 4 bottom, 0 none. */
+function sideOf({ x, y, insideX, insideY }, field) {
+  if (insideX) return insideX === 1 && x === field.x ? 1 : insideX === -1 && x === field.x + field.width ? 2 : 0;
+  return insideY === 1 && y === field.y ? 3 : insideY === -1 && y === field.y + field.height ? 4 : 0;
+}
+
+/** Impulses on what does not move, and half of the sum of impulses times distances of centres, or radii at walls. */
+function pushesOf(match, turn) {
+  let [push, virial] = [0, 0];
+  const massOf = id => match.descriptions.get(id)?.mass;
+  for (const { a, b, ax, ay, bx, by, impulse } of turn.impacts) {
+    const isHeld = b === undefined || massOf(a) === undefined || massOf(b) === undefined;
+    if (isHeld) push += impulse;
+    virial += impulse / 2 * (!isHeld ? Math.hypot(bx - ax, by - ay)
+      : match.descriptions.get(massOf(a) === undefined ? b : a)?.radius);
+  }
+  return [push, virial];
 }
 
 /** Force and gravity of the scene: x and y of each. */
@@ -62,9 +120,9 @@ function forcesOf(match) {
 }
 
 /** The speed at the end of a turn is v + a/2: v is that of the middle of a parabola. */
-function sumsOf(match, turn, forces) {
+function sumsOf(match, turn, forces, { length, area }) {
   const [forceX, forceY, gravityX, gravityY] = forces;
-  let [energy, potential, x, y] = [0, 0, 0, 0];
+  let [energy, potential, x, y, angular, count] = [0, 0, 0, 0, 0, 0];
   for (const body of turn.bodies.values()) {
     const mass = match.descriptions.get(body.id)?.mass;
     if (mass === undefined) continue;                                   // infinite
@@ -74,8 +132,13 @@ function sumsOf(match, turn, forces) {
     potential -= mass * (ax * (body.x - start.x) + ay * (body.y - start.y));
     x += mass * body.vx;
     y += mass * body.vy;
+    angular += mass * (body.x * body.vy - body.y * body.vx);
+    count++;
   }
-  return [energy, potential, x, y];
+  const isWhole = turn.number > 0 && turn.impacts.length === turn.impactsInAll;
+  const [push, virial] = isWhole ? pushesOf(match, turn) : [NaN, NaN];
+  return [energy, potential, x, y, angular, ...[energy / count, push / length, (energy + virial) / area]
+    .map(value => (Number.isFinite(value) ? value : null))];
 }
 
 /** The colour of a speed, as a share of the fastest of the match. */

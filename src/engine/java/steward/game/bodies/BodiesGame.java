@@ -15,8 +15,8 @@ import steward.scene.Bumper;
 import steward.scene.Plan;
 
 /**
- * The rules. The discs come first, in the order of the scene, then its bumpers; none is ever added or removed, so that
- * ids are indices. A player commands a thrust for each disc that is the player's.
+ * The rules. The ids of discs come first, in the order of the scene, then those of its bumpers. Zones may take discs out:
+ * then the indices of later bodies fall, and ids stay. A player commands a thrust for each disc that is the player's.
  */
 public final class BodiesGame extends AbstractGame {
 
@@ -25,6 +25,12 @@ public final class BodiesGame extends AbstractGame {
     private final List<Body> discs;
     /** Of the rules, as an array: the iterator of a list is allocated. */
     private final Zone[] zones;
+    /** Zones that bodies reach on their way, and what enters them; {@code null} if there are none. */
+    private final ZonePassings passings;
+    /** {@code null} if no zone takes discs out on their way. */
+    private final Pockets pockets;
+    /** By the id of a disc, the zone that has taken it out, or {@code null}. */
+    private final Zone[] takers;
     private final Bodies bodies;
     private final Advance advance;
     private final Wall[] walls;
@@ -72,7 +78,10 @@ public final class BodiesGame extends AbstractGame {
         bodies = other.bodies.copy();
         thrusts = new Thrust[discs.size()];
         points = other.points.clone();
-        advance = plan.advance(null);
+        takers = other.takers.clone();
+        passings = passings();
+        pockets = pockets();
+        advance = advance();
         walls = other.walls;
         sink = sink();
     }
@@ -87,14 +96,31 @@ public final class BodiesGame extends AbstractGame {
         bodies = new Bodies(discs.size() + bumpers);
         thrusts = new Thrust[discs.size()];
         points = new long[owned.length];
-        advance = plan.advance(null);
-        walls = plan.physics(null).walls().toArray(Wall[]::new);
+        takers = new Zone[discs.size()];
+        passings = passings();
+        pockets = pockets();
+        advance = advance();
+        walls = plan.physics(pockets).walls().toArray(Wall[]::new);
         sink = sink();
     }
 
     @Override
     public BodiesGame copy() {
         return new BodiesGame(this);
+    }
+
+    private ZonePassings passings() {
+        Zone[] passed = Arrays.stream(zones).filter(Zone::passing).toArray(Zone[]::new);
+        return passed.length == 0 ? null : new ZonePassings(passed, discs.size());
+    }
+
+    private Pockets pockets() {
+        return rules.hasPockets() ? new Pockets(zones, bodies, discs.size()) : null;
+    }
+
+    private Advance advance() {
+        return pockets == null ? plan.advance(null)
+            : plan.advance(pockets, inner -> pockets.around(inner, () -> turn() == 1));
     }
 
     /** The log, and in front of it a count of contacts where they have points. */
@@ -148,11 +174,22 @@ public final class BodiesGame extends AbstractGame {
             return;
         }
         push();
-        advance.turn(bodies, sink);
-        plan.motion().endTurn(bodies);
+        if (passings == null) {
+            advance.turn(bodies, sink);
+            plan.motion().endTurn(bodies);
+        } else {
+            passings.begin(bodies, turn() == 1);
+            advance.turn(bodies, sink);
+            passings.follow(log);
+            passings.end(bodies);
+            plan.motion().endTurn(bodies);
+            passings.end(bodies);
+        }
         Arrays.fill(thrusts, null);
-        boolean reached = visitZones();
-        if (!reached && isAtRest()) {
+        boolean reached = passZones() || visitZones();
+        if (!reached && discsLeft() == 0) {
+            end("no body is left");
+        } else if (!reached && isAtRest()) {
             end("all bodies are slower than the scene's restBelow");
         } else if (!reached && turn() >= rules.maximumTurns()) {
             end("at most " + rules.maximumTurns() + " turns are played");
@@ -161,26 +198,61 @@ public final class BodiesGame extends AbstractGame {
 
     /** Impulses at the start of the turn: forces, gravity, thrust. */
     private void push() {
-        for (int k = 0; k < discs.size(); k++) {
-            boolean pushed = thrusts[k] != null && isIn(owner(k));
-            rules.forces().accelerate(bodies, k, pushed ? thrusts[k].x() : 0, pushed ? thrusts[k].y() : 0);
+        for (int k = 0; k < discsLeft(); k++) {
+            Thrust thrust = thrusts[bodies.id(k)];
+            boolean pushed = thrust != null && isIn(owner(bodies.id(k)));
+            rules.forces().accelerate(bodies, k, pushed ? thrust.x() : 0, pushed ? thrust.y() : 0);
         }
     }
 
-    /** Gives points, and ends the game if a body has reached a zone that ends it. */
+    /** Lets zones act on what has entered them, in the order of time. @return whether the game is over */
+    private boolean passZones() {
+        for (int k = 0; passings != null && k < passings.size() && !isOver(); k++) {
+            int disc = passings.disc(k);
+            if (takers[disc] == null) {
+                reach(passings.zone(k), disc, passings.time(k), passings.x(k), passings.y(k));
+            }
+        }
+        return isOver();
+    }
+
+    /** Lets the other zones act on what is in them at the end of the turn. @return whether the game is over */
     private boolean visitZones() {
         for (Zone zone : zones) {
-            for (int k = 0; k < discs.size(); k++) {
+            for (int k = 0; !zone.passing() && k < discsLeft(); k++) {
                 if (zone.holds(bodies.x[k], bodies.y[k])) {
-                    score(owner(k), zone.points());
-                    if (zone.ends() && !isOver()) {
-                        events.add(TurnEvent.Kind.MARK, 1, k, bodies.x[k], bodies.y[k], "zone " + zone.label(), true);
-                        end("body " + k + " is in the zone " + zone.label());
-                    }
+                    reach(zone, bodies.id(k), 1, bodies.x[k], bodies.y[k]);
+                    k -= zone.removes() ? 1 : 0;
                 }
             }
         }
         return isOver();
+    }
+
+    /** Gives points, takes a disc out, and ends the game, as a zone says. */
+    private void reach(Zone zone, int disc, double time, double x, double y) {
+        score(owner(disc), zone.points());
+        boolean ends = zone.ends() && !isOver();
+        if (zone.removes()) {
+            takers[disc] = zone;
+            bodies.remove(bodies.indexOf(disc));
+            events.add(TurnEvent.Kind.DEATH, time, disc, x, y, "zone " + zone.label(), true);
+        } else if (zone.passing() || ends) {
+            events.add(TurnEvent.Kind.MARK, time, disc, x, y, "zone " + zone.label(), ends);
+        }
+        if (ends) {
+            end("body " + disc + (zone.passing() ? " has reached" : " is in") + " the zone " + zone.label());
+        }
+    }
+
+    /** The number of discs that no zone has taken out; they have the lowest indices. */
+    public int discsLeft() {
+        return bodies.size() - (bodies.capacity() - discs.size());
+    }
+
+    /** The zone that has taken a disc out, or {@code null}. */
+    public Zone taker(int disc) {
+        return takers[disc];
     }
 
     private boolean isAtRest() {
@@ -188,7 +260,7 @@ public final class BodiesGame extends AbstractGame {
         if (bound == 0) {
             return false;
         }
-        for (int k = 0; k < discs.size(); k++) {
+        for (int k = 0; k < discsLeft(); k++) {
             if (bodies.inverseMass[k] > 0 && !(bodies.vx[k] * bodies.vx[k] + bodies.vy[k] * bodies.vy[k] < bound
                 && (!rules.forces().act() || isCarried(k)))) {
                 return false;
@@ -261,11 +333,14 @@ public final class BodiesGame extends AbstractGame {
         return points[player];
     }
 
-    /** Turn; per disc place and speed; per player points and turn of exit. */
+    /** Turn; per disc place and speed, and its id where zones take discs out; per player points and turn of exit. */
     @Override
     public long hash() {
         hash.reset().add(turn());
-        for (int k = 0; k < discs.size(); k++) {
+        for (int k = 0; k < discsLeft(); k++) {
+            if (rules.removes()) {
+                hash.add(bodies.id(k));
+            }
             hash.add(bodies.x[k]).add(bodies.y[k]).add(bodies.vx[k]).add(bodies.vy[k]);
         }
         for (int player = 0; player < points.length; player++) {

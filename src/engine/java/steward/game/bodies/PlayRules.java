@@ -1,6 +1,7 @@
 package steward.game.bodies;
 
 import java.util.List;
+import steward.physics.Contacts;
 import steward.physics.Forces;
 
 /**
@@ -18,5 +19,20 @@ public record PlayRules(int maximumTurns, double restBelow, Forces forces, doubl
 
     public PlayRules {
         zones = List.copyOf(zones);
+    }
+
+    /** True if a zone takes discs out. */
+    boolean removes() {
+        return zones.stream().anyMatch(Zone::removes);
+    }
+
+    /** True if a zone takes discs out on their way. */
+    boolean hasPockets() {
+        return zones.stream().anyMatch(Zone::isPocket);
+    }
+
+    /** What contacts mean under these rules. */
+    public Contacts contacts() {
+        return hasPockets() ? Pockets.contacts() : new Contacts(1);
     }
 }

@@ -85,7 +85,7 @@ class BodiesGameTest {
         assertEquals(1, game.log().impacts());
         assertArrayEquals(new double[] {2, 9}, game.scores());
         assertArrayEquals(new int[] {1, 0}, game.ranks());
-        assertEquals("body 1 is in the zone hole", game.ending());
+        assertEquals("body 1 has reached the zone hole", game.ending());
     }
 
     @Test

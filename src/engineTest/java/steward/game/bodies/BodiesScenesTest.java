@@ -140,14 +140,63 @@ class BodiesScenesTest {
         x,y,radius;50,60                    | 2:1: found 2 cells, expected 3, as many as the first line has names
         x,y,radios;50,60,10                 | 1:1: found no column "radius" in x,y,radios, expected x, y, radius and
         x;y;radius;50;60;10                 | 1:1: found no column "y" in x, expected x, y, radius and others, separated
+        x#y#radius;50#60#10                 | 1:1: found semicolons, expected names separated by commas
+        x~y~radius;50~60~10                 | 1:1: found tabs, expected names separated by commas
+        "x","y","radius";50,60,10           | 1:1: found quotes, expected names separated by commas
+        // discs;x,y,radius;50,60,10        | 1:1: found a comment, expected names separated by commas
+        x,y,radius;50#60#10                 | 2:1: found semicolons, expected cells separated by commas
+        x,y,radius;50,60,"10"               | 2:7: found quotes, expected cells separated by commas, without quotes
+        x,y,radius;// none;50,60,10         | 2:1: found a comment, expected cells separated by commas
+        x,y,radius;1,60,10;.5.,60,10        | 3:1: x: found the text ".5.", expected a number -1e12..1e12
         x,y,radius,speed;50,60,10,1         | 1:12: speed: found an unknown field, expected one of
         ``                                  | 1:1: found no names, expected a line with the names of the columns
         x,y,x;50,60,10                      | 1:5: found the column "x" a second time, expected it once
         x,y,radius;50,60,-1                 | 2:7: radius: found -1, expected a number above 0
         """)
     void errorsOfACsvFileAreLocatedInIt(String lines, String message) {
-        String found = assertThrows(SceneException.class, () -> csv(lines.replace(';', '\n'))).getMessage();
+        String found = assertThrows(SceneException.class, () -> csv(lines.replace(';', '\n').replace('#', ';')
+            .replace('~', '\t'))).getMessage();
         assertTrue(found.startsWith("discs.csv:" + message), found);
+    }
+
+    @Test
+    void numbersNeedNotBeThoseOfJson() throws IOException {
+        Bodies bodies = csv("x [u],y[u],radius,vx\n+100.,060,.5e1,-.25\n").create(0).bodies();
+        assertEquals(100, bodies.x[0]);
+        assertEquals(60, bodies.y[0]);
+        assertEquals(5, bodies.radius[0]);
+        assertEquals(-0.25, bodies.vx[0]);
+    }
+
+    /** Bodies are those of the last turn; errors are still where they are in the file. */
+    @Test
+    void aTableOfStatesIsItsLastTurn() throws IOException {
+        String states = "turn,id,x [u],y [u],radius [u]\n0,0,50,60,10\n0,1,90,60,10\n1,0,51,60,10\n1,1,91,60,RADIUS\n";
+        GameSetup setup = csv(states.replace("RADIUS", "11"));
+        Bodies bodies = setup.create(0).bodies();
+        assertEquals("51 60; 91 60", places(bodies));
+        assertEquals(setup.create(0).hash(), TestScenes.TYPES.open(setup.scene().json(), "elsewhere").create(0).hash());
+        assertTrue(assertThrows(SceneException.class, () -> csv(states.replace("RADIUS", "-1"))).getMessage()
+            .startsWith("discs.csv:5:11: radius: found -1, expected"));
+    }
+
+    @Test
+    void wallsThatThereAreNotAreAnsweredWithThoseThatThereAre() {
+        String found = assertThrows(SceneException.class, () -> TestScenes.TYPES.open(HEAD.replace("\"box\"",
+            "\"periodic\"") + "\"fill\": {\"count\": 1, \"radius\": 5}" + TAIL, "s.json")).getMessage();
+        assertEquals("s.json:2:53: field.walls: found \"periodic\", expected \"box\" or an array of walls, each of the "
+            + "\"type\" \"arena\", \"box\", \"half-plane\" or \"segment\"", found);
+    }
+
+    /** 0.7071 is 1 / sqrt(2) to 1e-5; a disc that bounces keeps its speed. */
+    @Test
+    void aVectorOfFewDigitsIsMadeOne() {
+        String walls = "[ {\"type\": \"half-plane\", \"x\": 500, \"y\": 0, \"insideX\": 0.7071, \"insideY\": 0.7071} ]";
+        Game game = TestScenes.TYPES.open(HEAD.replace("\"box\"", walls) + "\"listed\": [ {\"x\": 500, \"y\": 50, "
+            + "\"radius\": 10, \"vy\": -60} ]" + TAIL, "s.json").create(0);
+        game.play();
+        assertEquals(60, game.bodies().vx[0], 1e-12);
+        assertEquals(0, game.bodies().vy[0], 1e-12);
     }
 
     @Test

@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
 import steward.cli.shared.Games;
 import steward.files.InputException;
@@ -16,7 +17,6 @@ import steward.files.OutputFiles;
 import steward.game.FrameCodec;
 import steward.game.Game;
 import steward.game.GameSetup;
-import steward.json.JsonNumbers;
 import steward.json.JsonObject;
 import steward.match.MatchListener;
 import steward.match.Turn;
@@ -27,26 +27,43 @@ import steward.physics.TurnSink;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.io.NumberOutput;
 
-/** Energy, momentum and impacts of every turn, for people and as CSV; with every state and every impact as CSV. */
+/**
+ * Energy, momenta, temperature, pressure and impacts of every turn, for people and as CSV; with every state and every
+ * impact as CSV. A table of states is what the field {@code csv} of a scene takes.
+ */
 final class RunTables implements MatchListener, AutoCloseable {
 
     /** Rows of the table for people, at most. */
     private static final int MOST_ROWS = 12;
 
+    private static final String STATES = "turn,id,x [u],y [u],vx [u/turn],vy [u/turn],radius [u],mass [m],restitution,"
+        + "drag [1/turn]";
+    private static final String IMPACTS = "turn,time [turn],a,b,wall,ax [u],ay [u],bx [u],by [u],impulse [m u/turn],"
+        + "energy [m u^2/turn^2],normalX,normalY,vaxBefore [u/turn],vayBefore [u/turn],vaxAfter [u/turn],"
+        + "vayAfter [u/turn],vbxBefore [u/turn],vbyBefore [u/turn],vbxAfter [u/turn],vbyAfter [u/turn]";
+
     private final BufferedWriter turns;
     private final BufferedWriter states;
     private final BufferedWriter impacts;
-    private final List<double[]> rows = new ArrayList<>();
+    private final List<TurnRow> rows = new ArrayList<>();
     private Game game;
     private Runnable step = () -> { };
     private int impactsOfTurn;
+    /** Impulses on walls, bumpers and other infinite masses in the turn. */
+    private double pushOfTurn;
+    /** Impulses times distances of centres, or radii where one has infinite mass. */
+    private double virialOfTurn;
     /** Energy that rest took in the turn. */
     private double restOfTurn;
     /** When the turn reached the bound on impacts; NaN if it did not. */
     private double limitTime = Double.NaN;
     private Forces forces = Forces.NONE;
-    /** Of all bodies by the forces, before the first turn. */
-    private double start;
+    private Enclosure enclosure = Enclosure.NONE;
+    /** The id of the first bumper: as many bodies come from the scene's lists and fills. */
+    private int bumpers;
+    /** Places before the first turn, by id. */
+    private double[] startX;
+    private double[] startY;
 
     private RunTables(BufferedWriter turns, BufferedWriter states, BufferedWriter impacts) {
         this.turns = turns;
@@ -63,10 +80,8 @@ final class RunTables implements MatchListener, AutoCloseable {
         List.of("turns.csv", "states.csv", "impacts.csv")
             .forEach(name -> OutputFiles.check(folder.resolve(name), overwrite));
         try {
-            return new RunTables(file(folder, "turns.csv",
-                "turn,energy,momentumX,momentumY,impacts,potential,limitTime,rest,restSum"),
-                file(folder, "states.csv", "turn,id,x,y,vx,vy"),
-                file(folder, "impacts.csv", "turn,time,a,b,wall,ax,ay,bx,by,impulse,energy"));
+            return new RunTables(file(folder, "turns.csv", TurnRow.COLUMNS), file(folder, "states.csv", STATES),
+                file(folder, "impacts.csv", IMPACTS));
         } catch (IOException problem) {
             throw new InputException(folder + ": cannot be written into: " + OutputFiles.reason(folder, problem));
         }
@@ -87,9 +102,14 @@ final class RunTables implements MatchListener, AutoCloseable {
                                double massB, double vaxBefore, double vayBefore, double vaxAfter, double vayAfter,
                                double vbxBefore, double vbyBefore, double vbxAfter, double vbyAfter) {
                 impactsOfTurn++;
+                boolean isHeld = massA == Double.POSITIVE_INFINITY || massB == Double.POSITIVE_INFINITY;
+                pushOfTurn += isHeld ? impulse : 0;
+                virialOfTurn += impulse * (!isHeld ? Math.sqrt((bx - ax) * (bx - ax) + (by - ay) * (by - ay))
+                    : radius(massA == Double.POSITIVE_INFINITY ? b : a));
                 if (impacts != null) {
                     write(impacts, game.turn() + "," + number(time) + "," + a + "," + (b < 0 ? "," + ~b : b + ",")
-                        + cells(ax, ay, bx, by, impulse, energy));
+                        + cells(ax, ay, bx, by, impulse, energy, normalX, normalY, vaxBefore, vayBefore, vaxAfter,
+                        vayAfter, vbxBefore, vbyBefore, vbxAfter, vbyAfter) + "\n");
                 }
             }
 
@@ -103,6 +123,8 @@ final class RunTables implements MatchListener, AutoCloseable {
                 limitTime = time;
             }
         };
+        setup.scene().field().ifPresent(field -> enclosure = Enclosure.of(field));
+        bumpers = -setup.scene().field().map(field -> field.bumpers().size()).orElse(0);
         return Games.types().open(setup.scene().withObserver((parts, advance) -> {
             forces = parts.forces();
             return (bodies, sink) -> advance.turn(bodies, new TeeSink(sink, watcher));
@@ -115,10 +137,17 @@ final class RunTables implements MatchListener, AutoCloseable {
         return this;
     }
 
+    private double radius(int id) {
+        return game.bodies().radius[game.bodies().indexOf(id)];
+    }
+
     @Override
     public void start(Game started, FrameCodec codec) {
         game = started;
-        start = potential(started.bodies());
+        Bodies bodies = started.bodies();
+        bumpers += bodies.size();
+        startX = Arrays.copyOf(bodies.x, bodies.size());
+        startY = Arrays.copyOf(bodies.y, bodies.size());
         add();
     }
 
@@ -128,102 +157,115 @@ final class RunTables implements MatchListener, AutoCloseable {
         step.run();
     }
 
-    /** The energy that the forces give: minus the force times the place. */
-    private double potential(Bodies bodies) {
-        double sum = 0;
-        for (int k = 0; k < bodies.size() && forces.act(); k++) {
-            if (bodies.inverseMass[k] > 0) {
-                sum -= bodies.mass[k] * (forces.x(bodies, k) * bodies.x[k] + forces.y(bodies, k) * bodies.y[k]);
-            }
-        }
-        return sum;
-    }
-
     /** Adds a row. The speed at the end of a turn is v + a / 2, since v is that of the middle of a parabola. */
     private void add() {
         Bodies bodies = game.bodies();
-        double[] row = {game.turn(), 0, 0, 0, impactsOfTurn, potential(bodies) - start, limitTime, restOfTurn,
-            restOfTurn + (rows.isEmpty() ? 0 : rows.get(rows.size() - 1)[8])};
-        impactsOfTurn = 0;
-        restOfTurn = 0;
-        limitTime = Double.NaN;
+        double energy = 0;
+        double potential = 0;
+        double momentumX = 0;
+        double momentumY = 0;
+        double angularMomentum = 0;
+        int count = 0;
         for (int k = 0; k < bodies.size(); k++) {
+            double mass = bodies.mass[k];
+            double vx = bodies.vx[k];
+            double vy = bodies.vy[k];
             if (bodies.inverseMass[k] > 0) {
-                double vx = bodies.vx[k] + forces.x(bodies, k) / 2;
-                double vy = bodies.vy[k] + forces.y(bodies, k) / 2;
-                row[1] += bodies.mass[k] * (vx * vx + vy * vy) / 2;
-                row[2] += bodies.mass[k] * bodies.vx[k];
-                row[3] += bodies.mass[k] * bodies.vy[k];
+                double ax = forces.x(bodies, k);
+                double ay = forces.y(bodies, k);
+                int id = bodies.id(k);
+                energy += mass * ((vx + ax / 2) * (vx + ax / 2) + (vy + ay / 2) * (vy + ay / 2)) / 2;
+                potential -= mass * (ax * (bodies.x[k] - startX[id]) + ay * (bodies.y[k] - startY[id]));
+                momentumX += mass * vx;
+                momentumY += mass * vy;
+                angularMomentum += mass * (bodies.x[k] * vy - bodies.y[k] * vx);
+                count++;
             }
-            if (states != null) {
-                write(states, game.turn() + "," + bodies.id(k)
-                    + cells(bodies.x[k], bodies.y[k], bodies.vx[k], bodies.vy[k]));
+            if (states != null && bodies.id(k) < bumpers) {
+                write(states, game.turn() + "," + bodies.id(k) + cells(bodies.x[k], bodies.y[k], vx, vy,
+                    bodies.radius[k]) + "," + (bodies.inverseMass[k] > 0 ? number(mass) : "infinite")
+                    + cells(bodies.restitution[k], bodies.drag[k]) + "\n");
             }
         }
-        rows.add(row);
+        boolean isPlayed = !rows.isEmpty();
+        rows.add(new TurnRow(game.turn(), energy, momentumX, momentumY, impactsOfTurn, potential + 0.0, limitTime,
+            restOfTurn, restOfTurn + (isPlayed ? rows.get(rows.size() - 1).restSum() : 0), angularMomentum,
+            count == 0 ? Double.NaN : energy / count, isPlayed ? pushOfTurn / enclosure.length() : Double.NaN,
+            isPlayed && !forces.act() ? (energy + virialOfTurn / 2) / enclosure.area() : Double.NaN));
+        impactsOfTurn = 0;
+        pushOfTurn = 0;
+        virialOfTurn = 0;
+        restOfTurn = 0;
+        limitTime = Double.NaN;
         if (turns != null) {
-            write(turns, (int) row[0] + cells(row[1], row[2], row[3]).stripTrailing() + "," + (int) row[4]
-                + cells(row[5]).stripTrailing() + "," + (Double.isNaN(row[6]) ? "" : number(row[6]))
-                + cells(row[7], row[8]));
+            write(turns, rows.get(rows.size() - 1).line());
         }
     }
 
     /** The table for people: some turns, evenly, the first and the last among them. */
     List<String> lines() {
         List<String> lines = new ArrayList<>();
-        lines.add(String.format(Locale.ROOT, "%7s  %14s%s  %14s  %14s  %9s", "turn", "energy",
-            forces.act() ? String.format("  %14s", "potential") : "", "momentum x", "momentum y", "impacts"));
+        boolean byWalls = !Double.isNaN(enclosure.length());
+        boolean byVirial = !Double.isNaN(enclosure.area()) && !forces.act();
+        lines.add(String.format(Locale.ROOT, "%7s%s%s%s%s%s%s%s%s  %9s", "turn", word("energy"),
+            forces.act() ? word("potential") : "", word("momentum x"), word("momentum y"), word("angular m."),
+            word("temperature"), byWalls ? word("p, walls") : "", byVirial ? word("p, virial") : "", "impacts"));
         int shown = Math.min(MOST_ROWS, rows.size());
         int from = 0;
         for (int k = 0; k < shown; k++) {
             int to = shown == 1 ? 0 : (int) ((long) k * (rows.size() - 1) / (shown - 1));
-            long sum = 0;
-            for (int turn = from; turn <= to; turn++) {
-                sum += (long) rows.get(turn)[4];
-            }
-            double[] row = rows.get(to);
-            lines.add(String.format(Locale.ROOT, "%7d  %14.7g%s  %14.7g  %14.7g  %9d", (int) row[0], row[1],
-                forces.act() ? String.format(Locale.ROOT, "  %14.7g", row[5]) : "", row[2], row[3], sum));
+            List<TurnRow> since = rows.subList(from, to + 1);
+            TurnRow row = rows.get(to);
+            lines.add(String.format(Locale.ROOT, "%7d%s%s%s%s%s%s%s%s  %9d", row.turn(), word(row.energy()),
+                forces.act() ? word(row.potential()) : "", word(row.momentumX()), word(row.momentumY()),
+                word(row.angularMomentum()), word(row.temperature()),
+                byWalls ? word(mean(since, TurnRow::pressureWalls)) : "",
+                byVirial ? word(mean(since, TurnRow::pressureVirial)) : "",
+                since.stream().mapToLong(TurnRow::impacts).sum()));
             from = to + 1;
         }
         if (rows.size() > shown) {
-            lines.add("Impacts are those since the row before. All turns: --csv.");
+            lines.add("Impacts" + (byWalls || byVirial ? " and the mean pressure" : "")
+                + " are those since the row before. All turns: --csv.");
         }
-        double rest = rows.isEmpty() ? 0 : rows.get(rows.size() - 1)[8];
+        double rest = rows.isEmpty() ? 0 : rows.get(rows.size() - 1).restSum();
         if (rest != 0) {
             double share = 0;
             for (int k = 1; k < rows.size(); k++) {
-                share = Math.max(share, rows.get(k)[7] / rows.get(k - 1)[1]);
+                share = Math.max(share, rows.get(k).rest() / rows.get(k - 1).energy());
             }
             lines.add(String.format(Locale.ROOT, "Rest took the energy %.3g, at most %.1e of that at the start of a "
                 + "turn.", rest, share));
         }
-        List<double[]> limited = rows.stream().filter(row -> !Double.isNaN(row[6])).toList();
+        List<TurnRow> limited = rows.stream().filter(TurnRow::isLimited).toList();
         if (!limited.isEmpty()) {
             lines.add(String.format(Locale.ROOT, "%d of %d turns reached the bound on impacts, the first of them turn "
                 + "%d: there bodies in contact kept their places.", limited.size(), rows.size() - 1,
-                (int) limited.get(0)[0]));
+                limited.get(0).turn()));
         }
         return lines;
     }
 
-    void writeRows(JsonGenerator out) {
-        JsonObject.writeAll(out, "rows", rows, row -> {
-            out.writeNumberProperty("turn", (int) row[0]);
-            JsonNumbers.writeOrNull(out, "energy", row[1]);
-            JsonNumbers.writeOrNull(out, "momentumX", row[2]);
-            JsonNumbers.writeOrNull(out, "momentumY", row[3]);
-            out.writeNumberProperty("impacts", (int) row[4]);
-            JsonNumbers.writeOrNull(out, "potential", row[5]);
-            JsonNumbers.writeOrNull(out, "limitTime", row[6]);
-            JsonNumbers.writeOrNull(out, "rest", row[7]);
-            JsonNumbers.writeOrNull(out, "restSum", row[8]);
-        });
+    private static String word(String text) {
+        return String.format("  %12s", text);
     }
 
-    /** The rest of a row, with a comma before each number. */
-    private static String cells(double... values) {
-        return Arrays.stream(values).mapToObj(value -> "," + number(value)).collect(Collectors.joining("", "", "\n"));
+    private static String word(double value) {
+        return Double.isNaN(value) ? word("") : String.format(Locale.ROOT, "  %12.6g", value);
+    }
+
+    private static double mean(List<TurnRow> of, ToDoubleFunction<TurnRow> value) {
+        return of.stream().mapToDouble(value).average().orElse(Double.NaN);
+    }
+
+    void writeRows(JsonGenerator out) {
+        JsonObject.writeAll(out, "rows", rows, row -> row.write(out));
+    }
+
+    /** Numbers with a comma before each, nothing behind it for NaN. */
+    static String cells(double... values) {
+        return Arrays.stream(values).mapToObj(value -> "," + (Double.isNaN(value) ? "" : number(value)))
+            .collect(Collectors.joining());
     }
 
     private static String number(double value) {

@@ -35,8 +35,9 @@ final class BodiesFrames implements BotFrames, Drawing {
         WallJson.write(out, field.walls());
         writeZones(out, true);
         JsonObject.writeAll(out, "bodies", game.bodies().size(), k -> {
-            out.writeNumberProperty("id", k);
-            int owner = k < game.discs().size() ? game.discs().get(k).owner() : Body.NOBODY;
+            int id = game.bodies().id(k);
+            out.writeNumberProperty("id", id);
+            int owner = id < game.discs().size() ? game.discs().get(id).owner() : Body.NOBODY;
             if (owner != Body.NOBODY) {
                 out.writeNumberProperty("player", owner);
             }
@@ -48,7 +49,7 @@ final class BodiesFrames implements BotFrames, Drawing {
             }
             JsonNumbers.write(out, "restitution", game.bodies().restitution[k]);
             JsonNumbers.write(out, "drag", game.bodies().drag[k]);
-            if (k >= game.discs().size()) {
+            if (id >= game.discs().size()) {
                 JsonNumbers.write(out, "x", game.bodies().x[k]);
                 JsonNumbers.write(out, "y", game.bodies().y[k]);
             }
@@ -70,6 +71,12 @@ final class BodiesFrames implements BotFrames, Drawing {
                 out.writeStringProperty("label", zone.label());
                 out.writeNumberProperty("points", zone.points());
                 out.writeBooleanProperty("ends", zone.ends());
+                if (zone.removes()) {
+                    out.writeBooleanProperty("removes", true);
+                }
+                if (zone.passing()) {
+                    out.writeStringProperty("when", "passing");
+                }
                 out.writeEndObject();
             } else {
                 DrawingJson.zone(out, zone.x(), zone.y(), zone.radius(), zone.label());
@@ -127,7 +134,7 @@ final class BodiesFrames implements BotFrames, Drawing {
             }
             out.writeEndObject();
         }
-        for (int k = game.discs().size(); k < game.bodies().size(); k++) {
+        for (int k = game.discsLeft(); k < game.bodies().size(); k++) {
             DrawingJson.fixedBody(out, game.bodies(), k, "bumper");
         }
         out.writeEndArray();

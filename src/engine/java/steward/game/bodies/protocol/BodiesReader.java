@@ -23,6 +23,7 @@ final class BodiesReader {
     private static final int LONGEST_LABEL = 20;
     private static final Map<String, Fill.Shape> SHAPES = Map.of("random", Fill.Shape.RANDOM,
         "lattice", Fill.Shape.LATTICE, "ring", Fill.Shape.RING, "line", Fill.Shape.LINE);
+    private static final Map<String, Boolean> WHEN = Map.of("passing", true, "resting", false);
 
     private final Scene scene;
     private final Field field;
@@ -231,9 +232,7 @@ final class BodiesReader {
         Block gravity = play.optionalBlock("gravity").orElse(null);
         List<Zone> zones = new ArrayList<>();
         if (play.has("zones")) {
-            play.blocks("zones").forEach(zone -> zones.add(new Zone(finite(zone, "x"), finite(zone, "y"),
-                zone.positive("radius"), zone.text("label"), zone.integer("points", 0, MOST_POINTS, 0),
-                zone.flag("ends", false))));
+            play.blocks("zones").forEach(block -> zones.add(zone(block)));
         }
         boolean players = scene.players() > 0;
         return new PlayRules(play.integer("maximumTurns", 1, MOST_TURNS), play.number("restBelow", 0, Block.MAXIMUM, 0),
@@ -241,6 +240,14 @@ final class BodiesReader {
                 component(gravity, "y")),
             players ? play.positive("maximumThrust") : 0,
             players ? play.integer("contactPoints", 0, MOST_POINTS, 0) : 0, zones);
+    }
+
+    /** A zone; those that end the game or take bodies out are reached by passing, if the block does not say. */
+    private static Zone zone(Block block) {
+        boolean ends = block.flag("ends", false);
+        boolean removes = block.flag("removes", false);
+        return new Zone(finite(block, "x"), finite(block, "y"), block.positive("radius"), block.text("label"),
+            block.integer("points", 0, MOST_POINTS, 0), ends, removes, block.choice("when", WHEN, ends || removes));
     }
 
     private static double component(Block block, String name) {

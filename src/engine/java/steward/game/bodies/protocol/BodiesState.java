@@ -57,7 +57,7 @@ final class BodiesState extends CommandListState<Thrust> {
 
     /** The field {@code bodies}: where the discs are and how fast. */
     static void writeBodies(JsonGenerator out, BodiesGame game) {
-        JsonObject.writeAll(out, "bodies", game.discs().size(), k -> DrawingJson.motion(out, game.bodies(), k));
+        JsonObject.writeAll(out, "bodies", game.discsLeft(), k -> DrawingJson.motion(out, game.bodies(), k));
     }
 
     @Override

@@ -12,7 +12,8 @@ import tools.jackson.core.io.NumberOutput;
 /**
  * Lines of numbers. The setup is {@code PLAYER PLAYERS DISCS ZONES}, a line {@code OWNER RADIUS MASS} for each disc (-1
  * for nobody, and for an infinite mass), and a line {@code X Y RADIUS POINTS} for each zone. A turn is a line with the
- * scores, then {@code X Y VX VY} for each disc. An answer has a line {@code X Y} for each of the player's discs, with a
+ * scores, then {@code X Y VX VY} for each disc; one that a zone has taken out has that zone's centre and no speed. An
+ * answer has a line {@code X Y} for each of the player's discs, with a
  * message behind it, if there is one.
  */
 final class BodiesText extends CommandLines<Thrust> {
@@ -47,9 +48,15 @@ final class BodiesText extends CommandLines<Thrust> {
         }
         out.append('\n');
         Bodies bodies = game.bodies();
-        for (int k = 0; k < game.discs().size(); k++) {
-            out.append(text(bodies.x[k]));
-            numbers(out, bodies.y[k], bodies.vx[k], bodies.vy[k]);
+        for (int id = 0, k = 0; id < game.discs().size(); id++) {
+            Zone taker = game.taker(id);
+            out.append(text(taker == null ? bodies.x[k] : taker.x()));
+            if (taker == null) {
+                numbers(out, bodies.y[k], bodies.vx[k], bodies.vy[k]);
+                k++;
+            } else {
+                numbers(out, taker.y(), 0, 0);
+            }
         }
     }
 

@@ -15,7 +15,6 @@ import steward.game.bodies.BodiesGame;
 import steward.game.bodies.Body;
 import steward.game.bodies.Layout;
 import steward.game.bodies.PlayRules;
-import steward.physics.Contacts;
 import steward.physics.Motion;
 import steward.scene.GameOwn;
 import steward.scene.Part;
@@ -86,7 +85,7 @@ public final class BodiesType implements GameType {
             drag = Math.max(drag, body.drag());
             infinite |= body.mass() == Double.POSITIVE_INFINITY;
         }
-        Plan plan = Plan.of(scene, new Contacts(1), restitution, infinite,
+        Plan plan = Plan.of(scene, rules.contacts(), restitution, infinite,
             layout.count() + layout.field().bumpers().size(), parts(rules), own(scene, drag, rules));
         return new Setup(scene, reader, layout, rules, plan);
     }

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import steward.scene.json.Block;
@@ -18,37 +19,50 @@ import steward.scene.json.SceneException;
 import steward.scene.json.SourcePosition;
 
 /**
- * Rows of a CSV file as the blocks that a list of discs would have: the first line names the fields. Errors are located
- * in the file, by line and column. Cells are split at commas and have no quotes; an empty cell is an absent field.
+ * Rows of a CSV file as the blocks that a list of discs would have: the first line names the fields, with or without
+ * their units, as in {@code x [u]}. Errors are located in the file, by line and column. Cells are split at commas and
+ * have no quotes; an empty cell is an absent field. The columns {@code turn} and {@code id} of a table of states are
+ * read over.
  */
 final class CsvRows {
 
-    private static final Pattern NUMBER = Pattern.compile("-?(0|[1-9][0-9]*)(\\.[0-9]+)?([eE][+-]?[0-9]+)?");
+    /** Also {@code .5}, {@code 100.} and {@code +1}, which JSON has not. */
+    private static final Pattern NUMBER = Pattern.compile(
+        "([+-]?)0*(?=\\.?[0-9])([0-9]*)(?:\\.([0-9]*))?([eE][+-]?[0-9]+)?");
+    private static final Pattern UNIT = Pattern.compile("\\s*\\[[^\\]]*]$");
+    private static final Set<String> READ_OVER = Set.of("turn", "id");
     private static final List<String> REQUIRED = List.of("x", "y", "radius");
     private static final Set<String> TEXTS = Set.of("label", "colour");
 
     private final String file;
     private final List<String> lines;
+    /** The line of the first row in the file. */
+    private final int first;
     private final List<String> names = new ArrayList<>();
     private final List<SourcePosition> places = new ArrayList<>();
 
-    /** @param csv {@code file} and {@code lines}, as {@link steward.scene.CsvLines} puts them */
+    /** @param csv {@code file}, {@code lines} and {@code from}, as {@link steward.scene.CsvLines} puts them */
     CsvRows(Block csv) {
         file = csv.text("file");
         lines = csv.texts("lines");
+        first = csv.integer("from", 2, Integer.MAX_VALUE, 2);
+        if (!lines.isEmpty()) {
+            refuseOtherForms(lines.get(0), 1, "names");
+        }
         if (lines.isEmpty() || lines.get(0).isBlank()) {
             throw new SceneException(file + ":1:1: found no names, expected a line with the names of the columns");
         }
         Set<String> seen = new TreeSet<>();
-        for (String name : lines.get(0).split(",", -1)) {
-            SourcePosition place = new SourcePosition(1, places.isEmpty() ? 1 : places.get(places.size() - 1).column()
-                + names.get(names.size() - 1).length() + 1);
-            if (!seen.add(name.strip())) {
-                throw new SceneException(file + ":1:" + place.column() + ": found the column \"" + name.strip()
+        int column = 1;
+        for (String cell : lines.get(0).split(",", -1)) {
+            String name = UNIT.matcher(cell.strip()).replaceFirst("");
+            if (!seen.add(name)) {
+                throw new SceneException(file + ":1:" + column + ": found the column \"" + name
                     + "\" a second time, expected it once");
             }
             names.add(name);
-            places.add(place);
+            places.add(new SourcePosition(1, column));
+            column += cell.length() + 1;
         }
         for (String name : REQUIRED) {
             if (!seen.contains(name)) {
@@ -61,10 +75,35 @@ final class CsvRows {
     /** The rows; blank lines are left out. */
     List<Block> blocks() {
         return IntStream.range(1, lines.size()).filter(k -> !lines.get(k).isBlank())
-            .mapToObj(k -> row(lines.get(k), k + 1)).toList();
+            .mapToObj(k -> row(lines.get(k), k - 1 + first)).toList();
+    }
+
+    /** Names what is written otherwise than here: comments, quotes, and other separators. */
+    private void refuseOtherForms(String line, int number, String what) {
+        String start = line.stripLeading();
+        String found = start.startsWith("#") || start.startsWith("//") ? "a comment"
+            : line.indexOf('"') >= 0 ? "quotes" : line.indexOf(',') >= 0 ? null
+            : line.indexOf(';') >= 0 ? "semicolons" : line.strip().indexOf('\t') >= 0 ? "tabs" : null;
+        if (found != null) {
+            throw new SceneException(file + ":" + number + ":" + (1 + Math.max(0, found.equals("quotes")
+                ? line.indexOf('"') : line.indexOf(start))) + ": found " + found + ", expected " + what
+                + " separated by commas, without quotes and comments");
+        }
+    }
+
+    /** A number as JSON has it, or {@code null}. */
+    private static String number(String cell) {
+        Matcher number = NUMBER.matcher(cell);
+        if (!number.matches()) {
+            return null;
+        }
+        String fraction = number.group(3) == null || number.group(3).isEmpty() ? "" : "." + number.group(3);
+        return (number.group(1).equals("-") ? "-" : "") + (number.group(2).isEmpty() ? "0" : number.group(2)) + fraction
+            + (number.group(4) == null ? "" : number.group(4));
     }
 
     private Block row(String text, int number) {
+        refuseOtherForms(text, number, "cells");
         String[] cells = text.split(",", -1);
         if (cells.length != names.size()) {
             throw new SceneException(file + ":" + number + ":1: found " + cells.length + " cells, expected "
@@ -74,11 +113,11 @@ final class CsvRows {
         int column = 1;
         for (int k = 0; k < cells.length; k++) {
             String cell = cells[k].strip();
-            if (!cell.isEmpty()) {
+            String name = names.get(k);
+            if (!cell.isEmpty() && !READ_OVER.contains(name)) {
                 SourcePosition place = new SourcePosition(number, column);
-                String name = names.get(k).strip();
-                JsonValue value = !TEXTS.contains(name) && NUMBER.matcher(cell).matches()
-                    ? new JsonNumber(place, cell) : new JsonText(place, cell);
+                String digits = TEXTS.contains(name) ? null : number(cell);
+                JsonValue value = digits != null ? new JsonNumber(place, digits) : new JsonText(place, cell);
                 entries.put(name, new Entry(places.get(k), value));
             }
             column += cells[k].length() + 1;
