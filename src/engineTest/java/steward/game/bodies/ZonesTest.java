@@ -34,14 +34,15 @@ class ZonesTest {
     }
 
     private static String disc(double x, double y, double vx, double vy, String more) {
-        return "{\"x\": " + x + ", \"y\": " + y + ", \"vx\": " + vx + ", \"vy\": " + vy + ", \"radius\": 10" + more + "}";
+        return "{\"x\": " + x + ", \"y\": " + y + ", \"vx\": " + vx + ", \"vy\": " + vy + ", \"radius\": 10" + more
+            + "}";
     }
 
     private static String zone(double x, double y, String label, String more) {
         return "{\"x\": " + x + ", \"y\": " + y + ", \"radius\": 20, \"label\": \"" + label + "\"" + more + "}";
     }
 
-    /** The centre flies 300 u a turn from 100.5: it touches the circle of radius 20 around 500 at (480 - 100.5) / 300. */
+    /** The centre flies 300 u a turn from 100.5: it touches the circle of 20 around 500 at (480 - 100.5) / 300. */
     @Test
     void aBodyReachesAZoneInFlight() {
         for (String rung : EVENTS) {
@@ -80,7 +81,8 @@ class ZonesTest {
     void entriesCountInTheOrderOfTime() {
         String bodies = "\"listed\": [" + disc(420, 500, 200, 0, ", \"owner\": 0") + ", "
             + disc(500, 560, 0, -200, ", \"owner\": 1") + "]";
-        Game game = open(2, "event/double", bodies, zone(500, 500, "goal", ", \"points\": 1, \"ends\": true")).create(0);
+        Game game = open(2, "event/double", bodies, zone(500, 500, "goal", ", \"points\": 1, \"ends\": true"))
+            .create(0);
         game.play();
         assertArrayEquals(new double[] {0, 1}, game.scores());
         assertEquals("body 1 has reached the zone goal", game.ending());

@@ -173,7 +173,7 @@ class OneInstantPageTest {
     private void assertCharts(JsonNode charts, double time, String at) {
         for (JsonNode chart : charts) {
             String title = chart.get("title").asString();
-            boolean isOfTurn = title.equals("Answer time") || title.equals("Impacts");
+            boolean isOfTurn = List.of("Answer time", "Impacts", "Pressure").contains(title);
             assertEquals(isOfTurn ? "in " + (int) Math.ceil(time) : "after " + (int) Math.floor(time),
                 chart.get("when").asString(), at + title);
             for (int k = 0; k < chart.get("values").size(); k++) {

@@ -88,7 +88,19 @@ final class BodiesFrames implements BotFrames, Drawing {
     @Override
     public void writeTurn(JsonGenerator out, int player) {
         BodiesState.writeScores(out, game);
-        BodiesState.writeBodies(out, game);
+        JsonObject.writeAll(out, "bodies", game.discs().size(), id -> {
+            Zone taker = game.taker(id);
+            if (taker == null) {
+                DrawingJson.motion(out, game.bodies(), game.bodies().indexOf(id));
+            } else {
+                out.writeNumberProperty("id", id);
+                JsonNumbers.write(out, "x", taker.x());
+                JsonNumbers.write(out, "y", taker.y());
+                JsonNumbers.write(out, "vx", 0);
+                JsonNumbers.write(out, "vy", 0);
+                out.writeBooleanProperty("out", true);
+            }
+        });
     }
 
     @Override

@@ -1,0 +1,85 @@
+package steward.replay.page;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.file.Path;
+import java.util.Map;
+import java.util.Set;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
+import org.junit.jupiter.api.parallel.ResourceLock;
+import steward.cli.Cli;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
+
+/** The page of a break: its charts have the numbers of {@code steward run}, and a ball in a pocket is gone. */
+@Tag("browser")
+@Tag("slow")
+@Execution(ExecutionMode.CONCURRENT)
+@ResourceLock(PageTestBrowser.LOCK)
+class BodiesChartsPageTest {
+
+    private static final String CHARTS = """
+        const text = element => element?.textContent ?? '';
+        const all = (selector, root = document) => [...root.querySelectorAll(selector)];
+        return JSON.stringify(Object.fromEntries(all('.chart-card').map(card =>
+          [text(card.querySelector('figcaption span')), all('.chart-values b', card).map(text)])));
+        """;
+    private static final String BODIES = "return JSON.stringify(steward.bodies().map(body => body.id))";
+    /** Columns of a run by the chart that shows them. */
+    private static final Map<String, String[]> COLUMNS = Map.of("Kinetic energy", new String[] {"energy"},
+        "Momentum", new String[] {"momentumX", "momentumY"}, "Angular momentum", new String[] {"angularMomentum"},
+        "Temperature", new String[] {"temperature"}, "Pressure", new String[] {"pressureWalls", "pressureVirial"},
+        "Impacts", new String[] {"impacts"});
+
+    @TempDir
+    static Path folder;
+
+    private static PageTestBrowser browser;
+
+    @BeforeAll
+    static void start() {
+        browser = PageTestBrowser.start();
+        browser.prefer(true, true);
+    }
+
+    @AfterAll
+    static void quit() {
+        if (browser != null) {
+            browser.close();
+        }
+    }
+
+    /** Whole numbers above 100, at least two decimals below. */
+    @Test
+    void chartsHaveTheNumbersOfTheRun() {
+        Path page = folder.resolve("break.html");
+        Cli run = Cli.run("run", "docs/scenes/break.json", "--seed", "1", "--json", "--view", page.toString());
+        assertEquals(0, run.status(), run.err());
+        JsonNode rows = JsonMapper.shared().readTree(run.out()).get("rows");
+        browser.open(page, "#t=0");
+        int gone = 0;
+        for (int turn : new int[] {3, 10, rows.size() - 1}) {
+            browser.run("steward.seek(0, 1); steward.seek(arguments[0])", turn);
+            JsonNode charts = JsonMapper.shared().readTree((String) browser.run(CHARTS));
+            assertEquals(COLUMNS.keySet(), Set.copyOf(charts.propertyNames()));
+            COLUMNS.forEach((title, columns) -> {
+                for (int k = 0; k < columns.length; k++) {
+                    double expected = rows.get(turn).get(columns[k]).asDouble();
+                    String shown = charts.get(title).get(k).asString().replaceAll("[^0-9.e−-]", "").replace('−', '-');
+                    assertEquals(expected, Double.parseDouble(shown), Math.abs(expected) >= 100 ? 0.51 : 0.0051,
+                        title + " of turn " + turn);
+                }
+            });
+            gone = 16 - JsonMapper.shared().readTree((String) browser.run(BODIES)).size();
+        }
+        assertEquals(3, gone);
+        assertTrue(run.err().isEmpty(), run.err());
+    }
+}
