@@ -16,7 +16,8 @@ import steward.scene.Plan;
 
 /**
  * The rules. The ids of discs come first, in the order of the scene, then those of its bumpers. Zones may take discs
- * out: then the indices of later bodies fall, and ids stay. A player commands a thrust for each disc that is the player's.
+ * out: then the indices of later bodies fall, and ids stay. A player commands a thrust for each disc that is the
+ * player's.
  */
 public final class BodiesGame extends AbstractGame {
 

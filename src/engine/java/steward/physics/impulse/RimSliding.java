@@ -31,8 +31,8 @@ import steward.physics.Wall;
  *
  * <p>Caveats: a slide that begins at an angle alpha keeps the whole speed, of which the share alpha^2 / 2 was not along
  * the rim: the body is then up to 4.5e-6 w^3 radians ahead after a turn of w radians, elastic ones 2e-9 w^3. Between
- * two contacts velocity and place are those on the chord, off those on the rim by up to theta and R theta^2 / 2, where 2
- * theta is the angle of a chord. Such a contact is a knot of the path; under laws without rest it is recorded as an
+ * two contacts velocity and place are those on the chord, off those on the rim by up to theta and R theta^2 / 2, where
+ * 2 theta is the angle of a chord. Such a contact is a knot of the path; under laws without rest it is recorded as an
  * impact, too, with the change of energy 0 and the direction of the change of momentum as its normal, which is off the
  * normal of the rim by up to theta.
  */

@@ -262,8 +262,8 @@ class RunTablesTest {
 
     /**
      * D. Henderson, "A simple equation of state for hard discs", 1975: Z = (1 + f^2 / 8) / (1 - f)^2 with the covered
-     * share f, true to 0.1% here. Centres have 1780 x 1780 u, and press on walls of 1800 u. In 150 turns the mean of the
-     * virial is off by 0.3%, that of what the walls took by 5%.
+     * share f, true to 0.1% here. Centres have 1780 x 1780 u, and press on walls of 1800 u. In 150 turns the mean of
+     * the virial is off by 0.3%, that of what the walls took by 5%.
      */
     @Test
     @Tag("slow")
