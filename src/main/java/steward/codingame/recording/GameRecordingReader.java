@@ -4,10 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import steward.text.TextFormat;
 import steward.text.ViewLines;
 import tools.jackson.databind.JsonNode;
-import tools.jackson.databind.json.JsonMapper;
 
 /**
  * Reads CodinGame's own JSON of a pod-race game. Frame 0 is the start; from then on, each frame is one player's answer,
@@ -16,10 +14,10 @@ import tools.jackson.databind.json.JsonMapper;
  */
 final class GameRecordingReader {
 
-    private static final int SHOWN = 60;
     private static final Pattern MAP = Pattern.compile("(?m)^map=(.*)$");
 
     private final String source;
+    private ServerFrames server;
     private int checkpointCount;
 
     private GameRecordingReader(String source) {
@@ -39,32 +37,32 @@ final class GameRecordingReader {
 
     private GameRecording read(String json) {
         JsonNode result = GameRecordingFile.gameResult(json, source);
-        JsonNode frames = result.get("frames");
-        requireStart(frames.get(0));
-        FrameView first = view(frames.get(0), 0);
+        server = new ServerFrames(result, source);
+        requireStart();
+        FrameView first = new FrameView(server.view(0));
         double[][] checkpoints = first.checkpoints();
         checkpointCount = checkpoints.length;
-        requireMap(result.path("refereeInput").asString(""), checkpoints);
+        requireMap(server.input(), checkpoints);
         GameRecording.State start = first.start(checkpointCount);
         List<Integer> ranks = ranks(result.get("ranks"));
-        return new GameRecording(checkpoints, start, ShownFrame.of(frames.get(0)), turns(frames, !ranks.isEmpty()),
-            ranks, GameFacts.of(result, GameRecording.PLAYERS));
+        return new GameRecording(checkpoints, start, server.firstShown(),
+            turns(result.get("frames").size(), !ranks.isEmpty()), ranks, server.facts(GameRecording.PLAYERS));
     }
 
     /** Frame 0 must have a view: without the checkpoints nothing makes sense. */
-    private void requireStart(JsonNode frame) {
-        requireObject(frame, 0);
+    private void requireStart() {
+        JsonNode frame = server.frame(0);
         JsonNode view = frame.get("view");
         if (view == null || view.isNull()) {
-            throw wrong(0, "view", view == null ? "nothing" : "null", "a text");
+            throw server.wrong(0, "view", view == null ? "nothing" : "null", "a text");
         }
         JsonNode agent = frame.get("agentId");
         if (agent != null && !(agent.isInt() && agent.intValue() == -1)) {
-            throw wrong(0, "agentId", agent.toString(), "-1: the first frame is the referee's");
+            throw server.wrong(0, "agentId", agent.toString(), "-1: the first frame is the referee's");
         }
         JsonNode key = frame.get("keyframe");
         if (key != null && !(key.isBoolean() && key.booleanValue())) {
-            throw wrong(0, "keyframe", key.toString(), "true: the first frame shows the start");
+            throw server.wrong(0, "keyframe", key.toString(), "true: the first frame shows the start");
         }
     }
 
@@ -85,50 +83,30 @@ final class GameRecordingReader {
         }
     }
 
-    private void requireObject(JsonNode frame, int number) {
-        if (!frame.isObject()) {
-            throw new IllegalArgumentException(source + ": frame " + number + ": found "
-                + TextFormat.beginning(frame.toString(), SHOWN) + ", expected an object");
-        }
-    }
-
-    private FrameView view(JsonNode frame, int number) {
-        JsonNode view = frame.get("view");
-        boolean none = view == null || view.isNull();
-        if (!none && !view.isString()) {
-            throw wrong(number, "view", view.toString(), "a text");
-        }
-        ViewLines lines = new ViewLines(source, number, none ? null : view.stringValue());
-        lines.checkNumber();
-        return new FrameView(lines);
-    }
-
-    private List<GameRecording.Turn> turns(JsonNode frames, boolean over) {
+    private List<GameRecording.Turn> turns(int frames, boolean over) {
         List<GameRecording.Turn> turns = new ArrayList<>();
         List<List<String>> commands = new ArrayList<>();
         List<ShownFrame> shown = new ArrayList<>();
-        for (int k = 1; k < frames.size(); k++) {
-            JsonNode frame = frames.get(k);
-            requireObject(frame, k);
-            view(frame, k);                           // the number of every frame, not only of key frames
+        for (int k = 1; k < frames; k++) {
+            JsonNode frame = server.frame(k);
+            ViewLines view = server.view(k);          // the number of every frame is checked, not only of key frames
             if (isReferee(frame, k, commands.size())) {
                 continue;
             }
-            commands.add(said(frame, k));
+            commands.add(server.said(k));
             shown.add(ShownFrame.of(frame));
             if (endsTurn(frame, k, commands.size())) {
-                boolean last = k == frames.size() - 1;
+                boolean last = k == frames - 1;
                 if (!last && commands.size() < GameRecording.PLAYERS && !fails(commands.get(0))) {
-                    throw wrong(k, "keyframe", "true", "false, because player 1 has not answered");
+                    throw server.wrong(k, "keyframe", "true", "false, because player 1 has not answered");
                 }
-                turns.add(turn(frame, k, complete(commands, last), shown));
+                turns.add(turn(view, k, complete(commands, last), shown));
                 commands.clear();
                 shown.clear();
             }
         }
         if (!commands.isEmpty() && (over || fails(commands.get(0)))) {
-            turns.add(turn(JsonMapper.shared().createObjectNode(), frames.size() - 1, complete(commands, true),
-                List.of()));
+            turns.add(turn(new ViewLines(source, frames - 1, null), frames - 1, complete(commands, true), List.of()));
         }
         return turns;
     }
@@ -139,33 +117,22 @@ final class GameRecordingReader {
         if (agent == null || agent.isNull()) {
             return false;
         }
-        boolean referee = agent.isInt() && agent.intValue() == -1 && said(frame, number).isEmpty();
+        boolean referee = agent.isInt() && agent.intValue() == -1 && server.said(number).isEmpty();
         if (!referee && !(agent.isInt() && agent.intValue() == player)) {
-            throw wrong(number, "agentId", agent.toString(), player + ", because " + (player == 0
+            throw server.wrong(number, "agentId", agent.toString(), player + ", because " + (player == 0
                 ? "a turn begins with player 0" : "player 0 has answered"));
         }
         return referee;
     }
 
-    private List<String> said(JsonNode frame, int number) {
-        JsonNode stdout = frame.get("stdout");
-        if (stdout == null || stdout.isNull()) {
-            return List.of();
-        }
-        if (!stdout.isString()) {
-            throw wrong(number, "stdout", stdout.toString(), "a text");
-        }
-        return stdout.stringValue().strip().lines().toList();
-    }
-
     private boolean endsTurn(JsonNode frame, int number, int players) {
         JsonNode key = frame.get("keyframe");
         if (key != null && !key.isBoolean()) {
-            throw wrong(number, "keyframe", key.toString(), "true or false");
+            throw server.wrong(number, "keyframe", key.toString(), "true or false");
         }
         boolean ends = key == null ? players == GameRecording.PLAYERS : key.booleanValue();
         if (!ends && players == GameRecording.PLAYERS) {
-            throw wrong(number, "keyframe", "false", "true, because both players have answered");
+            throw server.wrong(number, "keyframe", "false", "true, because both players have answered");
         }
         return ends;
     }
@@ -183,8 +150,9 @@ final class GameRecordingReader {
         return lines.size() < GameRecording.PODS_PER_PLAYER;
     }
 
-    private GameRecording.Turn turn(JsonNode frame, int number, List<List<String>> commands, List<ShownFrame> shown) {
-        FrameView view = view(frame, number);
+    private GameRecording.Turn turn(ViewLines lines, int number, List<List<String>> commands,
+                                    List<ShownFrame> shown) {
+        FrameView view = new FrameView(lines);
         return new GameRecording.Turn(number, commands, view.state(checkpointCount), view.impacts(),
             List.copyOf(shown));
     }
@@ -205,10 +173,5 @@ final class GameRecordingReader {
                 + (GameRecording.PLAYERS - 1));
         }
         return ranks;
-    }
-
-    private IllegalArgumentException wrong(int frame, String where, String found, String expected) {
-        return new IllegalArgumentException(source + ": frame " + frame + ", " + where + ": found "
-            + TextFormat.beginning(found, SHOWN) + ", expected " + expected);
     }
 }

@@ -182,12 +182,13 @@ final class ServerFrames {
         return key.booleanValue();
     }
 
-    private List<String> said(int frame) {
+    List<String> said(int frame) {
         String stdout = text(frame, "stdout");
         return stdout == null ? List.of() : stdout.strip().lines().toList();
     }
 
-    private ViewLines view(int frame) {
+    /** The view of a frame, with its number checked; without lines if it has none. */
+    ViewLines view(int frame) {
         ViewLines view = new ViewLines(source, frame, text(frame, "view"));
         view.checkNumber();
         return view;
@@ -204,7 +205,7 @@ final class ServerFrames {
         return text.stringValue();
     }
 
-    private JsonNode frame(int frame) {
+    JsonNode frame(int frame) {
         JsonNode node = frames.get(frame);
         if (!node.isObject()) {
             throw new IllegalArgumentException(source + ": frame " + frame + ": found "
@@ -213,7 +214,7 @@ final class ServerFrames {
         return node;
     }
 
-    private IllegalArgumentException wrong(int frame, String where, String found, String expected) {
+    IllegalArgumentException wrong(int frame, String where, String found, String expected) {
         return new IllegalArgumentException(source + ": frame " + frame + ", " + where + ": found "
             + TextFormat.beginning(found, SHOWN) + ", expected " + expected);
     }
