@@ -21,7 +21,7 @@ def hear():
 def ask(player, count, limit, *lines):
     hear()
     say("VIEW", f"KEY_FRAME {turn}", "{}")
-    if mode == "monitored" and turn == 0 and player == 0:
+    if mode in ("monitored", "struck") and turn == 0 and player == 0:
         say("MONITORING")
     if mode == "view":
         say("METADATA", str(time.time_ns()))
@@ -83,16 +83,27 @@ if mode == "scores":
     say("SCORES", *(f"{player} 3" for player in range(players)))
     sys.exit()
 scores = [0] * players
+late = [0] * players
 for turn in range(10):
     for player in range(players):
-        if turn == 3 and player == 1 and mode not in ("good", "view", "chance"):
+        if scores[player] < 0 and mode in ("thrown", "struck"):
+            continue
+        if turn == 3 and player == 1 and mode not in ("good", "view", "chance", "thrown", "struck"):
             misbehave()
         if mode == "pairs":
             ask(player, 0, 1000, f"setup of {player}")
-        name, lines = ask(player, 1, 3000, seed, *properties, str(turn))
-        if mode == "monitored" and name == "SET_PLAYER_OUTPUT":
+        name, lines = ask(player, 1, 150 if mode == "struck" else 3000, seed, *properties, str(turn))
+        if mode in ("monitored", "struck") and name == "SET_PLAYER_OUTPUT":
             assert len(lines) == 2, lines
+            late[player] += int(lines[0]) > 100
             lines = lines[1:]
+        if mode == "struck" and late[player] == 3:       # as the SDK from 4.7.2 on
+            scores[player] = -1
+            continue
+        if mode == "thrown" and turn == 3 and lines == ["2"]:
+            scores[player] = -1
+            say("SUMMARY", "a turn", f"\u00a4RED\u00a4${player}: no such cell\u00a7RED\u00a7")
+            continue
         if name == "SET_PLAYER_TIMEOUT":
             print(f"{player} is late in turn {turn}", file=sys.stderr)
             scores[player] -= 1

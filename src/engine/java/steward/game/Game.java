@@ -35,9 +35,25 @@ public interface Game {
         return 0;
     }
 
+    /**
+     * Time within the limit of the player's next answer after which the game counts it as late, in milliseconds; 0 where
+     * it counts none.
+     */
+    default int strikeMs(int player) {
+        return 0;
+    }
+
     /** Tells the time that the player took for the answer that is read next, where it counts in the game. */
     default void timed(int player, long nanos) {
         // Times decide nothing in a game that Steward computes.
+    }
+
+    /**
+     * Returns why a referee of its own has thrown the player out, once the game is over; {@code null} if it has not. It
+     * is a fault of the player, but none that eliminated it.
+     */
+    default String expulsion(int player) {
+        return null;
     }
 
     /** Ends what the game holds beside memory, from any thread; the second call does nothing. */

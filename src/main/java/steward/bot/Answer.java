@@ -80,7 +80,10 @@ public final class Answer {
         held = stopped;
     }
 
-    /** Returns where the time of a late answer went; {@code null} if it was not late, or the player is no process. */
+    /**
+     * Returns where the time of a late answer went, or of one that a guest's referee counts as late; {@code null} if it
+     * was not late, or the player is no process.
+     */
     public TimeSpent timeSpent() {
         return timeSpent;
     }

@@ -36,6 +36,14 @@ public interface Player extends AutoCloseable {
     }
 
     /**
+     * Says after which time the next answers count as late although they are within the limit, in nanoseconds: then
+     * {@link Answer#timeSpent} has where the time went. By default this does nothing.
+     */
+    default void strikeAfter(long nanos) {
+        return;
+    }
+
+    /**
      * Queues lines that need no answer (the setup frame). They reach the player at the latest with the next
      * {@link #ask}; the bytes are copied. By default they are dropped.
      */

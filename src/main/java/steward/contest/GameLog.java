@@ -8,6 +8,7 @@ import java.util.stream.IntStream;
 import steward.bot.Burner;
 import steward.bot.ErrorLine;
 import steward.bot.FaultMessages;
+import steward.bot.TimeSpent;
 import steward.bot.isolation.ChosenLocale;
 import steward.bot.isolation.Isolation;
 import steward.bot.isolation.MissingFiles;
@@ -40,6 +41,9 @@ public final class GameLog implements MatchListener {
     private final int[] asked;
     private final int[] answers;
     private final AnswerTimes[] times;
+    private final int[] lastTurn;
+    /** Where the time of answers went that the referee counts as late: of one that may be so by chance, if there is. */
+    private final TimeSpent[] strikes;
     private final List<Failure> failures = new ArrayList<>();
     private final TranscriptDigest digest = new TranscriptDigest();
     private volatile int turns;
@@ -77,6 +81,8 @@ public final class GameLog implements MatchListener {
         asked = new int[players];
         answers = new int[players];
         times = new AnswerTimes[players];
+        lastTurn = new int[players];
+        strikes = new TimeSpent[players];
         for (int player = 0; player < players; player++) {
             times[player] = new AnswerTimes();
         }
@@ -108,8 +114,11 @@ public final class GameLog implements MatchListener {
             if (turn.stderr(player) != null) {
                 remember(player, turn.stderr(player));
             }
+            lastTurn[player] = turn.number();
             if (turn.answered(player)) {
                 answers[player]++;
+                strikes[player] = strikes[player] != null && strikes[player].doubtful() ? strikes[player]
+                    : turn.timeSpent(player) == null ? strikes[player] : turn.timeSpent(player);
             } else if (turn.fault(player) != null) {
                 failures.add(failure(player, turn));
             }
@@ -124,7 +133,21 @@ public final class GameLog implements MatchListener {
 
     @Override
     public void end(MatchResult result) {
+        for (int player = 0; player < result.players().size(); player++) {
+            thrownOut(player, result.players().get(player).fault());
+        }
         facts = GameFacts.of(game, digest);
+    }
+
+    /** Adds a failure of which no turn tells: the referee has thrown the player out. It failed in its last turn. */
+    void thrownOut(int player, String reason) {
+        if (reason == null || failures.stream().anyMatch(failure -> failure.player() == player)) {
+            return;
+        }
+        List<String> all = lines(stderr[player]);
+        failures.add(new Failure(player, lastTurn[player], reason, all.subList(Math.max(0, all.size() - Failure.LINES),
+            all.size()).stream().map(line -> TextFormat.beginning(line, LONGEST)).toList(), "", List.of(),
+            strikes[player], null));
     }
 
     /** Keeps the last texts, latest first; they are split into lines only if a bot fails. */

@@ -58,6 +58,12 @@ public final class RecordedFailures {
         for (RecordedTurn turn = replay.next(); turn != null; turn = replay.next()) {
             failures.add(turn);
         }
+        if (replay.result() != null) {
+            String[] faults = replay.result().textsOf("players", "fault");
+            for (int player = 0; player < Math.min(faults.length, replay.header().protocols().size()); player++) {
+                failures.log.thrownOut(player, faults[player]);
+            }
+        }
         return failures.failures();
     }
 

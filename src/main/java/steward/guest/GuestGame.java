@@ -54,6 +54,7 @@ final class GuestGame extends AbstractGame {
     private final StringBuilder[] pending;
     private final Bodies bodies = new Bodies(1);
     private final double[] scores;
+    private final Expulsions expulsions;
     private RefereeProcess process;
     private boolean opened;
     private boolean closed;
@@ -65,6 +66,7 @@ final class GuestGame extends AbstractGame {
     private int limitMs;
     private List<String> answer;
     private long answerMs;
+    private String metadata;
 
     /** @param recorded start or outcome of the turn that is played; {@code null} where the program is run */
     GuestGame(GuestProgram program, int players, long seed, Supplier<Isolation> isolation, Supplier<byte[]> recorded) {
@@ -74,6 +76,7 @@ final class GuestGame extends AbstractGame {
         this.isolation = isolation;
         this.recorded = recorded;
         scores = new double[players];
+        expulsions = new Expulsions(players);
         pending = new StringBuilder[players];
         Arrays.setAll(pending, k -> new StringBuilder());
     }
@@ -108,6 +111,9 @@ final class GuestGame extends AbstractGame {
     protected void playTurn() {
         open();
         String told = told(answer);
+        if (answer != null) {
+            expulsions.answered(player, answerMs, strikeMs(player));
+        }
         pending[player].setLength(0);
         answer = null;
         blocks.clear();
@@ -163,8 +169,12 @@ final class GuestGame extends AbstractGame {
 
     private void take(Block block) {
         monitored |= block.name() == Name.MONITORING;
+        metadata = block.name() == Name.METADATA ? String.join("\n", block.lines()) : metadata;
         if (!program.undetermined().contains(block.name())) {
             blocks.add(block);
+            if (block.name() == Name.SUMMARY) {
+                expulsions.said(block.lines());
+            }
             hash(block.name().name());
             block.lines().forEach(this::hash);
             length += block.lines().stream().mapToInt(String::length).sum();
@@ -235,7 +245,7 @@ final class GuestGame extends AbstractGame {
             String[] words = line.trim().split("\\s+");
             int of = number(words[0]);
             if (words.length == 2 && of >= 0 && of < players() && words[1].matches("-?\\d{1,15}(\\.\\d{1,15})?")) {
-                scores[of] = Double.parseDouble(words[1]);
+                scores[of] = program.tests().score(metadata, Double.parseDouble(words[1]));
                 found |= 1 << of;
             }
         }
@@ -280,6 +290,16 @@ final class GuestGame extends AbstractGame {
     @Override
     public int limitMs(int asked) {
         return limitMs;
+    }
+
+    @Override
+    public int strikeMs(int asked) {
+        return monitored && limitMs > Expulsions.STRIKE_EXTRA_MS ? limitMs - Expulsions.STRIKE_EXTRA_MS : 0;
+    }
+
+    @Override
+    public String expulsion(int player) {
+        return isOver() ? expulsions.of(player, scores[player]) : null;
     }
 
     @Override
@@ -346,6 +366,11 @@ final class GuestGame extends AbstractGame {
     @Override
     public int[] ranks() {
         return ranks((one, other) -> scores[one] > scores[other]);
+    }
+
+    @Override
+    public boolean lowerScoreIsBetter() {
+        return program.tests().lowerIsBetter();
     }
 
     @Override

@@ -1,5 +1,6 @@
 package steward.guest;
 
+import java.io.File;
 import java.net.URISyntaxException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
@@ -10,9 +11,11 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.stream.Stream;
 import steward.bot.command.ProgramFinder;
 import steward.bot.isolation.Isolation;
 import steward.guest.Block.Name;
+import steward.guest.project.SdkProject;
 import steward.scene.SceneReader;
 import steward.scene.json.Block;
 
@@ -24,16 +27,14 @@ import steward.scene.json.Block;
  * @param classPath    folders and jars of a referee made with an SDK, the project itself first; empty with a command
  * @param reuse        name of the JVMs whose games use the classes of those before; {@code null} for fresh ones
  * @param system       system properties of a referee on a class path: its mode and level
- * @param testIn       lines of the block INIT in place of the seed, in a game for one
+ * @param tests        those of a game for one, and how its results are ordered
  * @param properties   lines {@code key=value} of the block INIT behind that of the seed, in the order of the keys
  * @param limitMs      how long the referee may take each time that it speaks, its start included
  * @param undetermined blocks that are not the same when a game is played again; they are not recorded
  */
 record GuestProgram(List<String> command, List<String> classPath, String main, String reuse,
-                    Map<String, String> system, List<String> testIn, Map<String, String> properties, int limitMs,
+                    Map<String, String> system, SoloTests tests, Map<String, String> properties, int limitMs,
                     Set<Name> undetermined) {
-
-    static final String SDK_MAIN = "com.codingame.gameengine.core.RefereeMain";
 
     /**
      * Guice needs the package open on 17, identity hashes decide results of some, and blocks are UTF-8. The second
@@ -49,6 +50,8 @@ record GuestProgram(List<String> command, List<String> classPath, String main, S
     /** Field of a scene: how many levels its referee is known to have. */
     static final String LEVELS = "leagueLevels";
     static final String SOLO = "solo";
+    /** Field of a scene with texts for people: what adopting chose, and why. */
+    static final String ADOPTED = "adopted";
     private static final int MOST_LEVEL = 20;
     private static final int USUAL_LIMIT_MS = 30_000;
     private static final int MOST_LIMIT_MS = 3_600_000;
@@ -68,7 +71,7 @@ record GuestProgram(List<String> command, List<String> classPath, String main, S
         String main = null;
         String reuse = null;
         if (resident) {
-            main = block.has("main") ? block.text("main") : SDK_MAIN;
+            main = block.has("main") ? block.text("main") : SdkProject.MAIN;
             boolean kept = block.choice("reuse", Map.of("classes", true, "nothing", false), false);
             String mode = block.choice("mode", Map.of("multi", "multi", SOLO, SOLO), "multi");
             system.put(MODE, mode);
@@ -76,16 +79,24 @@ record GuestProgram(List<String> command, List<String> classPath, String main, S
             if (block.has("leagueLevel")) {
                 system.put(LEVEL, Integer.toString(block.integer("leagueLevel", 1, levels)));
             }
-            if (block.contains("testIn") && !mode.equals(SOLO)) {
-                throw block.error("testIn", "a test in the mode " + mode, "the mode solo with it");
+            String solo = Stream.of("testIn", SoloTests.FIELD, SoloTests.CRITERION, SoloTests.LOWER)
+                .filter(block::contains).findFirst().orElse(null);
+            if (solo != null && !mode.equals(SOLO)) {
+                throw block.error(solo, solo.equals("testIn") ? "a test in the mode " + mode : "the mode " + mode,
+                    "the mode solo with it");
             }
             // One JVM plays one level where classes stay: levels are often kept in static fields.
             reuse = kept ? "level " + system.get(LEVEL) : null;
         }
+        block.optionalBlock(ADOPTED).ifPresent(words -> words.entries().keySet().forEach(words::text));
         int limitMs = block.integer("limitMs", 1, MOST_LIMIT_MS, USUAL_LIMIT_MS);
-        return new GuestProgram(command, classPath, main, reuse, system,
-            block.has("testIn") ? block.texts("testIn") : List.of(), properties(block), limitMs,
-            undetermined(block));
+        SoloTests tests = SoloTests.read(block);
+        Set<Name> undetermined = undetermined(block);
+        if (!tests.criterion().isEmpty() && undetermined.contains(Name.METADATA)) {
+            throw block.error("undetermined", "METADATA", "other blocks: the criterion is in it");
+        }
+        return new GuestProgram(command, classPath, main, reuse, system, tests, properties(block), limitMs,
+            undetermined);
     }
 
     private static List<String> words(Block block, String name) {
@@ -149,10 +160,7 @@ record GuestProgram(List<String> command, List<String> classPath, String main, S
     String beginning(int players, long seed) {
         List<String> lines = new ArrayList<>();
         lines.add(Integer.toString(players));
-        if (testIn.isEmpty()) {
-            lines.add("seed=" + seed);
-        }
-        lines.addAll(testIn);
+        lines.addAll(tests.lines(seed));
         lines.addAll(assignments(properties));
         return (isResident() ? steward.guest.Block.text("START", assignments(system)) : "")
             + steward.guest.Block.text("INIT", lines);
@@ -181,9 +189,11 @@ record GuestProgram(List<String> command, List<String> classPath, String main, S
         if (reuse != null) {
             words.add("-Dsteward.reuse=" + reuse);
         }
-        words.addAll(List.of("-cp", hostPath(), RefereeHost.class.getName(), main,
-            reuse == null ? "fresh" : "classes"));
-        classPath.forEach(entry -> words.add(Path.of(entry).toAbsolutePath().toString()));
+        List<String> entries = classPath.stream().map(entry -> Path.of(entry).toAbsolutePath().toString()).toList();
+        // The referee has loaders of its own, but some look for their files by the system's.
+        words.addAll(List.of("-cp", hostPath() + File.pathSeparator + String.join(File.pathSeparator, entries),
+            RefereeHost.class.getName(), main, reuse == null ? "fresh" : "classes"));
+        words.addAll(entries);
         return words;
     }
 

@@ -64,6 +64,10 @@ public final class GuestType implements GameType {
             throw scene.root().error("players", Integer.toString(scene.players()),
                 "1: the mode of its referee is " + GuestProgram.SOLO);
         }
+        if (!program.tests().criterion().isEmpty() && scene.players() != 1) {
+            throw scene.root().error("players", Integer.toString(scene.players()), "1: the criterion is of a game for "
+                + "one");
+        }
         scene.root().done();
         return new Setup(scene, program, Plan.of(scene, new Contacts(1), 1, false, List.of()),
             new RefereeDigest(program), Isolation::usual);
@@ -96,6 +100,11 @@ public final class GuestType implements GameType {
         @Override
         public boolean isOnClassPath() {
             return program.isResident();
+        }
+
+        @Override
+        public int tests() {
+            return program.tests().tests().size();
         }
 
         @Override

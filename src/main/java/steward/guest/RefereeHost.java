@@ -25,7 +25,8 @@ import java.util.jar.JarFile;
  *
  * <p>A game begins with a block START, whose lines are system properties, and ends with END, which is answered by
  * READY: {@code go on}, or {@code recycle} once loaders that stay alive are many or fill the metaspace. Each game has
- * a loader of its own for the SDK and the contest, unless classes are reused; other libraries are shared.
+ * a loader of its own for the SDK and the contest, unless classes are reused; other libraries are shared. The loader
+ * of the system has the whole class path too, but none of these loads by it: it serves referees that ask it for files.
  *
  * <p>Arguments: the main class, {@code fresh} or {@code classes}, the entries of the class path.
  */

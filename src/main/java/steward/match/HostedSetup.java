@@ -20,6 +20,9 @@ public interface HostedSetup extends GameSetup {
 
     boolean isOnClassPath();
 
+    /** Number of tests of a game for one: seed 1 plays the first, and after the last comes the first; 0 for none. */
+    int tests();
+
     /** Returns the scene as JSON with other words of its referee. */
     String sceneWith(List<String> words);
 

@@ -49,6 +49,8 @@ public final class Referee {
     private final String[] faults;
     private final int[] earlyTurns;
     private final int[] heldFrom;
+    /** Limits of the answers that are asked for, in nanoseconds. */
+    private final long[] limitNanos;
     private int next;
 
     /**
@@ -99,6 +101,7 @@ public final class Referee {
         faults = new String[count];
         earlyTurns = new int[count];
         heldFrom = new int[count];
+        limitNanos = new long[count];
         for (int player = 0; player < count; player++) {
             int number = player;
             answers[player] = new Answer();
@@ -210,7 +213,12 @@ public final class Referee {
 
     /** @return false if this thread must leave */
     private boolean ask(int player) {
-        long limit = time.limit(limits.get(player), game.limitMs(player), watches[player].answers());
+        int gameMs = game.limitMs(player);
+        long limit = time.limit(limits.get(player), gameMs, watches[player].answers());
+        limitNanos[player] = limit;
+        if (game.strikeMs(player) > 0) {
+            players.get(player).strikeAfter(TimeControl.allowed(game.strikeMs(player), limit, gameMs));
+        }
         if (directs[player] != null) {
             take(player, directs[player].ask(limit, answers[player]), answers[player]);
             return true;
@@ -237,7 +245,7 @@ public final class Referee {
         }
         turn.stderr[player] = SafeText.wellFormed(answer.stderr());
         data.read(player, turn.stderr[player]);
-        game.timed(player, answer.nanos());
+        game.timed(player, TimeControl.counted(answer.nanos(), limitNanos[player], game.limitMs(player)));
         String fault = answer.fault();
         if (ending == Player.Ending.ANSWERED && directs[player] == null) {
             String wrong = dialogues[player].readAnswer(player, answer.bytes(), answer.length());
@@ -277,6 +285,9 @@ public final class Referee {
     private void finish() {
         int[] ranks = game.ranks();
         double[] scores = game.scores();
+        for (int player = 0; player < players.size(); player++) {
+            faults[player] = faults[player] != null ? faults[player] : SafeText.wellFormed(game.expulsion(player));
+        }
         game.close();
         for (int player = 0; player < players.size(); player++) {
             if (directs[player] == null) {

@@ -56,4 +56,20 @@ public record TimeControl(long firstNanos, long turnNanos, TimeBasis basis, doub
         return ms == 0 ? limit(answersBefore)
             : factor == Double.POSITIVE_INFINITY ? Long.MAX_VALUE : (long) (ms * NANOS_PER_MS * factor);
     }
+
+    /**
+     * Returns a time as a game counts it that sets limits itself: as if the limit were its own, and 0 without limits.
+     *
+     * @param nanos   that were measured
+     * @param limit   that the player has, in nanoseconds
+     * @param gameMs  limit that the game sets; 0 for none
+     */
+    static long counted(long nanos, long limit, int gameMs) {
+        return gameMs == 0 ? nanos : limit == Long.MAX_VALUE ? 0 : (long) (nanos * (gameMs * NANOS_PER_MS / limit));
+    }
+
+    /** Returns a time of a game that sets limits itself as a time for the player, the inverse of {@link #counted}. */
+    static long allowed(int ms, long limit, int gameMs) {
+        return limit == Long.MAX_VALUE ? limit : (long) (ms * (double) limit / gameMs);
+    }
 }

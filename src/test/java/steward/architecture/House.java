@@ -32,7 +32,7 @@ final class House {
         "game.meanmax", "game.meanmax.protocol", "game.podrace", "game.podrace.simulator", "game.podrace.protocol",
         "game.pokerchiprace", "game.pokerchiprace.protocol", "game.searchrace", "game.searchrace.protocol",
         "files", "bot", "bot.command", "bot.accounting", "bot.hold", "bot.isolation", "bot.process", "match",
-        "guest", "replay.sign", "replay", "replay.verify", "replay.feed", "replay.page",
+        "guest.project", "guest", "replay.sign", "replay", "replay.verify", "replay.feed", "replay.page",
         "contest.repeat", "contest", "live",
         "codingame.recording", "codingame",
         "league", "league.rating", "league.sequential", "league.pairing",

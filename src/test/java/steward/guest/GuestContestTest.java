@@ -96,14 +96,21 @@ class GuestContestTest {
     @Tag("campaign")
     void aGameForOneIsAdoptedAndPlayed() throws IOException {
         StandInProject.compiled(folder);
-        Files.writeString(folder.resolve("config/config.ini"), "type=opti");
+        Files.writeString(folder.resolve("config/config.ini"), "type=opti\ncriteria=points\nsorting_order=asc");
         Files.writeString(folder.resolve("config/test1.json"), "{\"title\": \"one\", \"testIn\": \"7\"}");
+        Files.writeString(folder.resolve("config/test2.json"), "{\"title\": \"two\", \"testIn\": \"8\"}");
         List<String> told = new ArrayList<>();
-        String solo = Files.writeString(folder.resolve("solo.json"), Adoption.scene(folder, null, "solo",
-            Isolation::usual, told::add)).toString();
+        String solo = Files.writeString(folder.resolve("solo.json"), Adoption.scene(folder, null, null, "solo",
+            Isolation::usual, told::add).json()).toString();
         assertEquals("players: [1], solo; the scene has 1", told.get(0));
-        assertTrue(Files.readString(Path.of(solo)).replaceAll("\\s", "").contains("\"testIn\":[\"7\"]"),
-            told::toString);
+        assertTrue(Files.readString(Path.of(solo)).replaceAll("\\s", "").contains(
+            "\"criterion\":\"points\",\"lowerIsBetter\":true,\"tests\":[\"7\",\"8\"]"), told::toString);
+        // The stand-in's points are 100.5 less the sum of what the bot said: the better bot says more.
+        String table = done("match", "--scene", solo, "--bot", bot("one", "1"), "--bot", bot("two", "2"), "--games",
+            "4", "--threads", "1");
+        assertTrue(table.contains("seeds 1 to 4, each bot alone"), table);
+        assertTrue(table.matches("(?s).*\none +0 +0 +4 .*\ntwo +4 +0 +0 .*\ntest +one +two   .a lower score is better."
+            + "\n   1 +[0-9.]+ +[0-9.]+\n   2 +[0-9.]+ +[0-9.]+\nsum +[0-9.]+ +[0-9.]+\n.*"), table);
         Path file = folder.resolve("x.jsonl");
         String said = done("match", "--scene", solo, "--bot", bot("one", "1"), "--out", file.toString());
         assertTrue(said.startsWith("one: the referee has ended the game, score "), said);

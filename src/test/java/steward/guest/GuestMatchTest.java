@@ -14,6 +14,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -89,6 +90,45 @@ class GuestMatchTest {
         assertTrue(turn.contains("block NEXT_PLAYER_INPUT  lines seed=7, 1"), turn);
         String table = Cli.run("replay", file.toString()).out();
         assertFalse(table.contains("impact"), table);
+    }
+
+    /** The referee's words are the failure's text in a match, a series, a test, a replay and a check. */
+    @Test
+    void aBotThatTheRefereeThrowsOutHasFailed() throws IOException {
+        Path file = folder.resolve("x.jsonl");
+        String scene = scene("thrown", 2, "");
+        Cli cli = match(scene, "--out", file.toString());
+        assertTrue(cli.out().contains("high") && cli.out().contains("no such cell"), cli.out());
+        assertTrue(Cli.run("replay", file.toString(), "--verify", "--run-referee").out().startsWith("verified"),
+            cli.out());
+        Files.writeString(file, Files.readString(file).replace("no such cell\"}", "other words\"}"));
+        assertEquals(ExitStatus.FAILED, Cli.run("replay", file.toString(), "--verify", "--run-referee").status());
+        String series = match(scene, "--games", "2").out();
+        assertTrue(series.contains("no such cell") && series.matches("(?s).*\nhigh +0 +0 +2 +2 .*"), series);
+        String check = Cli.run("check", "--scene", scene, "--time-factor", "20", "codingame:" + bot("high", 2, "2", 99,
+            ":").substring("high=".length())).out();
+        assertTrue(!check.contains("It is ready") && check.contains("no such cell"), check);
+        String sprt = Cli.run("sprt", "--scene", scene, "--bot", bot("a", 2, "1", 99, ":"), "--bot", bot("b", 2, "2", 99,
+            ":"), "--games", "4", "--time-factor", "20").out();
+        assertTrue(sprt.contains("no such cell"), sprt);
+    }
+
+    /** Limits of 100 and 150 ms, as the SDK has two, are ten times as long; without limits no time counts. */
+    @Test
+    void theThirdLateAnswerIsAFailureWhereTimesCount() throws IOException {
+        String scene = scene("struck", 2, "");
+        String[] call = {"match", "--scene", scene, "--bot", bot("quick", 2, "1", 99, ":"), "--bot",
+            bot("slow", 2, "1", 1, "sleep 1.25"), "--json"};
+        JsonNode struck = JsonMapper.shared().readTree(Cli.run(with(call, "--time-factor", "10")).out());
+        assertTrue(struck.at("/players/1/fault").asString("").startsWith("late 3 times, after 12"), struck.toString());
+        assertTrue(struck.at("/players/0/fault").isNull(), struck.toString());
+        call[6] = bot("slow", 2, "1", 1, "sleep 0.2");
+        JsonNode free = JsonMapper.shared().readTree(Cli.run(with(call, "--no-deadline")).out());
+        assertTrue(free.at("/players/1/fault").isNull(), free.toString());
+    }
+
+    private static String[] with(String[] call, String... more) {
+        return Stream.concat(Stream.of(call), Stream.of(more)).toArray(String[]::new);
     }
 
     @Test

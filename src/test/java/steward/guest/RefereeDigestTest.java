@@ -24,7 +24,7 @@ class RefereeDigestTest {
     }
 
     private static String digest(List<String> command, List<String> classPath) {
-        return new RefereeDigest(new GuestProgram(command, classPath, null, null, Map.of(), List.of(), Map.of(), 1,
+        return new RefereeDigest(new GuestProgram(command, classPath, null, null, Map.of(), SoloTests.NONE, Map.of(), 1,
             Set.of())).text();
     }
 

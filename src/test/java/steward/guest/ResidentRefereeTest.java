@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -16,6 +17,9 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import steward.bot.command.ProgramFinder;
 import steward.bot.isolation.Isolation;
 import steward.cli.Cli;
 import steward.cli.shared.ExitStatus;
@@ -142,39 +146,82 @@ class ResidentRefereeTest {
     @Test
     void whatIsAdoptedHasLevelsAndFreshClassesBecauseAStaticRemembers() {
         List<String> told = new ArrayList<>();
-        String scene = Adoption.scene(folder, null, "small", Isolation::usual, told::add);
+        String scene = Adoption.scene(folder, null, null, "small", Isolation::usual, told::add).json();
         assertEquals(List.of("players: [2, 3], multi; the scene has 2",
-            "league levels: 1, 2, 3, 4; the scene has 4",
+            "league level: 2, the highest that has a folder; no class file compares the level with a number that "
+                + "reaches past it",
             "deterministic: games played again were the same in every line",
             "classes kept from game to game: SUMMARY differ, so each game gets fresh ones"), told);
         assertFalse(scene.contains("reuse"), scene);
-        assertTrue(scene.contains("\"leagueLevels\": 4"), scene);
-        assertEquals("level 4", play(scene, 5).get(1));
+        assertTrue(scene.contains("\"leagueLevels\": 3"), scene);
+        assertEquals("level 2", play(scene, 5).get(1));
     }
 
-    /** The level is read once, into a static field: a check at one level finds nothing of it. */
+    /** Rules that only the next level has, by a number in the class files; games between idle bots show none of it. */
     @Test
-    @Tag("campaign")
-    void aStaticThatKeepsTheLevelIsFoundByMixingLevels() throws IOException {
+    void aLevelPastTheFoldersIsTakenIfClassFilesKnowIt() throws IOException {
         StandInProject.compiled(folder, Files.writeString(Files.createDirectories(folder.resolve("source"))
             .resolve("Referee.java"), """
             public class Referee {
                 private static final int LEVEL = Integer.getInteger("league.level");
 
                 public static String turn(int turn, long seed, int games) {
-                    return "rules of level " + Math.min(LEVEL, 2) + ", chance " + seed;
+                    return "rules, chance " + seed + (LEVEL > 2 && turn > 9 ? " more" : "");
                 }
             }
             """));
         List<String> told = new ArrayList<>();
-        String scene = Adoption.scene(folder, null, "small", Isolation::usual, told::add);
-        assertEquals("classes kept from game to game: the same games, so the scene reuses them; one JVM one level, "
-            + "since SUMMARY differ where levels are mixed", told.get(3));
-        assertTrue(scene.contains("\"reuse\": \"classes\""), scene);
-        for (int level : new int[] {1, 2, 1}) {
-            List<String> summaries = play(scene.replaceFirst("\"leagueLevel\": \\d", "\"leagueLevel\": " + level), 5);
-            assertEquals("rules of level " + level + ", chance 5", summaries.get(0));
-        }
+        String scene = Adoption.scene(folder, null, null, "small", Isolation::usual, told::add).json();
+        assertEquals("league level: 3, since the folders end with level2, and the class files compare the level with "
+            + "a number that reaches past it", told.get(1));
+        assertEquals("classes kept from game to game: the same games, so the scene reuses them", told.get(3));
+        assertTrue(scene.contains("\"leagueLevel\": 3") && scene.contains("\"leagueLevels\": 3"), scene);
+        assertTrue(scene.contains("\"level\": \"since the folders end with level2"), scene);
+    }
+
+    /** As a contest whose third level was never made: the number in its class files is that of a level that fails. */
+    @Test
+    void aLevelWithoutAFolderThatFailsIsNone() throws IOException {
+        StandInProject.compiled(folder, Files.writeString(Files.createDirectories(folder.resolve("source"))
+            .resolve("Referee.java"), """
+            public class Referee {
+                public static String turn(int turn, long seed, int games) {
+                    if (Integer.getInteger("league.level") > 2) {
+                        throw new IllegalStateException("no such level");
+                    }
+                    return "rules";
+                }
+            }
+            """));
+        List<String> told = new ArrayList<>();
+        Adoption.scene(folder, null, null, "small", Isolation::usual, told::add);
+        assertEquals("league level: 2, since games at level 3 fail", told.get(1));
+    }
+
+    /** Games of one level that differ by themselves are no level; a bot that answers sees what idle ones do not. */
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+        level > 2 ? 7 : 0            | 3, since the folders end with level2, and games between the contest's own bots \
+        differ beyond it
+        System.nanoTime() % 1000003   | 2, the highest that has a folder; no class file compares the level with a \
+        number that reaches past it
+        """)
+    void gamesOfAnsweringBotsTellLevelsApart(String rule, String expected) throws IOException {
+        assumeTrue(ProgramFinder.find("python3") != null, "skipped: needs python3");
+        StandInProject.compiled(folder, Files.writeString(Files.createDirectories(folder.resolve("source"))
+            .resolve("Referee.java"), """
+            public class Referee {
+                public static String turn(int turn, long seed, int games) {
+                    String text = System.getProperty("league.level");
+                    double level = Double.valueOf(text);           // so that its way is not plain
+                    return "rules " + (RULE);
+                }
+            }
+            """.replace("RULE", rule)));
+        Files.writeString(folder.resolve("config/Boss.py"), "while True:\n    input()\n    print(4, flush=True)\n");
+        List<String> told = new ArrayList<>();
+        Adoption.scene(folder, null, null, "small", Isolation::usual, told::add);
+        assertEquals("league level: " + expected, told.get(1));
     }
 
     @Test

@@ -128,7 +128,7 @@ class SdkGameTest {
     @Test
     void aStaticThatRemembersIsFoundByAdopting() {
         List<String> told = new ArrayList<>();
-        String scene = Adoption.scene(folder, null, "small", Isolation::usual, told::add);
+        String scene = Adoption.scene(folder, null, null, "small", Isolation::usual, told::add).json();
         assertEquals("deterministic: games played again were the same in every line", told.get(2));
         assertEquals("classes kept from game to game: SUMMARY differ, so each game gets fresh ones", told.get(3));
         assertTrue(!scene.contains("reuse"), scene);

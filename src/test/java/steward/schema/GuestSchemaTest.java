@@ -28,7 +28,8 @@ class GuestSchemaTest {
     private static final String ALL = """
         { "$schema": "scene.schema.json", "name": "all", "game": "guest", "players": 1,
           "referee": { "classPath": ["target/classes", "lib/core.jar"], "main": "a.Main", "reuse": "classes",
-            "mode": "solo", "leagueLevel": 3, "leagueLevels": 4, "testIn": ["1 2", ""],
+            "mode": "solo", "leagueLevel": 3, "leagueLevels": 4, "lowerIsBetter": true, "testIn": ["1 2", ""],
+            "adopted": {"level": "the highest"},
             "properties": {"width": "12"}, "limitMs": 5000, "undetermined": ["METADATA"] } }
         """;
 
@@ -61,6 +62,13 @@ class GuestSchemaTest {
         "leagueLevels": 4  | "leagueLevels": 21            | false
         "limitMs": 5000    | "limitMs": 0                  | false
         "1 2"              | 5                             | false
+        "testIn": ["1 2", ""] | "tests": ["1 2\\n3", ""], "criterion": "x"            | false
+        "testIn": ["1 2", ""] | "tests": ["1 2\\n3", ""]    | true
+        "testIn": ["1 2", ""] | "tests": []                 | false
+        "testIn": ["1 2", ""] | "tests": ["1"], "testIn": ["1"]                   | false
+        "lowerIsBetter": true | "lowerIsBetter": 1          | false
+        "the highest"      | ""                            | false
+        "the highest"      | 4                             | false
         "width": "12"      | "width": 12                   | false
         "width": "12"      | "wi=dth": "12"                | false
         "width": "12"      | "seed": "12"                  | false

@@ -158,6 +158,11 @@ public final class BotProcess implements Player {
     }
 
     @Override
+    public void strikeAfter(long nanos) {
+        clock.strikeAfter(nanos);
+    }
+
+    @Override
     public void tell(byte[] lines, int length) {
         queued.write(lines, 0, length);
     }
@@ -213,6 +218,7 @@ public final class BotProcess implements Player {
             output.take(wanted, answer);
             answer.setExtraLines(output.extraLines());
             answer.setStderr(stderr.collect(false));
+            answer.setTimeSpent(clock.strike(now, charge));
             if (hold != null) {
                 hold.answered(now);
                 answer.setHeld(hold.held());

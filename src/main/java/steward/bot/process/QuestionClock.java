@@ -54,6 +54,7 @@ final class QuestionClock {
     private final Supplier<OwnThread.State> asking;
     private final LongFunction<TreeSample> sampler;
     private TimeBasis basis = TimeBasis.WALL;
+    private long strikeAfter = Long.MAX_VALUE;
 
     /** Written by the asking thread before the deadline is armed. */
     private long number;
@@ -88,6 +89,20 @@ final class QuestionClock {
 
     void limitBy(TimeBasis other) {
         basis = other;
+    }
+
+    /** See {@link steward.bot.Player#strikeAfter}. */
+    void strikeAfter(long nanos) {
+        strikeAfter = nanos;
+    }
+
+    /** Returns where the time of an answer went that came within the limit, but counts as late; or {@code null}. */
+    synchronized TimeSpent strike(long now, long charge) {
+        if (charge <= strikeAfter) {
+            return null;
+        }
+        observe(now);
+        return ledger.spent(strikeAfter, charge, TreeSampler.processors(), false);
     }
 
     /**
@@ -264,7 +279,8 @@ final class QuestionClock {
         long passed = now - start;
         boolean cpuLimit = basis == TimeBasis.CPU;
         // On all processors together no more CPU time can be used than passes: quick answers need no sample.
-        if (passed <= (cpuLimit ? limit / TreeSampler.processors() : limit)) {
+        if (passed <= (cpuLimit ? limit / TreeSampler.processors() : basis == TimeBasis.UNSTARVED
+                ? Math.min(limit, strikeAfter) : limit)) {
             return passed;
         }
         observe(now);

@@ -146,7 +146,7 @@ public final class MatchCommand extends ProgramCommand {
         contest = pace.limit(contest);
         contest = sign == null ? contest : contest.signedWith(SigningKey.read(OutputFiles.path(sign)));
         contest = contest.isolatedBy(sandbox.isolation(streams));
-        long first = seed.orDrawn();
+        long first = alone && TestScores.count(setup) > 0 ? seed.or(1) : seed.orDrawn();
         Path path = out == null || piped ? null : OutputFiles.path(out);
         Verbosity report = json ? Verbosity.JSON : quiet ? Verbosity.LINE : Verbosity.FULL;
         if (many.isAny()) {

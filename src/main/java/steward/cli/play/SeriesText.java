@@ -62,6 +62,7 @@ final class SeriesText {
             + (series.contest().hold().isEmpty() ? "" : "; " + series.contest().hold()));
         out.println();
         points(out, colour, series, standings);
+        TestScores.print(out, series, standings);
         out.println();
         times(out, series, standings);
         out.println();

@@ -25,6 +25,7 @@ import steward.guest.RefereeFault;
     + "CodinGame's SDK, builds it with its Maven if need be, and plays trial games with idle bots.",
     footer = {"", "Examples:", "  steward adopt SpringChallenge2021",
         "  steward adopt SpringChallenge2023 --as ants --engine 4.3.0",
+        "  steward adopt Troll-Farm --engine-source codingame-game-engine",
         "", "Exit status: 0 written; 1 no trial game came to its end; 2 the project cannot be",
         "built, or the call is wrong."})
 public final class AdoptCommand extends ProgramCommand {
@@ -40,6 +41,10 @@ public final class AdoptCommand extends ProgramCommand {
     @Option(names = "--engine", paramLabel = "VERSION", description = "Builds it with this version of the engine in "
         + "place of its own.")
     private String engine;
+
+    @Option(names = "--engine-source", paramLabel = "DIR", description = "Builds the engine that the project names "
+        + "from a clone of its repository, where no Maven repository has it; kept in Steward's cache.")
+    private String engineSource;
 
     @Option(names = "--overwrite", description = "Replaces a scene that exists.")
     private boolean overwrite;
@@ -57,19 +62,24 @@ public final class AdoptCommand extends ProgramCommand {
         }
         Path file = OutputFiles.path(called + ".json");
         OutputFiles.check(file, overwrite);
-        String scene;
+        Adoption.Made scene;
         try {
-            scene = Adoption.scene(path, engine, called, Isolation::usual, this::say);
+            scene = Adoption.scene(path, engine, engineSource == null ? null : OutputFiles.path(engineSource), called,
+                Isolation::usual, this::say);
         } catch (RefereeFault fault) {
             throw new FailedException("no trial game came to its end: " + fault.getMessage());
         }
         try (OutputStream out = OutputFiles.open(file, overwrite)) {
-            Pages.write(out, scene.getBytes(StandardCharsets.UTF_8), file);
+            Pages.write(out, scene.json().getBytes(StandardCharsets.UTF_8), file);
         } catch (IOException problem) {
             throw new FailedException(file + ": cannot be closed: " + problem.getMessage());
         }
-        say("Written: " + file + ". To play in it:");
-        say("  steward match --scene " + CommandLine.quote(List.of(file.toString())) + " --bot ./mine --bot ./other");
+        boolean bundled = !scene.boss().isEmpty();
+        say("Written: " + file + (bundled ? ". To play in it with a bot that comes with the contest:"
+            : ". To play in it:"));
+        String boss = " --bot " + CommandLine.quote(List.of(CommandLine.quote(scene.boss())));
+        say("  steward match --scene " + CommandLine.quote(List.of(file.toString()))
+            + (bundled ? boss.repeat(scene.players()) : " --bot ./mine" + " --bot ./other".repeat(scene.players() - 1)));
         return ExitStatus.DONE;
     }
 

@@ -192,12 +192,19 @@ final class LineCheck {
         return views == null ? ViewCounts.NONE : views.counts();
     }
 
-    public Difference result(String[] faults) {
+    public Difference result(String[] turnFaults) {
         JsonLine result = replay.result();
+        String[] recorded = result.textsOf("players", "fault");
+        String[] faults = turnFaults.clone();
+        for (int player = 0; player < Math.min(faults.length, recorded.length); player++) {
+            if (faults[player] == null && recorded[player] != null && game.isOver()) {   // older replays name none
+                faults[player] = game.expulsion(player);
+            }
+        }
         Difference difference = end(game, result.integer("turns"), result.text("ending"));
         difference = difference != null ? difference : RecordedJson.compareStanding(replay, game);
         difference = difference != null ? difference : players(game.turn(), replay.header().names(), faults,
-            result.textsOf("players", "name"), result.textsOf("players", "fault"));
+            result.textsOf("players", "name"), recorded);
         if (difference != null) {
             return difference;
         }

@@ -9,7 +9,8 @@ import java.util.Scanner;
 
 /**
  * A stand-in for the SDK: it speaks its blocks and calls a class Referee of the project, loaded beside it. Scores are
- * the numbers that bots say, and chance that follows from the seed.
+ * the numbers that bots say, and chance that follows from the seed; the value "points" of a game for one is what is
+ * left of them to 100.5.
  */
 public class RefereeMain {
 
@@ -44,6 +45,9 @@ public class RefereeMain {
         List<String> scores = new ArrayList<>();
         for (int player = 0; player < players; player++) {
             scores.add(player + " " + sums[player]);
+        }
+        if (System.getProperty("game.mode", "multi").equals("solo")) {
+            say(out, "METADATA", "{\"points\":\"" + (100.5 - sums[0]) + "\",\"word\":\"x\"}");
         }
         say(out, "SCORES", scores.toArray(new String[0]));
         out.flush();

@@ -1,0 +1,99 @@
+package steward.guest;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import steward.text.TextFormat;
+
+/**
+ * Players whom a referee has thrown out by its own word. It says so with a line of the block SUMMARY in the form that
+ * the SDK has for errors, red, with the player in it, and then either asks others twice without this player or gives it
+ * the score -1. A negative score alone says nothing: games have such scores.
+ *
+ * <p>The SDK counts times from 4.7.2 on: it allows {@value #STRIKE_EXTRA_MS} ms more than the contest's limit, but at
+ * the third answer that needs them the player is out.
+ */
+final class Expulsions {
+
+    /** Milliseconds of a limit beyond that of the contest. */
+    static final int STRIKE_EXTRA_MS = 50;
+    /** Late answers of which the last one puts a player out. */
+    private static final int STRIKES = 3;
+    private static final double THROWN_OUT = -1;
+    /** Answers that others give after the last one of a player who takes no more part. */
+    private static final int OTHERS = 2;
+    private static final int LONGEST = 300;
+    private static final Pattern ERROR = Pattern.compile("\u00a4RED\u00a4(.*?)\u00a7RED\u00a7");
+    private static final Pattern COLOUR = Pattern.compile("[\u00a4\u00a7][A-Za-z_]+[\u00a4\u00a7]");
+
+    /** Lines since the last answer of each player. */
+    private final List<List<String>> errors = new ArrayList<>();
+    private final List<List<String>> late = new ArrayList<>();
+    private final String[] struckOut;
+    /** Answers of others since the last one of each player: the most that one of them has given. */
+    private final int[][] since;
+
+    Expulsions(int players) {
+        for (int player = 0; player < players; player++) {
+            errors.add(new ArrayList<>());
+            late.add(new ArrayList<>());
+        }
+        struckOut = new String[players];
+        since = new int[players][players];
+    }
+
+    /**
+     * A player has answered.
+     *
+     * @param ms       that it took, as the referee is told
+     * @param strikeMs after which it is late; 0 where times do not count
+     */
+    void answered(int player, long ms, int strikeMs) {
+        errors.get(player).clear();
+        Arrays.fill(since[player], 0);
+        for (int[] others : since) {
+            others[player]++;
+        }
+        since[player][player] = 0;
+        struckOut[player] = null;
+        if (strikeMs > 0 && ms > strikeMs) {
+            late.get(player).add(Long.toString(ms));
+            struckOut[player] = late.get(player).size() < STRIKES ? null : "late " + STRIKES + " times, after "
+                + String.join(", ", late.get(player)) + " ms, expected answers within " + strikeMs + " ms";
+        }
+    }
+
+    /** The referee has said lines of a summary. Many say what was wrong in the line before, and name nobody in it. */
+    void said(List<String> lines) {
+        String before = null;
+        for (String line : lines) {
+            for (int player = 0; player < since.length && ERROR.matcher(line).find(); player++) {
+                if (line.contains("$" + player)) {
+                    if (before != null && !COLOUR.matcher(before).find() && before.indexOf('$') < 0) {
+                        errors.get(player).add(before);
+                    }
+                    errors.get(player).add(line);
+                }
+            }
+            before = line;
+        }
+    }
+
+    /** Returns why a player was thrown out by the end of the game, or {@code null}. */
+    String of(int player, double score) {
+        if (struckOut[player] != null) {
+            return struckOut[player];
+        }
+        boolean without = Arrays.stream(since[player]).anyMatch(answers -> answers >= OTHERS);
+        if (errors.get(player).isEmpty() || !without && score != THROWN_OUT) {
+            return null;
+        }
+        String name = "$" + player;
+        return TextFormat.beginning(errors.get(player).stream().map(line -> COLOUR.matcher(line).replaceAll("").strip())
+            .map(line -> line.startsWith(name) ? line.substring(name.length()).replaceFirst("^[\\s:,]+", "")
+                : line.replace(name, "player " + player))
+            .filter(line -> !line.isEmpty()).collect(Collectors.joining("; ")), LONGEST);
+    }
+}
