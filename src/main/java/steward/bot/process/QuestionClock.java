@@ -97,10 +97,11 @@ final class QuestionClock {
     }
 
     /** Returns where the time of an answer went that came within the limit, but counts as late; or {@code null}. */
-    synchronized TimeSpent strike(long now, long charge) {
-        if (charge <= strikeAfter) {
-            return null;
-        }
+    TimeSpent strike(long now, long charge) {
+        return charge <= strikeAfter ? null : spentBeyond(now, charge);
+    }
+
+    private synchronized TimeSpent spentBeyond(long now, long charge) {
         observe(now);
         return ledger.spent(strikeAfter, charge, TreeSampler.processors(), false);
     }

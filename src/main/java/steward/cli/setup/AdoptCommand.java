@@ -3,6 +3,7 @@ package steward.cli.setup;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
@@ -19,6 +20,7 @@ import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.guest.Adoption;
 import steward.guest.RefereeFault;
+import steward.guest.project.SdkProject;
 
 /** {@code steward adopt}: a scene of a published referee. */
 @Command(name = "adopt", description = "Makes a scene of a referee that its author has published as a project on "
@@ -60,12 +62,16 @@ public final class AdoptCommand extends ProgramCommand {
         if (engine != null && !engine.matches("[\\w.-]{1,40}")) {
             throw new InputException("--engine: found '" + engine + "', expected a version such as 4.3.0");
         }
+        Path source = engineSource == null ? null : OutputFiles.path(engineSource);
+        if (source != null && !Files.isDirectory(source)) {
+            throw new InputException("--engine-source: found no folder " + source + ", expected a clone of "
+                + SdkProject.ENGINE_REPOSITORY);
+        }
         Path file = OutputFiles.path(called + ".json");
         OutputFiles.check(file, overwrite);
         Adoption.Made scene;
         try {
-            scene = Adoption.scene(path, engine, engineSource == null ? null : OutputFiles.path(engineSource), called,
-                Isolation::usual, this::say);
+            scene = Adoption.scene(path, engine, source, called, Isolation::usual, this::say);
         } catch (RefereeFault fault) {
             throw new FailedException("no trial game came to its end: " + fault.getMessage());
         }

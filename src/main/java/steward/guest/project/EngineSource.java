@@ -40,15 +40,11 @@ record EngineSource(Path repository, String text) {
      */
     static EngineSource built(Path clone, String named, String wanted, Consumer<String> told)
             throws IOException, InterruptedException {
-        if (!Files.isDirectory(clone)) {
-            throw new InputException("engine-source", "found no folder " + clone + ", expected a clone of "
-                + ProjectBuild.ENGINE_REPOSITORY);
-        }
         String tag = tag(git(clone, "tag", "--list").lines().toList(), wanted);
         String commit = git(clone, "rev-parse", tag + "^{commit}").strip();
         if (!git(clone, "ls-tree", "--name-only", commit, "engine/core/pom.xml").contains("pom.xml")) {
             throw new InputException("engine-source", "found no engine/core/pom.xml in " + tag + " of " + clone
-                + ", expected a clone of " + ProjectBuild.ENGINE_REPOSITORY);
+                + ", expected a clone of " + SdkProject.ENGINE_REPOSITORY);
         }
         String text = (tag.equals("HEAD") ? "the newest commit" : tag) + ", commit "
             + commit.substring(0, Math.min(COMMIT_SHOWN, commit.length()))

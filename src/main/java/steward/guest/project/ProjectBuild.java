@@ -24,7 +24,6 @@ import steward.files.Remedied.Remedy;
  */
 record ProjectBuild(List<Path> classPath, String engine) {
 
-    static final String ENGINE_REPOSITORY = "https://github.com/CodinGame/codingame-game-engine";
     /** Newest engine on Maven Central. */
     private static final String PUBLISHED = "4.3.0";
     private static final Pattern COMMENT = Pattern.compile("<!--.*?-->", Pattern.DOTALL);
@@ -185,7 +184,7 @@ record ProjectBuild(List<Path> classPath, String engine) {
         String version = part.substring(part.lastIndexOf(':') + 1);
         List<Remedy> remedies = new ArrayList<>();
         remedies.add(new Remedy("engine-source", "codingame-game-engine builds " + version + " from a clone of "
-            + ENGINE_REPOSITORY));
+            + SdkProject.ENGINE_REPOSITORY));
         if (other) {
             remedies.add(new Remedy("engine", PUBLISHED + " compiles it too"));
         }

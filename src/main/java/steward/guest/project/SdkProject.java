@@ -38,6 +38,9 @@ public record SdkProject(List<String> classPath, String engine, int fewestPlayer
     /** Main class of a referee on the SDK. */
     public static final String MAIN = "com.codingame.gameengine.core.RefereeMain";
 
+    /** Where the SDK itself is developed. */
+    public static final String ENGINE_REPOSITORY = "https://github.com/CodinGame/codingame-game-engine";
+
     private static final String SDK_CLASS = MAIN.replace('.', '/') + ".class";
     private static final String LEVEL = "level\\d{1,4}";
     private static final String TEST = "test(\\d{1,4})\\.json";
