@@ -31,6 +31,9 @@ record TrialGame(Map<Name, Long> said, int questions, boolean whole) {
     private static final long PATIENCE_MS = 10_000;
     /** Milliseconds after its first question in which a game has to show what there is to see. */
     private static final long SHOWN_MS = 800;
+    /** Milliseconds in which it has to show at least the beginning, where referee or machine are slow. */
+    private static final long MOST_MS = 2_400;
+    private static final int BEGINNING = 40;
 
     /** The most questions of a game where the time alone bounds it. */
     static final int ANY = Integer.MAX_VALUE;
@@ -55,12 +58,14 @@ record TrialGame(Map<Name, Long> said, int questions, boolean whole) {
         Map<Name, Long> said = new EnumMap<>(Name.class);
         game.blocks().forEach(block -> add(said, block));
         int questions = 0;
-        for (long end = Long.MAX_VALUE; questions < most && !game.isOver() && System.nanoTime() < end; questions++) {
+        long began = System.nanoTime();
+        for (boolean enough = false; questions < most && !game.isOver() && !enough; questions++) {
             answer.run();
             game.play();
             game.blocks().forEach(block -> add(said, block));
-            end = most == ANY && end == Long.MAX_VALUE
-                ? System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(SHOWN_MS) : end;
+            began = questions == 0 ? System.nanoTime() : began;
+            long ms = TimeUnit.NANOSECONDS.toMillis(System.nanoTime() - began);
+            enough = most == ANY && (ms > MOST_MS || ms > SHOWN_MS && questions >= BEGINNING);
         }
         return new TrialGame(said, questions, game.isOver());
     }

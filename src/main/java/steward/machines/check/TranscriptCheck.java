@@ -326,6 +326,9 @@ public final class TranscriptCheck {
             List<long[]> times = new ArrayList<>();
             TIMES.forEach(name -> times.add(numbers(name)));
             times.add(last.has(TranscriptWriter.HELD) ? numbers(TranscriptWriter.HELD) : new long[players]);
+            for (int player = 0; player < players; player++) {
+                faults[player] = faults[player] != null ? faults[player] : game.expulsion(player);
+            }
             List<CheckedGame.Seat> seats = new ArrayList<>();
             List<MatchResult.PlayerResult> results = new ArrayList<>();
             for (int player = 0; player < players; player++) {
