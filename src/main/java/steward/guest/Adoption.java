@@ -262,7 +262,7 @@ public final class Adoption {
             referee.put(SoloTests.LOWER, project.lowerIsBetter());
         }
         if (!project.tests().isEmpty()) {
-            referee.put(SoloTests.FIELD, project.tests().stream().map(test -> String.join("\n", test)).toList());
+            referee.put(SoloTests.FIELD, project.tests().stream().map(test -> Map.of("testIn", test)).toList());
         }
         referee.put("classPath", project.classPath());
         Map<String, Object> scene = new LinkedHashMap<>(Map.of("name", name));

@@ -16,7 +16,7 @@ import tools.jackson.databind.json.JsonMapper;
 record SoloTests(List<List<String>> tests, String criterion, boolean lowerIsBetter) {
 
     static final SoloTests NONE = new SoloTests(List.of(), "", false);
-    /** Field of a scene: all tests, each with its lines in one text. */
+    /** Field of a scene: all tests, each an object with its lines. */
     static final String FIELD = "tests";
     static final String CRITERION = "criterion";
     static final String LOWER = "lowerIsBetter";
@@ -28,7 +28,7 @@ record SoloTests(List<List<String>> tests, String criterion, boolean lowerIsBett
             throw block.error(FIELD, "testIn and tests", "one of them");
         }
         List<List<String>> tests = block.has("testIn") ? List.of(block.texts("testIn"))
-            : block.has(FIELD) ? block.texts(FIELD).stream().map(test -> List.of(test.split("\r?\n"))).toList()
+            : block.has(FIELD) ? block.blocks(FIELD).stream().map(test -> test.texts("testIn")).toList()
             : List.of();
         if (block.has(FIELD) && tests.isEmpty()) {
             throw block.error(FIELD, "no tests", "at least one");

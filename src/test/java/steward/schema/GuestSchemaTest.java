@@ -62,10 +62,12 @@ class GuestSchemaTest {
         "leagueLevels": 4  | "leagueLevels": 21            | false
         "limitMs": 5000    | "limitMs": 0                  | false
         "1 2"              | 5                             | false
-        "testIn": ["1 2", ""] | "tests": ["1 2\\n3", ""], "criterion": "x"            | false
-        "testIn": ["1 2", ""] | "tests": ["1 2\\n3", ""]    | true
+        "testIn": ["1 2", ""] | "tests": [{"testIn": ["1"]}], "criterion": "x" | false
+        "testIn": ["1 2", ""] | "tests": [{"testIn": ["1", ""]}, {"testIn": []}] | true
+        "testIn": ["1 2", ""] | "tests": ["1"]              | false
+        "testIn": ["1 2", ""] | "tests": [{"testIn": "1"}]  | false
         "testIn": ["1 2", ""] | "tests": []                 | false
-        "testIn": ["1 2", ""] | "tests": ["1"], "testIn": ["1"]                   | false
+        "testIn": ["1 2", ""] | "tests": [{"testIn": ["1"]}], "testIn": ["1"]                   | false
         "lowerIsBetter": true | "lowerIsBetter": 1          | false
         "the highest"      | ""                            | false
         "the highest"      | 4                             | false
