@@ -88,7 +88,8 @@ record GuestProgram(List<String> command, List<String> classPath, String main, S
             // One JVM plays one level where classes stay: levels are often kept in static fields.
             reuse = kept ? "level " + system.get(LEVEL) : null;
         }
-        block.optionalBlock(ADOPTED).ifPresent(words -> words.entries().keySet().forEach(words::text));
+        block.optionalBlock(ADOPTED).ifPresent(words -> Stream.of("level", "engine", SoloTests.FIELD)
+            .filter(words::has).forEach(words::text));
         int limitMs = block.integer("limitMs", 1, MOST_LIMIT_MS, USUAL_LIMIT_MS);
         SoloTests tests = SoloTests.read(block);
         Set<Name> undetermined = undetermined(block);

@@ -40,9 +40,9 @@ record EngineSource(Path repository, String text) {
      */
     static EngineSource built(Path clone, String named, String wanted, Consumer<String> told)
             throws IOException, InterruptedException {
-        String tag = tag(git(clone, "tag", "--list").lines().toList(), wanted);
+        String tag = tag(git(clone, "tag", "-l").lines().toList(), wanted);
         String commit = git(clone, "rev-parse", tag + "^{commit}").strip();
-        if (!git(clone, "ls-tree", "--name-only", commit, "engine/core/pom.xml").contains("pom.xml")) {
+        if (!git(clone, "ls-tree", commit, "engine/core/pom.xml").contains("pom.xml")) {
             throw new InputException("engine-source", "found no engine/core/pom.xml in " + tag + " of " + clone
                 + ", expected a clone of " + SdkProject.ENGINE_REPOSITORY);
         }
@@ -81,7 +81,7 @@ record EngineSource(Path repository, String text) {
         Path making = Files.createTempDirectory(folder.getParent(), "making");
         try {
             Path source = making.resolve("source");
-            git(clone, "clone", "-q", "--no-checkout", clone.toAbsolutePath().toString(), source.toString());
+            git(clone, "clone", "-q", "-n", clone.toAbsolutePath().toString(), source.toString());
             git(source, "checkout", "-q", commit);
             for (Path pom : poms(source)) {
                 Files.writeString(pom, Files.readString(pom).replace(UNRELEASED, named));

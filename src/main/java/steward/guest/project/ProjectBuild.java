@@ -148,7 +148,7 @@ record ProjectBuild(List<Path> classPath, String engine) {
         String property = engine(project).group(1);
         if (property == null) {
             throw new InputException("engine", "found a pom.xml that writes the version of the engine out, expected a "
-                + "property for it; --engine-source builds the version that it names");
+                + "property for it, or the source of the engine");
         }
         return property;
     }
@@ -182,14 +182,17 @@ record ProjectBuild(List<Path> classPath, String engine) {
         }
         String part = missing.group();
         String version = part.substring(part.lastIndexOf(':') + 1);
+        if (engine != null) {
+            return new InputException("engine", "found " + engine + ", which needs " + part
+                + ", which no repository has");
+        }
         List<Remedy> remedies = new ArrayList<>();
         remedies.add(new Remedy("engine-source", "codingame-game-engine builds " + version + " from a clone of "
             + SdkProject.ENGINE_REPOSITORY));
         if (other) {
             remedies.add(new Remedy("engine", PUBLISHED + " compiles it too"));
         }
-        return new InputException((engine == null ? project + ": needs " : "--engine " + engine + ": needs ") + part
-            + ", which no repository has", remedies);
+        return new InputException(project + ": needs " + part + ", which no repository has", remedies);
     }
 
     /** The errors of Maven in one line; a network that is missing is named first. */
