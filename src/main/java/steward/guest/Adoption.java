@@ -121,7 +121,7 @@ public final class Adoption {
             }
         }
         level = chosen.level();
-        levels = Math.max(level, project.levels() + 1);
+        levels = Math.max(level, (project.levels() == 0 ? level : project.levels()) + 1);
         adopted.put("level", chosen.reason());
         told.accept("players: " + numbers + ", " + project.mode() + "; the scene has " + players);
         told.accept("league level: " + level + ", " + chosen.reason());
@@ -191,13 +191,17 @@ public final class Adoption {
             + "with its seed, so that no replay can be verified" : undetermined.isEmpty()
             ? "deterministic: games played again were the same in every line"
             : "deterministic but for " + names(undetermined) + ", which are not recorded");
+        if (!first.stream().allMatch(TrialGame::whole)) {         // a game that is broken off ends its JVM
+            told.accept("classes kept from game to game: not tried, since games take long; each game gets fresh ones");
+            return;
+        }
         long[] few = LongStream.of(seeds).limit(SEEDS).toArray();
         series(program(level, "one level"), few);           // what it leaves in static fields shows in the next
         Set<Name> kept = TrialGame.differences(pick(first, all(few)), series(program(level, "one level"), few));
         kept.removeAll(undetermined);
         reuse = kept.isEmpty() && others.isEmpty() && !drawn;
         told.accept("classes kept from game to game: " + (reuse ? "the same games, so the scene reuses them"
-            : kept.isEmpty() ? "not tried on, since games differ" : names(kept) + " differ, so each game gets fresh "
+            : kept.isEmpty() ? "not tried, since games differ" : names(kept) + " differ, so each game gets fresh "
                 + "ones"));
     }
 
