@@ -26,4 +26,9 @@ final class Lineups {
         Arrays.sort(sorted);
         return sorted;
     }
+
+    /** The group of a decision; where each plays alone, none: all play. */
+    static List<Integer> group(int players, int... versions) {
+        return players == 1 ? List.of() : Arrays.stream(versions).sorted().boxed().toList();
+    }
 }

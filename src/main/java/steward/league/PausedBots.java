@@ -6,7 +6,7 @@ import java.util.TreeMap;
 
 /**
  * Bots that failed in many games in a row, and are not chosen any more. The pause of a bot at a decision follows from
- * the results of the decisions before, so that neither threads nor interruptions change it, and lasts:
+ * the results of the decisions before, so that threads do not change it, and lasts:
  *
  * <ul>
  * <li>A bot whose last game at least {@code lag} decisions back was without failure plays: nothing is waited for.
@@ -27,7 +27,6 @@ public final class PausedBots {
 
     private final int most;
     private final int lag;
-    private final int settled;
     private final Map<Integer, Row> rows = new HashMap<>();
 
     /** Games of a version. */
@@ -39,7 +38,7 @@ public final class PausedBots {
         private int failures;
         private boolean hasEarlier;
         private boolean stopped;
-        /** The last settled decision of earlier runs without failure, or -1: it was not paused until then. */
+        /** The last decision without failure that does not matter to the next one any more, or -1. */
         private int fine = -1;
     }
 
@@ -51,14 +50,12 @@ public final class PausedBots {
     }
 
     /**
-     * @param most    how many games in a row pause a bot; 0 for never
-     * @param lag     of the schedule, in decisions
-     * @param settled number of a decision; from below it no game is missing that was decided on in earlier runs
+     * @param most how many games in a row pause a bot; 0 for never
+     * @param lag  of the schedule, in decisions
      */
-    public PausedBots(int most, int lag, int settled) {
+    public PausedBots(int most, int lag) {
         this.most = most;
         this.lag = lag;
-        this.settled = settled;
     }
 
     private Row row(int version) {
@@ -75,6 +72,11 @@ public final class PausedBots {
             row.hasEarlier = false;
             row.decisions.headMap(decision).clear();
         }
+    }
+
+    /** True if a version was let play again after a decision. */
+    boolean isResumed(int version, int decision) {
+        return decision < row(version).since;
     }
 
     /** Pauses a version whatever its results are, until it is resumed. */
@@ -101,15 +103,16 @@ public final class PausedBots {
      * A game of a version was over before this run. Its games come in the reverse order of their ends, which is that of
      * decisions but for {@code lag}.
      *
+     * @param next the decision that is made next: a game without failure that is {@code lag} back ends the row
      * @return whether one before it is wanted
      */
-    public boolean earlier(int decision, int version, boolean failed) {
+    public boolean earlier(int next, int decision, int version, boolean failed) {
         over(decision, version, failed);
         Row row = row(version);
-        if (!failed && decision < settled) {
+        if (!failed && decision <= next - lag) {
             row.fine = Math.max(row.fine, decision);
         }
-        return decision >= row.fine - lag;
+        return most > 0 && decision >= row.fine - lag;
     }
 
     /** A game of a version is over. */
@@ -136,7 +139,7 @@ public final class PausedBots {
         if (row.stopped) {
             return State.PAUSED;
         }
-        if (most == 0 || decision <= row.fine || row.hasEarlier && row.failures == 0) {
+        if (most == 0 || row.hasEarlier && row.failures == 0) {
             return State.PLAYS;
         }
         int failures = row.failures;

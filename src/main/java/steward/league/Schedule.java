@@ -1,15 +1,13 @@
 package steward.league;
 
-import java.util.ArrayDeque;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collection;
 import java.util.Collections;
-import java.util.Deque;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
@@ -19,43 +17,42 @@ import java.util.function.IntPredicate;
 import java.util.function.Predicate;
 
 /**
- * The games of a season in their order. Decisions are numbered; a decision that was made in an earlier run is known by
- * its games, and one that has none yet is made again as it was: it follows from those before it. A decision is begun
- * only when all that are {@code lag} or more back are over.
+ * The games of a season in their order. Decisions are numbered, and each is made once: those of earlier runs are there,
+ * with the games that they lack. One is made only when all that are {@code lag} or more back are over, so that what it
+ * depends on is known however many threads play; its games begin when it is stored.
  *
- * <p>Not thread-safe.
+ * <p>Not thread-safe. Over 400 lines, because all that happens to a game changes the same rows.
  */
 public final class Schedule {
 
     private final long firstSeed;
     private final int players;
     private final int lag;
-    private final EarlierGames earlier;
-    /** How often each group was decided on, for a pairing that is made anew when the bots have changed. */
+    private final PastDecisions past;
+    private final PausedBots pauses;
+    private final Consumer<Integer> pauseListener;
+    /** Decisions that lack games, by number. */
+    private final TreeMap<Integer, Row> rows = new TreeMap<>();
+    /** Those of them with games that wait or are under way. */
+    private final TreeMap<Integer, Row> open = new TreeMap<>();
+    /** How often each group was decided on, but for decisions that were dropped before they had a game. */
     private final Map<List<Integer>, Integer> made = new LinkedHashMap<>();
-    /** Decisions by group that the pairing has not been told yet: it need not know until it has to choose. */
-    private final Map<List<Integer>, Integer> untold = new LinkedHashMap<>();
-    /** Games that are under way, by decision. */
-    private final TreeMap<Integer, Integer> open = new TreeMap<>();
-    private final Deque<Task> waiting = new ArrayDeque<>();
+    private final List<Decision> news = new ArrayList<>();
+    private final Map<Integer, Boolean> marks = new HashMap<>();
 
-    private PausedBots pauses;
-    private Consumer<Integer> pauseListener = version -> { };
     /** All that may play, those that are paused among them. */
-    private Collection<Integer> roster = List.of();
+    private Collection<Integer> roster;
     private Function<List<Integer>, Pairing> make;
     private Set<Integer> paused = Set.of();
     private List<Integer> active = List.of();
     private Pairing pairing;
     private RepeatedGroups repeated;
-    /** With a plan: decisions by group, also those of earlier runs that are still to come; {@code null} without. */
-    private Map<List<Integer>, Integer> decided;
     private Plan plan;
     private Predicate<int[]> mayMeet = group -> true;
     private IntPredicate end = number -> false;
     private boolean ended;
     private int next;
-    private final int last;
+    private int waiting;
     private long games;
 
     /** Number of decisions on each group, where that is fixed beforehand. */
@@ -76,61 +73,155 @@ public final class Schedule {
      */
     public record Task(int decision, long seed, int... lineup) { }
 
+    /** A decision that lacks games. */
+    private static final class Row {
+        private final int number;
+        private final List<Integer> group;
+        private final List<Task> waiting = new ArrayList<>();
+        /** Games that are not to be played, as a bot of theirs does not play. */
+        private final List<Task> held = new ArrayList<>();
+        private int underWay;
+        /** Games that are over or under way. */
+        private int begun;
+        private boolean dropped;
+        /** Whether it is among those that were made. */
+        private boolean isCounted;
+
+        Row(int number, List<Integer> group, int begun) {
+            this.number = number;
+            this.group = group;
+            this.begun = begun;
+        }
+    }
+
     /**
+     * A schedule that goes on; nobody plays yet.
+     *
      * @param firstSeed of decision 0
      * @param players   of a game
      * @param lag       in decisions
-     * @param earlier   the games of earlier runs; the schedule's own from now on
+     * @param past      the decisions of earlier runs
+     * @param pauses    with the games of earlier runs
+     * @param listener  is told of each version when it is paused
      */
-    public Schedule(long firstSeed, int players, int lag, EarlierGames earlier) {
+    public Schedule(long firstSeed, int players, int lag, PastDecisions past, PausedBots pauses,
+                    Consumer<Integer> listener) {
         this.firstSeed = firstSeed;
         this.players = players;
         this.lag = lag;
-        this.earlier = earlier;
-        last = earlier.last();
-        repeated = new RepeatedGroups(players == 1);
-        pauses = new PausedBots(0, lag, 0);
-    }
-
-    /**
-     * Pauses bots; before {@link #play}.
-     *
-     * @param bots     with the games of earlier runs
-     * @param listener is told of each version when it is paused
-     */
-    public void pausing(PausedBots bots, Consumer<Integer> listener) {
-        pauses = bots;
+        this.past = past;
+        this.pauses = pauses;
         pauseListener = listener;
+        repeated = new RepeatedGroups(players == 1);
+        next = past.next();
+        games = past.games();
+    }
+
+    /** A schedule that pauses nobody. */
+    public Schedule(long firstSeed, int players, int lag, PastDecisions past) {
+        this(firstSeed, players, lag, past, new PausedBots(0, lag), version -> { });
     }
 
     /**
-     * Who plays from now on. Games that were decided and not begun are dropped if one of theirs plays no more.
+     * Who plays from now on. Games that were decided on and not begun are held while one of theirs plays no more.
      *
      * @param versions in any order
      * @param maker    makes a pairing of them
      */
     public void play(Collection<Integer> versions, Function<List<Integer>, Pairing> maker) {
+        boolean first = roster == null;
         roster = List.copyOf(versions);
         make = maker;
-        paused = Set.of();
-        play();
+        if (first) {
+            made.putAll(past.incomplete(roster, pauses, this::resume));
+        }
+        pause(Set.of());
+        int known = Math.min(next, firstOpen() + lag - 1);             // all that are lag back are over
+        Set<Integer> found = new TreeSet<>();
+        roster.stream().filter(version -> pauses.at(version, known) == PausedBots.State.PAUSED).forEach(found::add);
+        if (!found.isEmpty()) {
+            pause(found);
+        }
     }
 
-    private void play() {
+    /** Takes a decision of an earlier run that lacks games; they are held at first. */
+    private void resume(int number, int[] group, boolean dropped, int over, List<int[]> missing) {
+        Row row = new Row(number, Lineups.group(players, group), over);
+        row.dropped = dropped;
+        long seed = past.seed(number);
+        missing.forEach(lineup -> row.held.add(new Task(number, seed, lineup)));
+        rows.put(number, row);
+    }
+
+    /** Plays without some. */
+    private void pause(Set<Integer> found) {
+        Set<Integer> before = paused;
+        paused = found;
         active = roster.stream().filter(version -> !paused.contains(version)).sorted().toList();
+        pairing = null;
+        for (Row row : rows.values()) {
+            List<Task> all = new ArrayList<>(row.held);
+            all.addAll(row.waiting);
+            row.waiting.forEach(pauses::forget);
+            waiting -= row.waiting.size();
+            row.waiting.clear();
+            row.held.clear();
+            all.forEach(task -> put(row, task));
+            note(row);
+        }
         if (players > 1 && active.size() >= players) {
             pairing = make.apply(active);
-            earlier.tellWhole(this::made);
-            untold.clear();
-            untold.putAll(made);
+            made.forEach((group, times) -> pairing.made(times, versions(group)));
         }
-        waiting.removeIf(task -> {
-            boolean gone = Arrays.stream(task.lineup()).anyMatch(version -> !active.contains(version));
-            if (gone) {
-                pauses.forget(task);
+        found.stream().filter(version -> !before.contains(version)).forEach(pauseListener);
+    }
+
+    private static int[] versions(List<Integer> group) {
+        return group.stream().mapToInt(version -> version).toArray();
+    }
+
+    /** Lets a game wait, or holds it. */
+    private void put(Row row, Task task) {
+        if (Arrays.stream(task.lineup()).allMatch(active::contains)) {
+            int place = row.waiting.size();
+            while (place > 0 && row.waiting.get(place - 1).lineup()[0] > task.lineup()[0]) {
+                place--;
             }
-            return gone;
-        });
+            row.waiting.add(place, task);
+            waiting++;
+            pauses.expect(task);
+        } else {
+            row.held.add(task);
+        }
+    }
+
+    /** Notes what has become of a decision: whether it is open, dropped, among those that were made. */
+    private void note(Row row) {
+        boolean isOpen = row.underWay > 0 || !row.waiting.isEmpty();
+        if (isOpen) {
+            open.put(row.number, row);
+        } else {
+            open.remove(row.number);
+        }
+        if (isOpen || !row.held.isEmpty()) {
+            rows.put(row.number, row);
+        } else {
+            rows.remove(row.number);
+        }
+        if (row.dropped == row.held.isEmpty()) {
+            row.dropped = !row.dropped;
+            if (marks.remove(row.number) == null) {    // twice is as it was
+                marks.put(row.number, row.dropped);
+            }
+        }
+        boolean counts = row.begun > 0 || !row.dropped;
+        if (counts != row.isCounted) {
+            row.isCounted = counts;
+            made.merge(row.group, counts ? 1 : -1, Integer::sum);
+            if (pairing != null) {
+                pairing.made(counts ? 1 : -1, versions(row.group));
+            }
+        }
     }
 
     /** The versions that play and are not paused, ascending. */
@@ -151,31 +242,18 @@ public final class Schedule {
             }
         }
         if (!found.equals(paused)) {
-            Set<Integer> before = paused;
-            paused = found;
-            play();
-            found.stream().filter(version -> !before.contains(version)).forEach(pauseListener);
+            pause(found);
         }
         return true;
     }
 
     /**
-     * Decides on each group as often as a plan says, also where its games are repeats; before {@link #play}.
+     * Decides on each group as often as a plan says, also where its games are repeats; after {@link #play}.
      *
      * @param maker makes the plan from the decisions by group so far
      */
     public void following(Function<Map<List<Integer>, Integer>, Plan> maker) {
-        if (decided == null) {
-            decided = new HashMap<>();
-            int[] before = {-1};
-            earlier.each((decision, lineup) -> {
-                if (decision != before[0]) {
-                    decided.merge(group(lineup), 1, Integer::sum);
-                }
-                before[0] = decision;
-            });
-        }
-        plan = maker.apply(Collections.unmodifiableMap(decided));
+        plan = maker.apply(Collections.unmodifiableMap(made));
     }
 
     /** Asks no more for groups whose games only repeat earlier ones; it ends where there are no others. */
@@ -183,42 +261,25 @@ public final class Schedule {
         repeated = groups;
     }
 
-    /** Says which versions may play together, ascending; before {@link #play}. */
+    /** Says which versions may play together, ascending. */
     public void meeting(Predicate<int[]> versions) {
         mayMeet = versions;
     }
 
     private boolean isWanted(int... group) {
-        if (plan == null) {
-            return mayMeet.test(group) && !repeated.isRepeated(group);
-        }
-        List<Integer> versions = Arrays.stream(group).boxed().toList();
-        return mayMeet.test(group) && decided.getOrDefault(versions, 0) < plan.decisions(versions);
+        return mayMeet.test(group) && (plan == null ? !repeated.isRepeated(group) : left(Lineups.group(2, group)) > 0);
     }
 
-    /** Versions of a decision, ascending; where each plays alone, nothing: it is of all. */
-    private List<Integer> group(int... lineup) {
-        return players == 1 ? List.of() : Arrays.stream(lineup).sorted().boxed().toList();
+    /** Returns how often a plan has a group still to be decided on. */
+    private int left(List<Integer> group) {
+        return Math.max(0, plan.decisions(group) - made.getOrDefault(group, 0));
     }
 
     /** Number of games that the plan has still to come; before the first is given out. */
     public long planned() {
-        long[] left = {0};
-        if (players == 1) {
-            left[0] = (long) active.size() * Math.max(last + 1, plan.decisions(List.of()));
-        } else {
-            RoundOrder.groups(active, players, -1).stream().filter(mayMeet).map(this::group)
-                .forEach(group -> left[0] += (long) players * Math.max(decided.getOrDefault(group, 0),
-                    plan.decisions(group)));
-        }
-        earlier.each((decision, lineup) ->
-            left[0] -= Arrays.stream(lineup).allMatch(active::contains) ? 1 : 0);
-        return left[0];
-    }
-
-    /** True if, where each plays alone, there is nothing left to decide. */
-    private boolean isAloneOver(int number) {
-        return plan == null ? repeated.isRepeated() : number >= plan.decisions(List.of());
+        return waiting + (players == 1 ? (long) active.size() * left(List.of())
+            : RoundOrder.groups(active, players, -1).stream().filter(mayMeet)
+                .mapToLong(group -> (long) players * left(Lineups.group(players, group))).sum());
     }
 
     /** True if it has ended since all groups only repeat games. */
@@ -227,7 +288,7 @@ public final class Schedule {
             : pairing.choose(this::isWanted) == null);
     }
 
-    /** Ends it before the first decision without games of which this is true; each is asked about when it is due. */
+    /** Ends it before the first decision of which this is true; each is asked about when it is due. */
     public void until(IntPredicate isEnd) {
         end = isEnd;
     }
@@ -238,51 +299,80 @@ public final class Schedule {
     }
 
     /**
-     * The next game; {@code null} if games that are under way have to end before it is known.
+     * Makes the decisions that can be made, while there are few games.
      *
-     * @param most games in all
+     * @param most  games in all
+     * @param ahead that wait then, if there are so many
+     * @return what is new, to be stored before games of it begin
      */
-    public Task next(long most) {
-        return next(most, task -> true);
+    public Decision.News decide(long most, int ahead) {
+        boolean more = true;
+        while (more && waiting < ahead && !ended && games + waiting < most && firstOpen() > next - lag) {
+            more = pause() && active.size() >= Math.max(1, players) && decide();
+        }
+        Decision.News found = news.isEmpty() && marks.isEmpty() ? Decision.News.NONE : new Decision.News(news, marks);
+        news.clear();
+        marks.clear();
+        return found;
+    }
+
+    private boolean decide() {
+        repeated.goTo(next - lag + 1);
+        boolean over = players == 1 && (plan == null ? repeated.isRepeated() : left(List.of()) == 0);
+        int[] group = over || end.test(next) ? null : players == 1 ? versions(active) : choose();
+        ended = group == null;
+        if (!ended) {
+            Decision decision = new Decision(next, firstSeed + next, Arrays.stream(group).boxed().toList(),
+                List.copyOf(paused));
+            next++;
+            news.add(decision);
+            Row row = new Row(decision.number(), Lineups.group(players, group), 0);
+            (players == 1 ? active.stream().map(version -> new int[] {version}).toList() : Lineups.rotations(group))
+                .forEach(lineup -> put(row, new Task(decision.number(), decision.seed(), lineup)));
+            note(row);
+        }
+        return !ended;
+    }
+
+    private int[] choose() {
+        pairing.next(next);
+        return pairing.choose(this::isWanted);
     }
 
     /**
-     * The next game of some; {@code null} also if there are others only that have to be taken before.
+     * The next game; {@code null} if there is none before others are over, or before decisions are made.
      *
      * @param most  games in all
-     * @param takes whether a game may be taken
+     * @param takes whether a game may be taken: of those only that will be played in any case
      */
     public Task next(long most, Predicate<Task> takes) {
-        Optional<Task> task = first(most, takes);
-        while (task.isEmpty()) {
-            if (games + waiting.size() >= most || firstOpen() <= next - lag) {
-                return null;
+        long left = most - games;
+        for (Row row : open.values()) {
+            for (Task task : row.waiting) {
+                if (left-- <= 0) {
+                    return null;
+                }
+                if (takes.test(task)) {
+                    begin(row, task);
+                    return task;
+                }
             }
-            boolean known = players > 1 && earlier.has(next);
-            if (ended || !known && (!pause() || active.size() < players || active.isEmpty())) {
-                return null;
-            }
-            decide();
-            task = first(most, takes);
         }
-        waiting.remove(task.get());
-        games++;
-        open.merge(task.get().decision(), 1, Integer::sum);
-        return task.get();
+        return null;
     }
 
-    /** The first of those that will be played in any case: who passes some by must not put others in their place. */
-    private Optional<Task> first(long most, Predicate<Task> takes) {
-        return waiting.stream().limit(Math.max(0, most - games)).filter(takes).findFirst();
+    private void begin(Row row, Task task) {
+        row.waiting.remove(task);
+        waiting--;
+        row.underWay++;
+        row.begun++;
+        games++;
+        note(row);
     }
 
     /** The first decision of which a game is under way or not begun; that after the last one if there is none. */
     private int firstOpen() {
-        int first = open.isEmpty() ? next : open.firstKey();
-        for (Task task : waiting) {
-            first = Math.min(first, task.decision());
-        }
-        return first;
+        return open.isEmpty() ? next : open.firstKey();
     }
 
     /** Returns how many decisions have been made since the first one of which a game is not over. */
@@ -291,75 +381,21 @@ public final class Schedule {
     }
 
     /**
-     * True if games have been decided on that are not begun.
-     *
-     * @param most games in all
-     */
-    public boolean isLeft(long most) {
-        return games < most && !waiting.isEmpty();
-    }
-
-    /**
      * Returns the games that have been decided on and are not begun.
      *
      * @param most games in all
      */
     public List<Task> waiting(long most) {
-        return waiting.stream().limit(Math.max(0, most - games)).toList();
+        return open.values().stream().flatMap(row -> row.waiting.stream()).limit(Math.max(0, most - games)).toList();
     }
 
-    private void decide() {
-        int number = next++;
-        if (players > 1 && earlier.takeWhole(number, players)) {
-            games += players;
-            return;
-        }
-        List<int[]> done = earlier.take(number);
-        repeated.goTo(number - lag + 1);
-        if (done.isEmpty() && number > last && (players == 1 && isAloneOver(number) || end.test(number))) {
-            ended = true;
-            next--;
-            return;
-        }
-        games += done.size();
-        List<int[]> lineups;
-        if (players == 1) {
-            lineups = active.stream().map(version -> new int[] {version}).toList();
-        } else {
-            int[] versions = done.isEmpty() ? choose(number) : Lineups.sorted(done.get(0));
-            if (versions == null) {
-                ended = number > last;             // those before the last one have been decided on already
-                next -= ended ? 1 : 0;
-                return;
-            }
-            if (plan != null && done.isEmpty()) {
-                decided.merge(group(versions), 1, Integer::sum);
-            }
-            made(1, versions);
-            lineups = Lineups.rotations(versions);
-        }
-        for (int[] lineup : lineups) {
-            boolean playable = Arrays.stream(lineup).allMatch(active::contains);
-            if (playable && done.stream().noneMatch(each -> Arrays.equals(each, lineup))) {
-                Task task = new Task(number, firstSeed + number, lineup);
-                waiting.add(task);
-                pauses.expect(task);
-            }
-        }
-    }
-
-    private void made(int times, int... versions) {
-        List<Integer> group = Arrays.stream(versions).sorted().boxed().toList();
-        made.merge(group, times, Integer::sum);
-        untold.merge(group, times, Integer::sum);
-    }
-
-    private int[] choose(int number) {
-        earlier.tellWhole(this::made);
-        untold.forEach((group, times) -> pairing.made(times, group.stream().mapToInt(version -> version).toArray()));
-        untold.clear();
-        pairing.next(number);
-        return pairing.choose(this::isWanted);
+    /**
+     * True if games have been decided on that are not begun.
+     *
+     * @param most games in all
+     */
+    public boolean isLeft(long most) {
+        return games < most && waiting > 0;
     }
 
     /**
@@ -372,25 +408,27 @@ public final class Schedule {
         for (int seat = 0; seat < failed.length; seat++) {
             pauses.over(task.decision(), task.lineup()[seat], failed[seat]);
         }
-        open.computeIfPresent(task.decision(), (number, count) -> count == 1 ? null : count - 1);
-    }
-
-    /** A game that was over is to be played again: what came of it is not believed any more. */
-    public void again(Task task) {
-        games--;
-        if (Arrays.stream(task.lineup()).allMatch(active::contains)) {
-            waiting.addFirst(task);
-            pauses.expect(task);
-        }
+        Row row = rows.get(task.decision());
+        row.underWay--;
+        note(row);
     }
 
     /** A game that was given out is to be played again, with the bots as they are now. */
     public void dropped(Task task) {
         over(task);
+        again(task);
+    }
+
+    /** A game that was over is to be played again: what came of it is not believed any more. */
+    public void again(Task task) {
+        Row row = rows.computeIfAbsent(task.decision(), number -> {
+            Row whole = new Row(number, Lineups.group(players, task.lineup()), Short.MAX_VALUE);
+            whole.isCounted = true;
+            return whole;
+        });
         games--;
-        if (Arrays.stream(task.lineup()).allMatch(active::contains)) {
-            waiting.addFirst(task);
-            pauses.expect(task);
-        }
+        row.begun--;
+        put(row, task);
+        note(row);
     }
 }

@@ -37,6 +37,8 @@ public record StoredGame(long id, byte[] name, int decision, long seed, int atte
     public static final String FORGIVEN = "forgiven";
     /** The problem of a forgiven game begins so that is played again. */
     public static final String FORGIVEN_AGAIN = "forgiven, played again: ";
+    /** The problem of a further attempt begins so where an earlier one, which had been forgiven, counts again. */
+    public static final String REPLACED = "forgiven: game ";
 
     private static final Pattern VALUE = Pattern.compile("([A-Za-z]+)=(-?[0-9]+(?:\\.[0-9]+)?(?:E-?[0-9]+)?)");
 

@@ -6,10 +6,10 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Random;
+import java.util.Set;
+import java.util.TreeSet;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -34,23 +34,20 @@ class PausedBotsTest {
      * A run in which up to so many games are under way and end in any order. It is killed after so many games in all:
      * those under way are lost.
      */
-    private static List<Integer> run(int players, int kill, int threads, int lag, Map<String, Task> stored,
-                                     Random random) {
-        EarlierGames earlier = new EarlierGames();
-        stored.values().forEach(task -> earlier.add(task.decision(), earlier.lineup(task.lineup())));
-        PausedBots pauses = new PausedBots(MOST, lag, earlier.firstOpen() - lag);
-        List<Task> latestFirst = new ArrayList<>(stored.values());
+    private static List<Integer> run(int players, int kill, int threads, int lag, MemoryLeague league, Random random) {
+        PastDecisions past = league.past();
+        PausedBots pauses = new PausedBots(MOST, lag);
+        List<Task> latestFirst = new ArrayList<>(league.games());
         Collections.reverse(latestFirst);
         for (int version = 1; version <= BOTS; version++) {
-            learn(version, latestFirst, pauses);
+            learn(version, latestFirst, pauses, past.next());
         }
         List<Integer> paused = new ArrayList<>();
-        Schedule schedule = new Schedule(100, players, lag, earlier);
-        schedule.pausing(pauses, paused::add);
+        Schedule schedule = new Schedule(100, players, lag, past, pauses, paused::add);
         schedule.play(List.of(1, 2, 3, 4, 5), versions -> Pairing.roundRobin(versions, players));
         List<Task> underWay = new ArrayList<>();
-        while (stored.size() < kill) {
-            Task next = underWay.size() < threads ? schedule.next(GAMES) : null;
+        while (league.games().size() < kill) {
+            Task next = underWay.size() < threads ? league.next(schedule, GAMES) : null;
             if (next != null) {
                 underWay.add(next);
             } else {
@@ -59,20 +56,26 @@ class PausedBotsTest {
                 for (int seat = 0; seat < players; seat++) {
                     failed[seat] = fails(over.lineup()[seat], over);
                 }
-                schedule.over(over, failed);
-                stored.put(String.format("%05d %s", over.decision(), Arrays.toString(over.lineup())), over);
+                league.over(schedule, over, failed);
             }
         }
         return paused;
     }
 
-    private static void learn(int version, List<Task> latestFirst, PausedBots pauses) {
+    private static void learn(int version, List<Task> latestFirst, PausedBots pauses, int next) {
         for (Task task : latestFirst) {
             if (Arrays.stream(task.lineup()).anyMatch(each -> each == version)
-                && !pauses.earlier(task.decision(), version, fails(version, task))) {
+                && !pauses.earlier(next, task.decision(), version, fails(version, task))) {
                 return;
             }
         }
+    }
+
+    private static Set<String> names(MemoryLeague league) {
+        Set<String> names = new TreeSet<>();
+        league.games().forEach(task -> names.add(task.decision() + " " + Arrays.toString(task.lineup())));
+        assertEquals(league.games().size(), names.size(), "each once");
+        return names;
     }
 
     @ParameterizedTest
@@ -80,43 +83,43 @@ class PausedBotsTest {
     @Tag("slow")
     void neitherThreadsNorInterruptionsChangeWhoIsPausedWhen(int players) {
         for (int lag : new int[] {1, 4, 16, 64}) {
-            Map<String, Task> plain = new LinkedHashMap<>();
+            MemoryLeague plain = new MemoryLeague(players);
             List<Integer> paused = run(players, GAMES, 1, lag, plain, new Random(1));
             assertTrue(paused.containsAll(List.of(1, 2)), "lag " + lag + ": " + paused);
             assertEquals(paused.stream().distinct().toList(), paused, "lag " + lag);
             for (int seed = 0; seed < 20; seed++) {
                 Random random = new Random(seed);
-                Map<String, Task> other = new LinkedHashMap<>();
+                MemoryLeague other = new MemoryLeague(players, 1 + random.nextInt(2 * lag));
                 List<Integer> kills = random.ints(1 + random.nextInt(4), 0, GAMES).sorted().boxed().toList();
                 kills.forEach(kill -> run(players, kill, 1 + random.nextInt(12), lag, other, random));
                 run(players, GAMES, 1 + random.nextInt(12), lag, other, random);
-                assertEquals(plain.keySet(), other.keySet(), "lag " + lag + ", seed " + seed + ", killed at " + kills);
+                assertEquals(names(plain), names(other), "lag " + lag + ", seed " + seed + ", killed at " + kills);
             }
         }
     }
 
     @Test
     void aBotThatFailsFromTheBeginningPlaysNoMoreThanTheGamesThatPauseItAndTheRestOfItsDecision() {
-        Map<String, Task> stored = new LinkedHashMap<>();
+        MemoryLeague stored = new MemoryLeague(2);
         run(2, GAMES, 8, 64, stored, new Random(3));
-        long games = stored.values().stream().filter(task -> task.lineup()[0] == 1 || task.lineup()[1] == 1).count();
+        long games = stored.games().stream().filter(task -> task.lineup()[0] == 1 || task.lineup()[1] == 1).count();
         assertTrue(games >= MOST && games <= MOST + 1, games + " games, expected 5, or 6 with both sides of the last");
     }
 
     /** The league was killed before the games of a worker that was caught were played again. */
     @Test
     void aPausedBotPlaysNoneOfTheGamesThatWereSetAside() {
-        Map<String, Task> stored = new LinkedHashMap<>();
+        MemoryLeague stored = new MemoryLeague(2);
         run(2, GAMES, 1, 16, stored, new Random(1));
-        stored.values().removeIf(task -> task.decision() >= 60 && task.decision() < 120);
+        stored.games().removeIf(task -> task.decision() >= 60 && task.decision() < 120);
         run(2, GAMES, 1, 16, stored, new Random(1));
-        assertEquals(List.of(), stored.values().stream().filter(task -> task.decision() >= 60
+        assertEquals(List.of(), stored.games().stream().filter(task -> task.decision() >= 60
             && Arrays.stream(task.lineup()).anyMatch(version -> version == 1)).toList());
     }
 
     @Test
     void aBotThatIsResumedPlaysAgainUntilItHasFailedAsOften() {
-        PausedBots pauses = new PausedBots(MOST, 4, 0);
+        PausedBots pauses = new PausedBots(MOST, 4);
         for (int decision = 0; decision < MOST; decision++) {
             pauses.over(decision, 7, true);
         }

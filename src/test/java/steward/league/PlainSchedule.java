@@ -1,34 +1,38 @@
 package steward.league;
 
-import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collection;
-import java.util.Deque;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
+import java.util.TreeSet;
 
 /**
- * A round robin as one would write it without a thought for speed: it keeps every game, looks at one decision after the
+ * A round robin as one would write it without a thought for speed: it keeps every decision, looks at one after the
  * other, and counts all groups anew for each choice. {@link Schedule} has to give the same games.
  */
 final class PlainSchedule {
 
-    private final long firstSeed;
     private final int players;
     private final int lag;
-    private final Map<Integer, List<int[]>> stored = new TreeMap<>();
-    private final List<List<Integer>> made = new ArrayList<>();
-    private final Map<Integer, Integer> open = new TreeMap<>();
-    private final Deque<Schedule.Task> waiting = new ArrayDeque<>();
-    private List<Integer> active = List.of();
+    private final Map<Integer, Row> rows = new TreeMap<>();
+    private Set<Integer> active;
     private int next;
     private long games;
 
-    PlainSchedule(long firstSeed, int players, int lag) {
-        this.firstSeed = firstSeed;
+    /** A decision: its games that have not begun, and how many have. */
+    private static final class Row {
+        private final Set<List<Integer>> left = new HashSet<>();
+        private TreeSet<Integer> group = new TreeSet<>();
+        private int begun;
+        private int underWay;
+    }
+
+    PlainSchedule(int players, int lag) {
         this.players = players;
         this.lag = lag;
     }
@@ -41,63 +45,83 @@ final class PlainSchedule {
         return games;
     }
 
+    /** A game of an earlier run; before {@link #play}. */
     void stored(int decision, int... lineup) {
-        stored.computeIfAbsent(decision, number -> new ArrayList<>()).add(lineup);
+        Row row = rows.computeIfAbsent(decision, number -> new Row());
+        Arrays.stream(lineup).forEach(row.group::add);
+        row.begun++;
+        row.left.add(list(lineup));                    // until it is known who plays: what has been played
+        games++;
+        next = Math.max(next, decision + 1);
     }
 
     void play(Collection<Integer> versions) {
-        active = versions.stream().sorted().toList();
-        waiting.removeIf(task -> !isPlayable(task.lineup()));
+        boolean first = active == null;
+        active = new TreeSet<>(versions);
+        if (first) {
+            rows.values().forEach(row -> {
+                Set<List<Integer>> played = Set.copyOf(row.left);
+                row.left.clear();
+                Set<Integer> all = new TreeSet<>(row.group);
+                all.addAll(active);
+                row.left.addAll(lineups(players == 1 ? all : row.group));
+                row.left.removeAll(played);
+            });
+        }
     }
 
-    private boolean isPlayable(int... lineup) {
-        return Arrays.stream(lineup).allMatch(active::contains);
+    private static List<Integer> list(int... lineup) {
+        return Arrays.stream(lineup).boxed().toList();
     }
 
-    Schedule.Task next(long most) {
-        while (waiting.isEmpty()) {
-            boolean blocked = open.keySet().stream().anyMatch(number -> number <= next - lag);
-            if (games >= most || blocked) {
-                return null;
+    private List<List<Integer>> lineups(Collection<Integer> group) {
+        return players == 1 ? group.stream().map(List::of).toList()
+            : Lineups.rotations(group.stream().mapToInt(version -> version).toArray()).stream().map(PlainSchedule::list)
+                .toList();
+    }
+
+    private List<List<Integer>> playable(Row row) {
+        return row.left.stream().filter(active::containsAll).toList();
+    }
+
+    private boolean isOpen(Row row) {
+        return row.underWay > 0 || !playable(row).isEmpty();
+    }
+
+    /** The games that may be next, all of one decision; none if there is none. */
+    Set<String> next(long most) {
+        while (rows.values().stream().allMatch(row -> playable(row).isEmpty()) && games < most && rows.entrySet()
+                .stream().noneMatch(row -> row.getKey() <= next - lag && isOpen(row.getValue()))) {
+            Row row = new Row();
+            row.group = new TreeSet<>(players == 1 ? active : leastPlayed());
+            row.left.addAll(lineups(row.group));
+            rows.put(next++, row);
+        }
+        Set<String> found = new TreeSet<>();
+        rows.forEach((number, row) -> {
+            if (found.isEmpty() && games < most) {
+                playable(row).forEach(lineup -> found.add(number + " " + lineup));
             }
-            decide();
-        }
-        if (games >= most) {
-            return null;
-        }
-        Schedule.Task task = waiting.remove();
+        });
+        return found;
+    }
+
+    void begin(Schedule.Task task) {
+        Row row = rows.get(task.decision());
+        row.left.remove(list(task.lineup()));
+        row.begun++;
+        row.underWay++;
         games++;
-        open.merge(task.decision(), 1, Integer::sum);
-        return task;
-    }
-
-    private void decide() {
-        int number = next++;
-        List<int[]> done = stored.getOrDefault(number, List.of());
-        games += done.size();
-        List<int[]> lineups = new ArrayList<>();
-        if (players == 1) {
-            active.forEach(version -> lineups.add(new int[] {version}));
-        } else {
-            List<Integer> group = done.isEmpty() ? leastPlayed()
-                : Arrays.stream(done.get(0)).sorted().boxed().toList();
-            made.add(group);
-            lineups.addAll(Lineups.rotations(group.stream().mapToInt(version -> version).toArray()));
-        }
-        for (int[] lineup : lineups) {
-            if (isPlayable(lineup) && done.stream().noneMatch(each -> Arrays.equals(each, lineup))) {
-                waiting.add(new Schedule.Task(number, firstSeed + number, lineup));
-            }
-        }
     }
 
     /** The group of those that play which was decided on least, the first of several. */
     private List<Integer> leastPlayed() {
         Map<List<Integer>, Integer> counts = new HashMap<>();
-        made.forEach(group -> counts.merge(group, 1, Integer::sum));
+        rows.values().stream().filter(row -> row.begun > 0 || active.containsAll(row.group))
+            .forEach(row -> counts.merge(new ArrayList<>(row.group), 1, Integer::sum));
         List<Integer> best = null;
-        for (int[] each : RoundOrder.groups(active, players, -1)) {
-            List<Integer> group = Arrays.stream(each).boxed().toList();
+        for (int[] each : RoundOrder.groups(List.copyOf(active), players, -1)) {
+            List<Integer> group = list(each);
             if (best == null || counts.getOrDefault(group, 0) < counts.getOrDefault(best, 0)) {
                 best = group;
             }
@@ -106,14 +130,14 @@ final class PlainSchedule {
     }
 
     void over(Schedule.Task task) {
-        open.computeIfPresent(task.decision(), (number, count) -> count == 1 ? null : count - 1);
+        rows.get(task.decision()).underWay--;
     }
 
     void dropped(Schedule.Task task) {
-        over(task);
+        Row row = rows.get(task.decision());
+        row.underWay--;
+        row.begun--;
         games--;
-        if (isPlayable(task.lineup())) {
-            waiting.addFirst(task);
-        }
+        row.left.add(list(task.lineup()));
     }
 }

@@ -23,38 +23,26 @@ class PlannedScheduleTest {
     private static final int TIMES = 3;
     private static final int VERSIONS = 7;
 
-    /** A game of the store. */
-    private record Played(int decision, List<Integer> lineup) { }
-
-    private final List<Played> store = new ArrayList<>();
+    private MemoryLeague league;
 
     private Schedule schedule(int players, int lag, List<Integer> roster) {
-        EarlierGames earlier = new EarlierGames();
-        store.forEach(game -> earlier.add(game.decision(),
-            earlier.lineup(game.lineup().stream().mapToInt(version -> version).toArray())));
-        Schedule schedule = new Schedule(100, players, lag, earlier);
+        Schedule schedule = new Schedule(100, players, lag, league.past());
         schedule.following(decided -> group -> TIMES);
         schedule.play(roster, versions -> Pairing.roundRobin(versions, players));
         return schedule;
-    }
-
-    private void store(Schedule.Task task) {
-        store.add(new Played(task.decision(), Arrays.stream(task.lineup()).boxed().toList()));
     }
 
     /** Plays at most so many games, several at a time; those under way at the end are lost, as at a kill. */
     private void play(Schedule schedule, Random random, int most) {
         List<Schedule.Task> underWay = new ArrayList<>();
         for (int played = 0; played < most; played++) {
-            Schedule.Task task = underWay.size() < 4 ? schedule.next(Long.MAX_VALUE) : null;
+            Schedule.Task task = underWay.size() < 4 ? league.next(schedule, Long.MAX_VALUE) : null;
             if (task != null) {
                 underWay.add(task);
             } else if (underWay.isEmpty()) {
                 return;
             } else {
-                Schedule.Task over = underWay.remove(random.nextInt(underWay.size()));
-                store(over);
-                schedule.over(over);
+                league.over(schedule, underWay.remove(random.nextInt(underWay.size())));
             }
         }
     }
@@ -64,7 +52,7 @@ class PlannedScheduleTest {
     void everyGroupHasAsManyGamesAsPlannedAndNoMore(int players) {
         for (int seed = 0; seed < 60; seed++) {
             Random random = new Random(seed);
-            store.clear();
+            league = new MemoryLeague(players, 1 + random.nextInt(9));
             List<Integer> roster = List.of();
             for (int epoch = 0; epoch < 6; epoch++) {
                 TreeSet<Integer> chosen = new TreeSet<>();
@@ -76,20 +64,21 @@ class PlannedScheduleTest {
             }
             Schedule last = schedule(players, 5, roster);
             long planned = last.planned();
-            int before = store.size();
+            int before = league.games().size();
             play(last, random, Integer.MAX_VALUE);
             String what = players + " players, seed " + seed;
-            assertEquals(planned, store.size() - before, what);
-            assertNull(schedule(players, 5, roster).next(Long.MAX_VALUE), what);
+            assertEquals(planned, league.games().size() - before, what);
+            assertNull(league.next(schedule(players, 5, roster), Long.MAX_VALUE), what);
             check(players, roster, what);
         }
     }
 
     private void check(int players, List<Integer> roster, String what) {
         Map<List<Integer>, Integer> counts = new HashMap<>();
-        for (Played game : store) {
-            if (roster.containsAll(game.lineup())) {
-                counts.merge(game.lineup(), 1, Integer::sum);
+        for (Schedule.Task game : league.games()) {
+            List<Integer> lineup = Arrays.stream(game.lineup()).boxed().toList();
+            if (roster.containsAll(lineup)) {
+                counts.merge(lineup, 1, Integer::sum);
             }
         }
         if (players == 1) {                            // all have played each map that any has begun

@@ -34,7 +34,7 @@ class ScheduleTest {
     private static final int GAMES = 60;
 
     private static Schedule schedule(int players, int lag, Integer... bots) {
-        Schedule schedule = new Schedule(100, players, lag, new EarlierGames());
+        Schedule schedule = new Schedule(100, players, lag, new MemoryLeague(players).past());
         schedule.play(List.of(bots), versions -> Pairing.roundRobin(versions, players));
         return schedule;
     }
@@ -45,8 +45,9 @@ class ScheduleTest {
 
     private static List<String> straight(int players, Integer... bots) {
         Schedule schedule = schedule(players, 8, bots);
+        MemoryLeague league = new MemoryLeague(players);
         List<String> games = new ArrayList<>();
-        for (Schedule.Task task = schedule.next(GAMES); task != null; task = schedule.next(GAMES)) {
+        for (Schedule.Task task = league.next(schedule, GAMES); task != null; task = league.next(schedule, GAMES)) {
             games.add(name(task));
             schedule.over(task);
         }
@@ -96,12 +97,13 @@ class ScheduleTest {
      */
     @Test
     void groupsThatOnlyRepeatGamesAreNotAskedForMore() {
-        Schedule schedule = new Schedule(100, 2, 1, new EarlierGames());
+        MemoryLeague league = new MemoryLeague(2);
+        Schedule schedule = new Schedule(100, 2, 1, league.past());
         RepeatedGroups repeated = new RepeatedGroups(false);
         schedule.without(repeated);
         schedule.play(List.of(1, 2, 3), versions -> Pairing.roundRobin(versions, 2));
         Map<String, Integer> counts = new HashMap<>();
-        for (Schedule.Task task = schedule.next(300); task != null; task = schedule.next(300)) {
+        for (Schedule.Task task = league.next(schedule, 300); task != null; task = league.next(schedule, 300)) {
             boolean alike = Arrays.stream(task.lineup()).sum() == 3;
             repeated.add(task.decision(), alike ? 7 + task.lineup()[0] : task.seed(), task.lineup());
             counts.merge(Lineups.sorted(task.lineup())[0] + " " + Lineups.sorted(task.lineup())[1], 1, Integer::sum);
@@ -115,7 +117,8 @@ class ScheduleTest {
     @Test
     void aScheduleOfNothingButRepeatsEnds() {
         for (int players = 1; players <= 3; players++) {
-            Schedule schedule = new Schedule(100, players, 3, new EarlierGames());
+            MemoryLeague league = new MemoryLeague(players);
+            Schedule schedule = new Schedule(100, players, 3, league.past());
             RepeatedGroups repeated = new RepeatedGroups(players == 1);
             schedule.without(repeated);
             schedule.play(List.of(1, 2, 3), versions -> Pairing.roundRobin(versions, 3));
@@ -123,7 +126,7 @@ class ScheduleTest {
                 schedule.play(List.of(1, 2, 3), versions -> Pairing.roundRobin(versions, 2));
             }
             int games = 0;
-            for (Schedule.Task task = schedule.next(1000); task != null; task = schedule.next(1000)) {
+            for (Schedule.Task task = league.next(schedule, 1000); task != null; task = league.next(schedule, 1000)) {
                 repeated.add(task.decision(), 5, task.lineup());
                 games++;
                 schedule.over(task);
@@ -142,10 +145,11 @@ class ScheduleTest {
 
     @Test
     void theGauntletsBotIsInEveryGame() {
-        Schedule schedule = new Schedule(0, 2, 8, new EarlierGames());
+        MemoryLeague league = new MemoryLeague(2);
+        Schedule schedule = new Schedule(0, 2, 8, league.past());
         schedule.play(List.of(1, 2, 3), versions -> Pairing.gauntlet(versions, 2, 2));
         for (int k = 0; k < GAMES; k++) {
-            Schedule.Task task = schedule.next(Long.MAX_VALUE);
+            Schedule.Task task = league.next(schedule, Long.MAX_VALUE);
             assertTrue(Arrays.stream(task.lineup()).anyMatch(version -> version == 2), name(task));
             schedule.over(task);
         }
@@ -153,13 +157,14 @@ class ScheduleTest {
 
     @Test
     void aBotThatComesLaterCatchesUp() {
+        MemoryLeague league = new MemoryLeague(2);
         Schedule schedule = schedule(2, 8, 1, 2);
         for (int k = 0; k < 10; k++) {
-            schedule.over(schedule.next(Long.MAX_VALUE));
+            schedule.over(league.next(schedule, Long.MAX_VALUE));
         }
         schedule.play(List.of(1, 2, 3), versions -> Pairing.roundRobin(versions, 2));
         for (int k = 0; k < 20; k++) {
-            Schedule.Task task = schedule.next(Long.MAX_VALUE);
+            Schedule.Task task = league.next(schedule, Long.MAX_VALUE);
             assertTrue(Arrays.stream(task.lineup()).anyMatch(version -> version == 3), name(task));
             schedule.over(task);
         }
@@ -167,14 +172,15 @@ class ScheduleTest {
 
     @Test
     void noDecisionIsBegunWhileOneLagBackIsOpen() {
+        MemoryLeague league = new MemoryLeague(2, 100);
         Schedule schedule = schedule(2, 3, 1, 2);
-        Schedule.Task first = schedule.next(Long.MAX_VALUE);
+        Schedule.Task first = league.next(schedule, Long.MAX_VALUE);
         for (int k = 0; k < 5; k++) {
-            schedule.over(schedule.next(Long.MAX_VALUE));
+            schedule.over(league.next(schedule, Long.MAX_VALUE));
         }
-        assertNull(schedule.next(Long.MAX_VALUE));
+        assertNull(league.next(schedule, Long.MAX_VALUE));
         schedule.over(first);
-        assertNotNull(schedule.next(Long.MAX_VALUE));
+        assertNotNull(league.next(schedule, Long.MAX_VALUE));
     }
 
     /** One taker takes all games, the other none of bot 3: the games are the same, no decision is made too early. */
@@ -189,12 +195,14 @@ class ScheduleTest {
             int patience = random.nextInt(8);
             int lag = 1 + random.nextInt(8);
             Schedule schedule = schedule(players, lag, 1, 2, 3, 4);
+            MemoryLeague league = new MemoryLeague(players);
             List<Schedule.Task> open = new ArrayList<>();
             List<String> games = new ArrayList<>();
             TreeSet<Integer> over = new TreeSet<>();
             int[] count = new int[1000];
             while (games.size() < most || !open.isEmpty()) {
                 boolean all = random.nextInt(1 + patience) == 0;
+                league.decide(schedule, most, 1 + random.nextInt(2 * lag * players));
                 Schedule.Task task = schedule.next(most, next -> all
                     || Arrays.stream(next.lineup()).noneMatch(version -> version == 3));
                 if (task != null) {
@@ -225,12 +233,13 @@ class ScheduleTest {
 
     @Test
     void aGameThatIsDroppedComesAgain() {
+        MemoryLeague league = new MemoryLeague(2);
         Schedule schedule = schedule(2, 3, 1, 2);
-        Schedule.Task first = schedule.next(2);
+        Schedule.Task first = league.next(schedule, 2);
         schedule.dropped(first);
-        assertEquals(name(first), name(schedule.next(2)));
-        assertNotNull(schedule.next(2));
-        assertNull(schedule.next(2));
+        assertEquals(Set.of("0 100 [1, 2]", "0 100 [2, 1]"), Set.of(name(league.next(schedule, 2)),
+            name(league.next(schedule, 2))));
+        assertNull(league.next(schedule, 2));
     }
 
     /** Random numbers of threads, games that end in random order, and interruptions that lose what is under way. */
@@ -247,32 +256,31 @@ class ScheduleTest {
     }
 
     private static TreeSet<String> interrupted(int players, Integer[] bots, SplittableRandom random) {
-        Map<String, Schedule.Task> stored = new HashMap<>();
-        while (stored.size() < GAMES) {
-            EarlierGames earlier = new EarlierGames();
-            stored.values().forEach(task -> earlier.add(task.decision(), earlier.lineup(task.lineup())));
-            Schedule schedule = new Schedule(100, players, 4, earlier);
+        MemoryLeague league = new MemoryLeague(players, 1 + random.nextInt(12));
+        while (league.games().size() < GAMES) {
+            Schedule schedule = new Schedule(100, players, 4, league.past());
             schedule.play(List.of(bots), versions -> Pairing.roundRobin(versions, players));
             List<Schedule.Task> open = new ArrayList<>();
             int threads = 1 + random.nextInt(5);
             int end = random.nextInt(GAMES);
             for (int k = 0; k < end; k++) {
-                Schedule.Task task = open.size() < threads ? schedule.next(GAMES) : null;
+                Schedule.Task task = open.size() < threads ? league.next(schedule, GAMES) : null;
                 if (task != null) {
                     open.add(task);
                 } else if (!open.isEmpty()) {
-                    Schedule.Task over = open.remove(random.nextInt(open.size()));
-                    schedule.over(over);
-                    stored.put(name(over), over);
+                    league.over(schedule, open.remove(random.nextInt(open.size())));
                 }
             }
         }
-        return new TreeSet<>(stored.keySet());
+        TreeSet<String> games = new TreeSet<>();
+        league.games().forEach(task -> games.add(name(task)));
+        assertEquals(league.games().size(), games.size(), "each once");
+        return games;
     }
 
     /**
-     * Leagues with a long past: decisions that are whole, that lack games or have none, of bots that play no more, and
-     * bots that change while it goes on. The games played are those of a plain walk through all decisions.
+     * Leagues with a long past: decisions that are whole, that lack games or are not there, of bots that play no more,
+     * and bots that change while it goes on. The games played are those of a plain walk through all decisions.
      */
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 3})
@@ -281,8 +289,8 @@ class ScheduleTest {
         for (long seed = 0; seed < TestSize.of(80, 1000); seed++) {
             SplittableRandom random = new SplittableRandom(seed);
             List<Integer> before = bots(random, players);
-            EarlierGames earlier = new EarlierGames();
-            PlainSchedule plain = new PlainSchedule(100, players, 1 + random.nextInt(20));
+            MemoryLeague league = new MemoryLeague(players);
+            PlainSchedule plain = new PlainSchedule(players, 1 + random.nextInt(20));
             List<int[]> past = new ArrayList<>();
             for (int decision = random.nextInt(3); decision < 40; decision += random.nextInt(8) == 0 ? 2 : 1) {
                 past.addAll(games(decision, before, players, random));
@@ -292,17 +300,17 @@ class ScheduleTest {
             }
             for (int[] game : past) {
                 int[] lineup = Arrays.copyOfRange(game, 1, game.length);
-                earlier.add(game[0], earlier.lineup(lineup));
+                league.add(new Schedule.Task(game[0], 100 + game[0], lineup));
                 plain.stored(game[0], lineup);
             }
-            Schedule schedule = new Schedule(100, players, plain.lag(), earlier);
+            Schedule schedule = new Schedule(100, players, plain.lag(), league.past());
             String message = players + " players, seed " + seed;
             for (int change = 0; change < 3; change++) {
                 List<Integer> now = bots(random, players);
                 schedule.play(now, versions -> Pairing.roundRobin(versions, players));
                 plain.play(now);
                 int most = random.nextInt(4) == 0 ? random.nextInt(150) : Integer.MAX_VALUE;
-                compare(schedule, plain, most, random, message);
+                compare(league, schedule, plain, most, random, message);
             }
         }
     }
@@ -339,22 +347,23 @@ class ScheduleTest {
         return games;
     }
 
-    private static void compare(Schedule schedule, PlainSchedule plain, int most, SplittableRandom random,
-                                String message) {
+    private static void compare(MemoryLeague league, Schedule schedule, PlainSchedule plain, int most,
+                                SplittableRandom random, String message) {
         List<Schedule.Task> open = new ArrayList<>();
         for (int k = 0; k < 60; k++) {
             if (open.size() < 4 && random.nextInt(3) > 0) {
-                Schedule.Task expected = plain.next(most);
-                Schedule.Task task = schedule.next(most);
-                assertEquals(expected == null ? "none" : name(expected), task == null ? "none" : name(task), message);
-                assertEquals(plain.games(), schedule.games(), message);
+                Set<String> expected = plain.next(most);
+                Schedule.Task task = league.next(schedule, most);
+                assertEquals(expected.isEmpty(), task == null, () -> message + expected);
                 if (task != null) {
+                    assertTrue(expected.contains(task.decision() + " " + Arrays.toString(task.lineup())),
+                        () -> message + ": " + name(task) + ", expected one of " + expected);
+                    plain.begin(task);
                     open.add(task);
                 }
+                assertEquals(plain.games(), schedule.games(), message);
             } else if (!open.isEmpty()) {
-                Schedule.Task ended = open.remove(random.nextInt(open.size()));
-                boolean dropped = random.nextInt(6) == 0;
-                end(schedule, plain, ended, dropped);
+                end(schedule, plain, open.remove(random.nextInt(open.size())), random.nextInt(6) == 0);
             }
         }
         open.forEach(task -> end(schedule, plain, task, false));
@@ -368,5 +377,31 @@ class ScheduleTest {
             schedule.over(task);
             plain.over(task);
         }
+    }
+
+    /** Bot 2 goes when three decisions wait, one of them with a game under way, and comes back. */
+    @Test
+    void decisionsWhoseBotsAreGoneAreDroppedAndStayAsTheyAre() {
+        MemoryLeague league = new MemoryLeague(2, 6);
+        Schedule schedule = new Schedule(100, 2, 8, league.past());
+        schedule.play(List.of(1, 2, 3), versions -> Pairing.roundRobin(versions, 2));
+        Schedule.Task begun = league.next(schedule, 100);
+        assertEquals("0 100 [1, 2]", name(begun));
+        schedule.play(List.of(1, 3), versions -> Pairing.roundRobin(versions, 2));
+        Decision.News news = schedule.decide(100, 1);
+        assertEquals(Map.of(0, true, 2, true), news.dropped());
+        assertEquals(List.of(), news.made());
+        schedule.dropped(begun);
+        List<String> games = new ArrayList<>();
+        for (int k = 0; k < 4; k++) {
+            Schedule.Task task = league.next(schedule, 100);
+            games.add(name(task));
+            schedule.over(task);
+        }
+        assertEquals(List.of("1 101 [1, 3]", "1 101 [3, 1]", "3 103 [1, 3]", "3 103 [3, 1]"), games);
+        schedule.play(List.of(1, 2, 3), versions -> Pairing.roundRobin(versions, 2));
+        assertEquals(Map.of(0, false, 2, false), schedule.decide(100, 1).dropped(), "their games are played");
+        assertEquals(4, schedule.waiting(100).stream().filter(task -> task.decision() % 2 == 0 && task.decision() < 4)
+            .count());
     }
 }

@@ -18,6 +18,7 @@ import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
 import steward.league.Season;
 import steward.league.StoredGame;
+import steward.league.play.LeagueRun;
 import steward.league.play.Roster;
 import steward.league.play.RosterReader;
 import steward.league.store.GameStore;
@@ -113,7 +114,7 @@ final class TournamentRun {
             .map(member -> member.bot().name()).collect(Collectors.toSet());
     }
 
-    private int play(RunCommand.Plan plan) throws Exception {
+    private int play(LeagueRun.Planner plan) throws Exception {
         if (wall != null) {
             wall.follow(played(), league.replays(), this::scores);
         }

@@ -27,7 +27,7 @@ record FarGames(Elsewhere elsewhere) {
         void play(List<Elsewhere.Game> games) throws InterruptedException;
 
         /** Notes that there is no place for games. */
-        void waits();
+        void waits() throws InterruptedException;
 
         /** Ends the run, because playing has thrown something. */
         void fail(RuntimeException problem);

@@ -3,20 +3,21 @@ package steward.league.play;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import steward.contest.Contest;
 import steward.contest.WorkerThreads;
 import steward.files.InputException;
-import steward.league.EarlierGames;
-import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
 import steward.league.Pairing;
+import steward.league.PastDecisions;
 import steward.league.Schedule;
-import steward.league.Season;
 import steward.league.StoredGame;
 import steward.league.pairing.AdaptivePairing;
 import steward.league.pairing.LeagueEnd;
@@ -26,7 +27,6 @@ import steward.league.play.Roster.Member;
 import steward.league.rating.Ratings;
 import steward.league.store.AsideGames;
 import steward.league.store.GameQueries;
-import steward.league.store.GameStore;
 import steward.league.store.GameWriter;
 import steward.text.TextFormat;
 
@@ -41,38 +41,35 @@ public final class LeagueRun {
     /** How long a thread sleeps that has to wait for other games, in milliseconds. */
     static final long WAIT_MS = 100;
 
-    private final LeagueFolder folder;
-    private final GameStore store;
-    private final int season;
+    private final OpenSeason season;
     private final GameWriter writer;
     private final GamePlay play;
     private final RosterWatch watch;
     private final Schedule schedule;
     private final Limits limits;
+    private final Rules rules;
     private final Consumer<String> teller;
     private final Consumer<StoredGame> listener;
     private final long end;
-    private final GameQueries queries;
-    /** Below this number no decision's results are asked for alone. */
-    private final int settled;
-    /** Other machines, or {@code null}; set before the run begins. */
-    private Elsewhere elsewhere;
+    /** Other machines, or {@code null}. */
+    private final Elsewhere elsewhere;
+    /** Attempts at games that do not count, by decision and lineup. */
+    private final Map<List<Integer>, Integer> attempts = new HashMap<>();
+    private final LeagueEnd leagueEnd;
 
     /** Guarded by this, as is all below. */
     private final RunResults results;
-    private LeagueEnd leagueEnd;
-    private StopRule rule = StopRule.NONE;
-    private BiFunction<Roster, Map<List<Integer>, Integer>, Schedule.Plan> plan;
+    private final Pauses pauses;
+    private final Standstill standstill;
     private Roster roster;
     private Map<Integer, Member> members;
+    /** Games that wait, if there are so many, so that nobody waits for decisions to be stored. */
+    private int ahead = 1;
     private int underWay;
     private boolean brokenOff;
     private boolean ended;
     private String stopped;
     private long handed;
-    private Pauses pauses;
-    private final Standstill standstill;
-    private final ForgivenGames forgiven = new ForgivenGames();
 
     /**
      * Limits of a run.
@@ -83,82 +80,90 @@ public final class LeagueRun {
      */
     public record Limits(int threads, long games, long nanos) { }
 
+    /** Makes a plan for bots that play from the decisions by group so far. */
+    public interface Planner extends BiFunction<Roster, Map<List<Integer>, Integer>, Schedule.Plan> { }
+
+    /**
+     * What a run decides by.
+     *
+     * @param end        ends the run when enough is known
+     * @param pauseAfter how many failed games in a row pause a bot; 0 for never
+     * @param planner    plans the games to be played and no others, or {@code null}
+     */
+    public record Rules(StopRule end, int pauseAfter, Planner planner) {
+
+        public static final Rules NONE = new Rules(StopRule.NONE, 0, null);
+    }
+
     /**
      * A run that is to begin.
      *
-     * @param season   its number in the store
-     * @param machine  what is noted with each game
-     * @param teller   is told what happens, by any thread
-     * @param listener is told of each game that is handed over to be stored, by any thread
+     * @param elsewhere other machines that play, too, or {@code null}
+     * @param machine   what is noted with each game
+     * @param teller    is told what happens, by any thread
+     * @param listener  is told of each game that is handed over to be stored, by any thread
      */
-    public LeagueRun(LeagueFolder folder, GameStore store, int season, Season key, Contest contest,
-                     RosterReader reader, Roster roster, Limits limits, String machine, Consumer<String> teller,
-                     Consumer<StoredGame> listener) {
-        this.folder = folder;
-        this.store = store;
+    public LeagueRun(OpenSeason season, Contest contest, RosterReader reader, Roster roster, Limits limits, Rules rules,
+                     Elsewhere elsewhere, String machine, Consumer<String> teller, Consumer<StoredGame> listener) {
         this.season = season;
         this.limits = limits;
+        this.rules = rules;
+        this.elsewhere = elsewhere;
         this.teller = teller;
         this.listener = listener;
         standstill = new Standstill(limits.threads() > 0, teller);
-        play = new GamePlay(key, contest, new KeptGames(folder), machine, System::currentTimeMillis);
-        queries = new GameQueries(store, season, key);
-        EarlierGames earlier = queries.earlier();
-        settled = Looks.settled(earlier.firstOpen(), roster.settings().lag());
-        schedule = new Schedule(roster.settings().seed(), key.players(), roster.settings().lag(), earlier);
-        results = new RunResults(key, queries, settled);
+        LeagueSettings settings = roster.settings();
+        int players = season.season().players();
+        play = new GamePlay(season.season(), contest, new KeptGames(season.folder()), machine,
+            System::currentTimeMillis);
+        GameQueries queries = season.queries();
+        queries.attempts((decision, count, lineup) -> attempts.put(key(decision, lineup), count));
+        PastDecisions past = queries.past();
+        results = new RunResults(season.season(), queries, Looks.settled(past.next(), settings.lag()),
+            settings.adaptive() && players > 1 || rules.end().isAny());
+        pauses = new Pauses(rules.pauseAfter(), settings.lag(), past.next(), season, teller);
+        schedule = new Schedule(settings.seed(), players, settings.lag(), past, pauses.bots(), pauses::tell);
         schedule.without(results.repeated());
-        if (roster.settings().adaptive() && key.players() > 1) {
-            results.learn();
+        leagueEnd = rules.end().isAny() ? new LeagueEnd(rules.end(), results.known(), settings.lag(), schedule::active)
+            : null;
+        if (leagueEnd != null) {
+            schedule.until(leagueEnd);
         }
-        watch = new RosterWatch(folder, reader, roster.settings(), teller);
-        pauses = new Pauses(0, roster.settings().lag(), settled, folder, store, queries, teller);
+        watch = new RosterWatch(season.folder(), reader, settings, teller);
         use(roster);
         end = limits.nanos() == Long.MAX_VALUE ? Long.MAX_VALUE : System.nanoTime() + limits.nanos();
-        writer = new GameWriter(store, season);
+        writer = new GameWriter(season.store(), season.number(), past.next());
+    }
+
+    private static List<Integer> key(int decision, int... lineup) {
+        return IntStream.concat(IntStream.of(decision), IntStream.of(lineup)).boxed().toList();
     }
 
     private void use(Roster next) {
-        folder.named(() -> next.checked(play.season().players()));
+        season.folder().named(() -> next.checked(season.season().players()));
         roster = next;
         members = next.byVersion();
-        LeagueSettings settings = next.settings();
-        pauses.use(next, schedule);
+        pauses.use(next);
         schedule.meeting(next.meeting());
-        if (plan != null) {
-            schedule.following(decided -> plan.apply(next, decided));
+        schedule.play(next.versions(), versions -> pairing(versions, next));
+        if (rules.planner() != null) {
+            schedule.following(decided -> rules.planner().apply(next, decided));
         }
-        schedule.play(next.versions(), versions -> pairing(settings, versions, next));
     }
 
-    private Pairing pairing(LeagueSettings settings, List<Integer> versions, Roster next) {
-        int players = play.season().players();
+    private Pairing pairing(List<Integer> versions, Roster next) {
+        int players = season.season().players();
+        LeagueSettings settings = next.settings();
         if (settings.adaptive()) {
-            return new AdaptivePairing(versions, players, settings.lag(), rule,
+            return new AdaptivePairing(versions, players, settings.lag(), rules.end(),
                 before -> Ratings.of(results.known().before(before), versions));
         }
         return settings.gauntlet() == null ? Pairing.roundRobin(versions, players)
             : Pairing.gauntlet(versions, players, next.versionOf(settings.gauntlet()).orElseThrow());
     }
 
-    /** Ends the run when enough is known; before {@link #play}. */
-    public synchronized void until(StopRule stop) {
-        rule = stop;
-        results.learn();
-        leagueEnd = new LeagueEnd(stop, results.known(), roster.settings().lag(), schedule::active);
-        schedule.until(leagueEnd);
-        use(roster);
-    }
-
-    /**
-     * Plays what a plan says and no more; before {@link #play}.
-     *
-     * @param maker makes the plan for a roster from the decisions by group so far
-     * @return the number of games to be played
-     */
-    public synchronized long following(BiFunction<Roster, Map<List<Integer>, Integer>, Schedule.Plan> maker) {
-        plan = maker;
-        use(roster);
+    /** Number of games that a plan has still to come; before {@link #play}. */
+    public synchronized long planned() {
         return schedule.planned();
     }
 
@@ -172,23 +177,9 @@ public final class LeagueRun {
         return schedule.isRepeated();
     }
 
-    /** Lets other machines play, too; before {@link #play}. */
-    public void with(Elsewhere machines) {
-        elsewhere = machines;
-    }
-
-    /** Pauses bots that failed in so many games in a row, 0 for never; before {@link #play}. */
-    public synchronized void pauseAfter(int most) {
-        pauses = new Pauses(most, roster.settings().lag(), settled, folder, store, queries, teller);
-        use(roster);
-    }
-
     /** Plays until an end is reached. Call once. */
     public void play() throws InterruptedException {
         int far = elsewhere == null ? 0 : 1;
-        synchronized (this) {
-            forgiven.decide(store, season, play, this::members, schedule);
-        }
         writer.start();                                // not before: a run that is refused leaves no thread
         try {
             WorkerThreads.run("league", limits.threads() + far, thread -> thread < limits.threads() ? this::playHere
@@ -204,7 +195,7 @@ public final class LeagueRun {
     private Void playHere() throws InterruptedException {
         boolean more = true;
         while (more) {
-            List<Elsewhere.Game> games = takeOrEnd(1, Standstill::isForHere);
+            List<Elsewhere.Game> games = take(1, Standstill::isForHere);
             more = !games.isEmpty() && play(games, one -> List.of(play.play(one.get(0))));
         }
         return null;
@@ -222,7 +213,7 @@ public final class LeagueRun {
 
         @Override
         public List<Elsewhere.Game> take(int most) throws InterruptedException {
-            return takeOrEnd(most, elsewhere::canPlay);
+            return LeagueRun.this.take(most, elsewhere::canPlay);
         }
 
         @Override
@@ -231,9 +222,10 @@ public final class LeagueRun {
         }
 
         @Override
-        public void waits() {
+        public void waits() throws InterruptedException {
             synchronized (LeagueRun.this) {
-                ended |= underWay == 0 && (isAtEnd() || takeNow(task -> false) == null && isNothingLeft());
+                decide();
+                ended |= underWay == 0 && isOverNow();
                 lookWhetherAnyoneCanPlay();
             }
         }
@@ -248,13 +240,6 @@ public final class LeagueRun {
     private interface Player {
         /** As {@link Elsewhere#play}. */
         List<List<StoredGame>> play(List<Elsewhere.Game> games) throws InterruptedException;
-    }
-
-    private synchronized List<Elsewhere.Game> takeOrEnd(int most, Predicate<List<Member>> can)
-            throws InterruptedException {
-        List<Elsewhere.Game> games = take(most, can);
-        ended |= games.isEmpty();
-        return games;
     }
 
     /** Plays games that were taken; whether there may be more. */
@@ -295,7 +280,7 @@ public final class LeagueRun {
             && attempts.stream().anyMatch(attempt -> !elsewhere.isTrusted(attempt.machine()));
         if (brokenOff || changed || none) {
             if (attempts != null) {
-                attempts.forEach(attempt -> KeptGames.remove(folder, attempt));
+                attempts.forEach(attempt -> KeptGames.remove(season.folder(), attempt));
             }
             schedule.dropped(game.task());
             if (changed) {
@@ -313,47 +298,77 @@ public final class LeagueRun {
         return attempts;
     }
 
-    /** The next games, one if there is any, and more as long as none has to be waited for; none at the end. */
-    private List<Elsewhere.Game> take(int most, Predicate<List<Member>> can) throws InterruptedException {
+    /**
+     * Takes the next games, more than one as long as none has to be waited for.
+     *
+     * @param can whether all of these bots may play together
+     * @return none at the end
+     */
+    private synchronized List<Elsewhere.Game> take(int most, Predicate<List<Member>> can) throws InterruptedException {
         List<Elsewhere.Game> games = new ArrayList<>();
         List<Member> bots = new ArrayList<>();
-        Predicate<Schedule.Task> fits = task -> {
-            List<Member> all = new ArrayList<>(bots);
-            all.addAll(members(task));
-            return can.test(all);
-        };
-        for (Schedule.Task task = take(fits); task != null; task = games.size() < most ? takeNow(fits) : null) {
-            underWay++;
-            bots.addAll(members(task));
-            games.add(new Elsewhere.Game(task, roster.settings(), members(task), forgiven.first(task)));
+        ahead = Math.max(ahead, most);
+        while (games.size() < most) {
+            decide();
+            Schedule.Task task = watch.isPaused() || isAtEnd() ? null : schedule.next(limits.games(), each ->
+                writer.isDecided(each.decision()) && can.test(Stream.concat(bots.stream(), members(each).stream())
+                    .toList()));
+            if (task != null && !isStored(task)) {
+                bots.addAll(members(task));
+                games.add(new Elsewhere.Game(task, roster.settings(), members(task), first(task)));
+                underWay++;
+            } else if (task == null && (!games.isEmpty() || isOverNow())) {
+                break;
+            } else if (task == null) {
+                waitForGames();
+            }
         }
+        ended |= games.isEmpty();
         return games;
+    }
+
+    private void waitForGames() throws InterruptedException {
+        boolean isStoring = schedule.waiting(limits.games()).stream().anyMatch(task ->
+            !writer.isDecided(task.decision()));
+        if (isStoring) {
+            ahead = Math.min(2 * ahead, roster.settings().lag() * Math.max(1, season.season().players()));
+        } else if (elsewhere != null && underWay > 0) {
+            elsewhere.hurry();
+        }
+        lookWhetherAnyoneCanPlay();
+        wait(isStoring ? 1 : WAIT_MS);
     }
 
     private List<Member> members(Schedule.Task task) {
         return Arrays.stream(task.lineup()).mapToObj(members::get).toList();
     }
 
-    /** The next game, or {@code null} at the end. */
-    private Schedule.Task take(Predicate<Schedule.Task> can) throws InterruptedException {
-        for (;;) {
-            if (isAtEnd()) {
-                return null;
-            }
-            Schedule.Task task = takeNow(can);
-            if (task == null && underWay == 0 && schedule.active().size() < Math.max(1, play.season().players())) {
-                stop("found " + TextFormat.count(schedule.active().size(), "bot") + " that is not paused, expected at "
-                    + "least " + Math.max(1, play.season().players()));
-            }
-            if (task != null || isNothingLeft()) {
-                return task;
-            }
-            if (elsewhere != null && underWay > 0) {
-                elsewhere.hurry();
-            }
-            lookWhetherAnyoneCanPlay();
-            wait(WAIT_MS);
+    /** The number of a game's first attempt; not 1 if earlier ones were forgiven. */
+    private int first(Schedule.Task task) {
+        return 1 + attempts.getOrDefault(key(task.decision(), task.lineup()), 0);
+    }
+
+    /** Reads anew what has changed, and makes the decisions that can be made; they are stored before their games. */
+    private void decide() throws InterruptedException {
+        watch.look(roster, results.known() != null, this::use);
+        boolean more = !watch.isPaused() && !isAtEnd();
+        writer.add(schedule.decide(more ? limits.games() : 0, ahead));
+        int players = Math.max(1, season.season().players());
+        if (more && underWay == 0 && schedule.games() < limits.games() && schedule.active().size() < players) {
+            stop("found " + TextFormat.count(schedule.active().size(), "bot") + " that is not paused, expected at "
+                + "least " + players);
         }
+    }
+
+    /** True if a game was stored before it was decided on: it is one of the schedule now. */
+    private boolean isStored(Schedule.Task task) {
+        byte[] name = play.name(task, members(task), first(task));
+        boolean found = season.store().has(name);
+        if (found) {
+            season.store().adopt(name, task.decision());
+            schedule.over(task, results.addStored(season.store(), play, task, members(task)));
+        }
+        return found;
     }
 
     /** Ends the run where games wait that none of the machines can play, and says if they wait for a machine. */
@@ -366,30 +381,14 @@ public final class LeagueRun {
             System.nanoTime()).ifPresent(this::stop);
     }
 
-    /** True if nothing is under way and there is nothing left to play. */
-    private boolean isNothingLeft() {
-        return underWay == 0 && !watch.isPaused() && !schedule.isLeft(limits.games());
+    /** True at an end, and if nothing is under way or left to play. */
+    private boolean isOverNow() {
+        return isAtEnd() || underWay == 0 && !watch.isPaused() && !schedule.isLeft(limits.games());
     }
 
     private boolean isAtEnd() {
         return brokenOff || stopped != null || writer.problem() != null
             || end != Long.MAX_VALUE && System.nanoTime() - end >= 0;
-    }
-
-    /** The next game, or {@code null} if there is none before others are over. */
-    private Schedule.Task takeNow(Predicate<Schedule.Task> can) {
-        watch.look(roster, results.known() != null, this::use);
-        Schedule.Task task = watch.isPaused() || isAtEnd() ? null : schedule.next(limits.games(), can);
-        while (task != null) {
-            byte[] name = play.name(task, members(task), forgiven.first(task));
-            if (!store.has(name)) {
-                return task;
-            }
-            store.adopt(name, task.decision());
-            schedule.over(task, results.addStored(store, play, task, members(task)));
-            task = schedule.next(limits.games(), can);
-        }
-        return null;
     }
 
     /**
@@ -402,7 +401,7 @@ public final class LeagueRun {
     public synchronized int setAside(String machine, String why) throws InterruptedException {
         waitUntilStored();
         int games = 0;
-        for (AsideGames.SetAside game : new AsideGames(store).setAside(season, machine, why)) {
+        for (AsideGames.SetAside game : new AsideGames(season.store()).setAside(season.number(), machine, why)) {
             int[] lineup = GameQueries.lineup(game.lineup());
             games++;
             if (game.decision() >= 0) {
@@ -416,12 +415,12 @@ public final class LeagueRun {
     /** Games of a machine do not count until {@link #restore}; they are not played again. @return how many */
     public synchronized int suspend(String machine, String why) throws InterruptedException {
         waitUntilStored();
-        return new AsideGames(store).suspend(machine, why);
+        return new AsideGames(season.store()).suspend(machine, why);
     }
 
     /** Suspended games of a machine count again. @return how many */
     public synchronized int restore(String machine) {
-        return new AsideGames(store).restore(machine);
+        return new AsideGames(season.store()).restore(machine);
     }
 
     private void waitUntilStored() throws InterruptedException {

@@ -16,36 +16,31 @@ import steward.league.store.GameStore;
  */
 final class RunResults {
 
-    private final Season season;
-    private final GameQueries queries;
-    private final int settled;
     private final RepeatedGroups repeated;
-    private KnownResults known;
+    private final KnownResults known;
 
-    /** @param settled below this number no decision's results are asked for alone */
-    RunResults(Season season, GameQueries queries, int settled) {
-        this.season = season;
-        this.queries = queries;
-        this.settled = settled;
+    /**
+     * Results of earlier runs.
+     *
+     * @param from   below this number no decision's results are asked for alone
+     * @param learns whether it is asked how strong bots are
+     */
+    RunResults(Season season, GameQueries queries, int from, boolean learns) {
         repeated = new RepeatedGroups(season.players() == 1);
         queries.addTo(repeated);
+        known = learns ? new KnownResults(season, queries.resultsBefore(from)) : null;
+        if (learns) {
+            queries.known(from, known::add);
+        }
     }
 
     RepeatedGroups repeated() {
         return repeated;
     }
 
-    /** The results of the schedule; {@code null} before {@link #learn}. */
+    /** The results of the schedule; {@code null} if nobody asks for them. */
     KnownResults known() {
         return known;
-    }
-
-    /** From now on the results of the schedule are known. */
-    void learn() {
-        if (known == null) {
-            known = new KnownResults(season, queries.resultsBefore(settled));
-            queries.known(settled, known::add);
-        }
     }
 
     /** Adds what is to be learnt from the attempts of a game. */

@@ -104,33 +104,12 @@ public final class AsideGames {
         return database.inTransaction(() -> {
             List<Object> back = back(StoredGame.FORGIVEN, OF_BOT, games.first(), games.last(), bot);
             for (Object game : back) {
-                aside(StoredGame.FORGIVEN + ": game " + game + ", an earlier attempt, counts again", "EXISTS (SELECT 1 "
+                aside(StoredGame.REPLACED + game + ", an earlier attempt, counts again", "EXISTS (SELECT 1 "
                     + "FROM game o WHERE o.id = ? AND o.season = game.season AND o.lineup = game.lineup AND o.seed = "
                     + "game.seed AND o.attempt < game.attempt)", game);
             }
             return back.size();
         });
-    }
-
-    /** Returns the forgiven games of a season's schedule that are played again, each attempt. */
-    public List<SetAside> again(int season) {
-        return database.with(() -> {
-            List<SetAside> games = new ArrayList<>();
-            try (ResultSet row = database.query("SELECT decision, seed, (SELECT versions FROM lineup l WHERE l.id = "
-                + "game.lineup) FROM game WHERE " + BEGINS + "season = ? ORDER BY id", StoredGame.FORGIVEN_AGAIN,
-                StoredGame.FORGIVEN_AGAIN, season)) {
-                while (row.next()) {
-                    games.add(new SetAside(row.getInt(1), row.getLong(2), row.getString(3)));
-                }
-            }
-            return games;
-        });
-    }
-
-    /** True if a game of this name is there, and another attempt stands for it. */
-    public boolean isReplaced(byte[] name) {
-        return database.with(() -> database.value("SELECT 1 FROM game WHERE name = ? AND counts = 0 AND (problem IS "
-            + "NULL OR problem LIKE '" + StoredGame.FORGIVEN + "%')", (Object) name) != null);
     }
 
     private int aside(String why, String which, Object... values) throws SQLException {

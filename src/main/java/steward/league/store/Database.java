@@ -147,10 +147,18 @@ final class Database implements AutoCloseable {
         }
         execute("PRAGMA journal_mode = WAL");
         execute("PRAGMA synchronous = " + (durable ? "FULL" : "NORMAL"));
-        execute("PRAGMA foreign_keys = OFF");
         if (behind) {
             before = SchemaVersion.migrate(this);
         }
+        refer(true);
+    }
+
+    /** Has rows to which others refer kept, or not; between transactions. */
+    void refer(boolean kept) {
+        with(() -> {
+            execute("PRAGMA foreign_keys = " + (kept ? "ON" : "OFF"));
+            return null;
+        });
     }
 
     /** Translates an error of the database for a person. */

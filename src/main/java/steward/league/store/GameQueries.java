@@ -10,7 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.function.Consumer;
-import steward.league.EarlierGames;
+import steward.league.PastDecisions;
 import steward.league.RepeatedGroups;
 import steward.league.Season;
 import steward.league.StoredGame;
@@ -175,24 +175,57 @@ public final class GameQueries {
         return text.isEmpty() ? new int[0] : Arrays.stream(text.split(" ")).mapToInt(Integer::parseInt).toArray();
     }
 
-    /** Every game of the schedule that has been played to its end. */
-    public EarlierGames earlier() {
-        EarlierGames earlier = new EarlierGames();
+    /** The decisions of the schedule, and the games of it that are over: not those that are played again. */
+    public PastDecisions past() {
+        PastDecisions past = new PastDecisions(key.players(), number -> database.with(() -> number("SELECT seed FROM "
+            + "decision WHERE season = ? AND number = ?", season, number)));
         database.inSnapshot(() -> {
-            Map<Integer, Integer> lineups = new HashMap<>();
-            lineups().versions().forEach((number, versions) -> lineups.put(number, earlier.lineup(versions)));
-            // In the order of the table, as by an index every row would be looked up; both numbers as one, since
-            // fetching a number costs more than finding it.
-            try (ResultSet row = database.query("SELECT decision << 32 | lineup FROM game NOT INDEXED "
-                + "WHERE season = ? AND decision IS NOT NULL AND (counts > 0 OR problem IS NOT NULL)", season)) {
+            lineups().versions().forEach(past::lineup);
+            // Several numbers as one, since fetching a number costs more than finding it.
+            try (ResultSet row = database.query("SELECT iif(dropped, -1, 1) * (number << 32 | lineup) FROM decision "
+                + "WHERE season = ?", season)) {
+                while (row.next()) {
+                    long both = Math.abs(row.getLong(1));
+                    past.decision((int) (both >>> Integer.SIZE), (int) both, both != row.getLong(1));
+                }
+            }
+            try (ResultSet row = database.query("SELECT number, paused FROM decision WHERE season = ? AND paused IS "
+                + "NOT NULL AND ?", season, key.players() == 1 ? 1 : 0)) {
+                while (row.next()) {
+                    past.paused(row.getInt(1), numbers(row.getString(2)));
+                }
+            }
+            // In the order of the table, as by an index every row would be looked up.
+            try (ResultSet row = database.query("SELECT decision << 32 | lineup FROM game NOT INDEXED WHERE season = ? "
+                + "AND decision IS NOT NULL AND (counts > 0 OR problem IS NOT NULL AND problem NOT LIKE '"
+                + StoredGame.FORGIVEN_AGAIN + "%' AND problem NOT LIKE '" + StoredGame.REPLACED + "%')", season)) {
                 while (row.next()) {
                     long both = row.getLong(1);
-                    earlier.add((int) (both >>> Integer.SIZE), lineups.get((int) both));
+                    past.game((int) (both >>> Integer.SIZE), (int) both);
                 }
             }
             return null;
         });
-        return earlier;
+        return past;
+    }
+
+    /** Takes the number of attempts at a game of the schedule. */
+    public interface AttemptTaker {
+        void game(int decision, int attempts, int... lineup);
+    }
+
+    /** Tells of the games of the schedule with attempts that do not count. */
+    public void attempts(AttemptTaker taker) {
+        database.inSnapshot(() -> {
+            Lineups lineups = lineups();
+            try (ResultSet row = database.query("SELECT decision, max(attempt), lineup FROM game WHERE counts = 0 AND "
+                + "season = ? AND decision IS NOT NULL GROUP BY decision, lineup", season)) {
+                while (row.next()) {
+                    taker.game(row.getInt(1), row.getInt(2), lineups.versions().get(row.getInt(3)));
+                }
+            }
+            return null;
+        });
     }
 
     /** Takes a game of the schedule that counts. */
@@ -276,9 +309,9 @@ public final class GameQueries {
         });
     }
 
-    /** The number after that of the last decision that has a game. */
+    /** The number after that of the last decision. */
     public int nextDecision() {
-        return (int) (long) database.with(() -> number("SELECT coalesce(max(decision), -1) + 1 FROM game "
+        return (int) (long) database.with(() -> number("SELECT coalesce(max(number), -1) + 1 FROM decision "
             + "WHERE season = ?", season));
     }
 

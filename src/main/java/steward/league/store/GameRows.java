@@ -3,34 +3,32 @@ package steward.league.store;
 import java.sql.SQLException;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.stream.Collectors;
 import steward.league.StoredGame;
 import steward.league.StoredGame.StoredSeat;
 
-/**
- * Writes the rows of games, within a transaction that has begun. The numbers of lineups and machines are kept, so that
- * they are not looked up for every game. Not thread-safe.
- */
+/** Writes the rows of games, within a transaction that has begun. Not thread-safe. */
 final class GameRows {
 
     /** In the column {@code counts}: a game that counts in no rating, see {@link StoredGame#allFailed}. */
     static final int ALL_FAILED = 2;
 
     private final Database database;
-    private final Map<String, Long> lineups = new HashMap<>();
-    private final Map<String, Long> machines = new HashMap<>();
+    private final TextRows lineups;
+    private final TextRows machines;
 
-    GameRows(Database database) {
+    /** @param lineups the table of that name */
+    GameRows(Database database, TextRows lineups) {
         this.database = database;
+        this.lineups = lineups;
+        machines = new TextRows(database, "machine", "name");
     }
 
-    /** Forgets all numbers: what is rolled back may be among them. */
+    /** Forgets what may be rolled back. */
     void forget() {
-        lineups.clear();
-        machines.clear();
+        lineups.forget();
+        machines.forget();
     }
 
     /**
@@ -50,8 +48,9 @@ final class GameRows {
     /** @param id of the game if it is new */
     private boolean add(int season, StoredGame game, long id) throws SQLException {
         Object[] row = {id, game.name(), season, game.decision() < 0 ? null : game.decision(), game.seed(),
-            lineup(game), game.ranks(), game.attempt(), !game.counts() ? 0 : game.allFailed() ? ALL_FAILED : 1,
-            game.turns(), game.problem(), game.played(), machine(game.machine()), game.replay(),
+            lineups.number(lineup(game)), game.ranks(), game.attempt(),
+            !game.counts() ? 0 : game.allFailed() ? ALL_FAILED : 1, game.turns(), game.problem(), game.played(),
+            machines.number(game.machine()), game.replay(),
             game.transcript() == 0 ? null : game.transcript(), 0L};
         List<Object[]> seats = new ArrayList<>();
         long digest = RowDigest.of(Arrays.copyOf(row, row.length - 1));
@@ -75,29 +74,7 @@ final class GameRows {
         return true;
     }
 
-    private long lineup(StoredGame game) throws SQLException {
-        String versions = Arrays.stream(game.lineup()).mapToObj(Integer::toString).collect(Collectors.joining(" "));
-        return number(lineups, "lineup", "versions", versions);
-    }
-
-    private long machine(String name) throws SQLException {
-        return number(machines, "machine", "name", name);
-    }
-
-    /** The number of a text in a table of texts; it is known from then on only if the transaction succeeds. */
-    private long number(Map<String, Long> known, String table, String column, String text) throws SQLException {
-        Long number = known.get(text);
-        if (number != null) {
-            return number;
-        }
-        String find = "SELECT id FROM " + table + " WHERE " + column + " = ?";
-        Object found = database.value(find, text);
-        if (found == null) {
-            database.update("INSERT INTO " + table + " (" + column + ") VALUES (?)", text);
-            RowDigest.seal(database, table, column + " = ?", text);
-            return ((Number) database.value(find, text)).longValue();
-        }
-        known.put(text, ((Number) found).longValue());
-        return ((Number) found).longValue();
+    private static String lineup(StoredGame game) {
+        return Arrays.stream(game.lineup()).mapToObj(Integer::toString).collect(Collectors.joining(" "));
     }
 }

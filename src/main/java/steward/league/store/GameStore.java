@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Optional;
 import steward.contest.repeat.GameFacts;
 import steward.files.InputException;
+import steward.league.Decision;
 import steward.league.LeagueFolder;
 import steward.league.Season;
 import steward.league.StoredGame;
@@ -27,6 +28,7 @@ public final class GameStore implements AutoCloseable {
 
     private final Database database;
     private final GameRows gameRows;
+    private final DecisionRows decisionRows;
 
     /**
      * A version of a bot.
@@ -52,7 +54,9 @@ public final class GameStore implements AutoCloseable {
 
     GameStore(Database database) {
         this.database = database;
-        gameRows = new GameRows(database);
+        TextRows lineups = new TextRows(database, "lineup", "versions");
+        gameRows = new GameRows(database, lineups);
+        decisionRows = new DecisionRows(database, lineups);
     }
 
     /** For reading alone; other programs may write meanwhile. */
@@ -294,13 +298,31 @@ public final class GameStore implements AutoCloseable {
     }
 
     /**
-     * Stores games, all or none. One that is there already stays as it is.
+     * Stores games that come from elsewhere, all or none. One that is there already stays as it is; a decision of
+     * theirs that is not there is added.
      *
      * @return how many are new
      */
     public int add(int season, List<StoredGame> games) {
+        return add(() -> {
+            decisionRows.ofGames(season, games);
+            return gameRows.add(season, games);
+        });
+    }
+
+    /** Stores decisions, and games of these or earlier ones, all or nothing. */
+    void add(int season, List<Decision.News> news, List<StoredGame> games) {
+        add(() -> {
+            for (Decision.News each : news) {
+                decisionRows.add(season, each);
+            }
+            return gameRows.add(season, games);
+        });
+    }
+
+    private int add(Database.Work<Integer> work) {
         try {
-            return database.inTransaction(() -> gameRows.add(season, games));
+            return database.inTransaction(work);
         } catch (InputException failed) {
             gameRows.forget();
             throw failed;
@@ -324,20 +346,24 @@ public final class GameStore implements AutoCloseable {
     }
 
     /**
-     * Deletes bad rows, and those that need them, until none is left.
+     * Deletes bad rows, and those that need them, until none is left. A decision that is lost is known by its games.
      *
      * @return how many
      */
     public long dropBadRows() {
+        database.refer(false);                         // what needs a row may be deleted behind it
         return database.inTransaction(() -> {
             long dropped = 0;
-            for (List<BadRow> rows = RowCheck.of(database, Integer.MAX_VALUE); !rows.isEmpty();
-                 rows = RowCheck.of(database, Integer.MAX_VALUE)) {
+            List<BadRow> rows;
+            do {
+                decisionRows.ofGames();
+                rows = RowCheck.of(database, Integer.MAX_VALUE);
                 for (BadRow row : rows) {
                     database.execute("DELETE FROM " + row.table() + " WHERE " + row.key());
                     dropped++;
                 }
-            }
+                gameRows.forget();
+            } while (!rows.isEmpty());
             return dropped;
         });
     }
@@ -349,14 +375,14 @@ public final class GameStore implements AutoCloseable {
 
     /**
      * Returns {@code ok} if the file is whole, as SQLite sees it, or what is wrong; values of another type than their
-     * column's are bad rows, whole as they are.
+     * column's, or against its rules, are bad rows, whole as they are.
      */
     public String integrity() {
         return database.with(() -> {
             String found = null;
             try (ResultSet row = database.query("PRAGMA integrity_check")) {
                 while (found == null && row.next()) {
-                    found = row.getString(1).matches("\\S+ value in \\S+") ? null : row.getString(1);
+                    found = row.getString(1).matches("\\S+ value in \\S+|CHECK .*") ? null : row.getString(1);
                 }
             }
             return found == null ? "ok" : found;

@@ -6,11 +6,12 @@ import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.TimeUnit;
 import steward.files.InputException;
+import steward.league.Decision;
 import steward.league.StoredGame;
 
 /**
- * Stores games in the order in which they end, on a thread of its own. Games that end while a transaction is under way
- * share the next one: at a few games a second each has its own, at thousands many go together.
+ * Stores decisions and games in the order in which they come, on a thread of its own. What comes while a transaction is
+ * under way shares the next one: at a few games a second each has its own, at thousands many go together.
  */
 public final class GameWriter implements AutoCloseable {
 
@@ -20,17 +21,26 @@ public final class GameWriter implements AutoCloseable {
 
     private final GameStore store;
     private final int season;
-    private final BlockingQueue<List<StoredGame>> waiting = new ArrayBlockingQueue<>(MOST_WAITING);
+    private final BlockingQueue<Item> waiting = new ArrayBlockingQueue<>(MOST_WAITING);
     private final Thread thread = new Thread(this::run, "league writer");
     private volatile boolean closing;
     private volatile InputException problem;
+    private volatile int decided;
     private long stored;
     private long transactions;
 
-    /** A writer into a season, whose thread is not running yet. */
-    public GameWriter(GameStore store, int season) {
+    /** News of the schedule and games, stored in one transaction. */
+    private record Item(Decision.News news, List<StoredGame> games) { }
+
+    /**
+     * A writer into a season, whose thread is not running yet.
+     *
+     * @param decided number of the first decision that is not stored
+     */
+    public GameWriter(GameStore store, int season, int decided) {
         this.store = store;
         this.season = season;
+        this.decided = decided;
         thread.setDaemon(true);
     }
 
@@ -45,8 +55,24 @@ public final class GameWriter implements AutoCloseable {
      * @return whether they will be: {@code false} after a problem
      */
     public boolean add(List<StoredGame> games) throws InterruptedException {
+        return add(new Item(Decision.News.NONE, games));
+    }
+
+    /** Hands over news of the schedule, which are stored before all games that are handed over later. */
+    public void add(Decision.News news) throws InterruptedException {
+        if (!news.isEmpty()) {
+            add(new Item(news, List.of()));
+        }
+    }
+
+    /** True if a decision is stored. */
+    public boolean isDecided(int number) {
+        return number < decided;
+    }
+
+    private boolean add(Item item) throws InterruptedException {
         while (problem == null) {
-            if (waiting.offer(games, POLL_MS, TimeUnit.MILLISECONDS)) {
+            if (waiting.offer(item, POLL_MS, TimeUnit.MILLISECONDS)) {
                 return true;
             }
         }
@@ -54,10 +80,10 @@ public final class GameWriter implements AutoCloseable {
     }
 
     private void run() {
-        List<List<StoredGame>> batch = new ArrayList<>();
+        List<Item> batch = new ArrayList<>();
         while (problem == null) {
             try {
-                List<StoredGame> first = waiting.poll(POLL_MS, TimeUnit.MILLISECONDS);
+                Item first = waiting.poll(POLL_MS, TimeUnit.MILLISECONDS);
                 if (first == null) {
                     if (closing && waiting.isEmpty()) {
                         return;
@@ -66,11 +92,7 @@ public final class GameWriter implements AutoCloseable {
                 }
                 batch.add(first);
                 waiting.drainTo(batch);
-                List<StoredGame> games = batch.stream().flatMap(List::stream).toList();
-                if (!games.isEmpty()) {
-                    store.add(season, games);
-                    count(games.size());
-                }
+                store(batch);
                 batch.clear();
             } catch (InputException failed) {
                 problem = failed;
@@ -80,6 +102,19 @@ public final class GameWriter implements AutoCloseable {
                 closing = true;
             }
         }
+    }
+
+    private void store(List<Item> batch) {
+        List<Decision.News> news = batch.stream().map(Item::news).filter(each -> !each.isEmpty()).toList();
+        List<StoredGame> games = batch.stream().flatMap(item -> item.games().stream()).toList();
+        if (news.isEmpty() && games.isEmpty()) {
+            return;
+        }
+        store.add(season, news, games);
+        for (Decision.News each : news) {
+            decided = each.made().isEmpty() ? decided : each.made().get(each.made().size() - 1).number() + 1;
+        }
+        count(games.size());
     }
 
     private synchronized void count(int games) {
@@ -106,7 +141,7 @@ public final class GameWriter implements AutoCloseable {
     @Override
     public void close() {
         closing = true;
-        waiting.offer(List.of());                      // wakes the thread; if there is no room it is awake
+        waiting.offer(new Item(Decision.News.NONE, List.of()));    // wakes the thread; if there is no room it is awake
         boolean interrupted = false;
         while (thread.isAlive()) {
             try {

@@ -6,7 +6,10 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Locale;
+import java.util.Map;
 import java.util.Set;
+import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import steward.league.Season;
@@ -14,61 +17,34 @@ import steward.league.StoredGame.StoredSeat;
 import steward.text.TextFormat;
 
 /**
- * Finds rows of a league's database that no version of the program writes: values of another type or out of range, rows
- * that others need and that are not there, and those whose {@link RowDigest} is another one.
+ * Finds rows of a league's database that no version of the program writes: those that break a rule of their table, as
+ * rows of form 4 may, rows that others need and that are not there, and those whose {@link RowDigest} is another one.
  */
 final class RowCheck {
 
-    private static final Pattern VERSIONS = Pattern.compile("\\d{1,9}( \\d{1,9})*");
+    static final Pattern VERSIONS = Pattern.compile("\\d{1,9}( \\d{1,9})*");
+    /** A line of a table in {@link SchemaVersion}: column, type, rule, table to which it refers, what is expected. */
+    private static final Pattern COLUMN = Pattern.compile("(?m)^ +([a-z_]+) (INTEGER|REAL|TEXT|BLOB)"
+        + "( NOT NULL| PRIMARY KEY)?(?: UNIQUE)?(?: DEFAULT 0)?(?: CHECK \\((.+)\\))?(?: REFERENCES ([a-z]+))?,?"
+        + "(?: -- (.+))?$");
+    private static final Map<String, String> EXPECTED = Map.of("INTEGER", "a whole number", "REAL", "a finite number",
+        "TEXT", "a text", "BLOB", "bytes");
+    /** What finds a row, by table; others have an id. */
+    private static final Map<String, String> KEYS = Map.of("identity", "'hash = ' || quote(hash)", "decision",
+        "'season = ' || quote(season) || ' AND number = ' || quote(number)", "seat", "'season = ' || quote(season) || "
+        + "' AND version = ' || quote(version) || ' AND game = ' || quote(game) || ' AND seat = ' || quote(seat)");
     private static final int LONGEST_SHOWN = 60;
-    /** As many as a scene may have. */
-    private static final int MOST_PLAYERS = 16;
-    private static final String WHOLE = "a whole number from 0 on";
-    private static final String SMALL = "a whole number from 0 to 2147483647";
-    private static final String TEXT = "a text";
-    private static final String GAME = "'id = ' || id";
-    private static final String SEAT = "'season = ' || quote(season) || ' AND version = ' || quote(version) "
-        + "|| ' AND game = ' || quote(game) || ' AND seat = ' || quote(seat)";
 
     private final Database database;
     private final int most;
     private final List<BadRow> found = new ArrayList<>();
 
     /**
-     * A condition on a column. Conditions are made of comparisons alone, since calls of functions would take several
-     * seconds for a million games: SQL orders values as nothing, numbers, texts, bytes, and {@code x | 0} is a whole
-     * number for every {@code x}.
+     * A condition on a column.
      *
      * @param bad is true of rows that are wrong
      */
-    private record Rule(String column, String bad, String expected) {
-
-        static Rule text(String column) {
-            return new Rule(column, column + " < '' OR " + column + " >= x''", TEXT);
-        }
-
-        static Rule whole(String column, long least, long most, String expected) {
-            return new Rule(column, "(" + column + " | 0) <> " + column + " OR " + column + " NOT BETWEEN " + least
-                + " AND " + most, expected);
-        }
-
-        static Rule whole(String column) {
-            return whole(column, 0, Long.MAX_VALUE, WHOLE);
-        }
-
-        static Rule small(String column) {
-            return whole(column, 0, Integer.MAX_VALUE, SMALL);
-        }
-
-        static Rule flag(String column) {
-            return whole(column, 0, 1, "0 or 1");
-        }
-
-        static Rule refers(String column, String table) {
-            return new Rule(column, "NOT EXISTS (SELECT 1 FROM " + table + " o WHERE o.id = t." + column + ")",
-                "a row of the table " + table);
-        }
-    }
+    private record Rule(String column, String bad, String expected) { }
 
     private RowCheck(Database database, int most) {
         this.database = database;
@@ -102,42 +78,47 @@ final class RowCheck {
         return check.found;
     }
 
+    /** The rules of the tables, which rows of an older form or of a damaged file may break, and what is none of SQL. */
     private void rules() throws SQLException {
-        seasons();
-        table("version", "'id = ' || id", List.of(Rule.small("id"), Rule.text("bot"),
-            Rule.whole("number", 1, Integer.MAX_VALUE, "a whole number from 1 on"), Rule.text("command"),
-            Rule.text("time_limit"), Rule.flag("random"), Rule.whole("began"), Rule.flag("paused"),
-            new Rule("id", "NOT EXISTS (SELECT 1 FROM identity o WHERE o.version = t.id)",
+        for (Map.Entry<String, String> table : SchemaVersion.TABLES.entrySet()) {
+            List<Rule> rules = new ArrayList<>();
+            COLUMN.matcher(table.getValue()).results().forEach(column -> rules.addAll(rules(column)));
+            table(table.getKey(), rules);
+        }
+        table("game", List.of(new Rule("decision", "decision IS NOT NULL AND NOT EXISTS (SELECT 1 FROM decision o WHERE"
+            + " o.season = t.season AND o.number = t.decision)", "a row of the table decision of this season")));
+        table("version", List.of(new Rule("id", "NOT EXISTS (SELECT 1 FROM identity o WHERE o.version = t.id)",
             "one that a row of the table identity has")));
-        table("identity", "'hash = ' || quote(hash)", List.of(Rule.text("hash"),
-            Rule.refers("version", "version"), Rule.whole("began")));
-        table("machine", "'id = ' || id", List.of(Rule.text("name")));
+        seasons();
         lineups();
-        table("game", GAME, List.of(new Rule("name", "name < x'' OR length(name) <> 16", "16 bytes"),
-            Rule.refers("season", "season"), Rule.small("decision"), Rule.whole("seed", -Long.MAX_VALUE, Long.MAX_VALUE,
-            "a whole number"), Rule.refers("lineup", "lineup"), Rule.text("ranks"), Rule.whole("attempt", 1,
-            Integer.MAX_VALUE, "a whole number from 1 on"), Rule.whole("counts", 0, GameRows.ALL_FAILED, "0, 1 or 2"),
-            Rule.small("turns"), Rule.text("problem"), new Rule("problem", "counts AND problem IS NOT NULL",
-            "nothing, as the game counts"), Rule.whole("played"), Rule.refers("machine", "machine"),
-            Rule.text("replay"), Rule.whole("transcript", -Long.MAX_VALUE, Long.MAX_VALUE, "a whole number")));
-        table("seat", SEAT, List.of(Rule.small("season"), Rule.small("version"), Rule.whole("game"),
-            Rule.whole("seat", 0, MOST_PLAYERS - 1, "a seat of the game"),
-            Rule.whole("rank", 0, MOST_PLAYERS - 1, "a rank of the game"), new Rule("score", "score NOT BETWEEN "
-            + "-1.7976931348623157e308 AND 1.7976931348623157e308", "a finite number"), Rule.text("fault"),
-            Rule.small("answers"), Rule.whole("mean_nanos"), Rule.whole("worst_nanos"), Rule.whole("first_nanos"),
-            Rule.text("own")));
         ownValues();
         if (found.isEmpty()) {
-            table("game", GAME, List.of(new Rule("lineup", seats("version")
+            table("game", List.of(new Rule("lineup", seats("version")
                 + " <> (SELECT versions FROM lineup o WHERE o.id = t.lineup)", "the versions of its rows of the table "
                 + "seat"), new Rule("ranks", seats("rank") + " <> ranks", "the ranks of its rows of the table seat")));
-            table("seat", SEAT, List.of(new Rule("game", "NOT EXISTS (SELECT 1 FROM game o WHERE o.id = t.game "
+            table("seat", List.of(new Rule("game", "NOT EXISTS (SELECT 1 FROM game o WHERE o.id = t.game "
                 + "AND o.season = t.season)", "a row of the table game of this season")));
         }
     }
 
+    private static List<Rule> rules(MatchResult line) {
+        String column = line.group(1);
+        String expected = line.group(6) == null ? EXPECTED.get(line.group(2)) : line.group(6);
+        List<Rule> rules = new ArrayList<>();
+        rules.add(new Rule(column, "typeof(" + column + ") <> '" + line.group(2).toLowerCase(Locale.ROOT) + "'"
+            + (line.group(3) == null ? " AND " + column + " IS NOT NULL" : ""), expected));
+        if (line.group(4) != null) {
+            rules.add(new Rule(column, "NOT (" + line.group(4) + ")", expected));
+        }
+        if (line.group(5) != null) {
+            rules.add(new Rule(column, "NOT EXISTS (SELECT 1 FROM " + line.group(5) + " o WHERE o.id = t." + column
+                + ")", "a row of the table " + line.group(5)));
+        }
+        return rules;
+    }
+
     private void ownValues() throws SQLException {
-        try (ResultSet row = database.query("SELECT " + SEAT + ", own FROM seat WHERE own IS NOT NULL")) {
+        try (ResultSet row = database.query("SELECT " + KEYS.get("seat") + ", own FROM seat WHERE own IS NOT NULL")) {
             while (found.size() < most && row.next()) {
                 try {
                     StoredSeat.values(row.getString(2));
@@ -157,11 +138,8 @@ final class RowCheck {
 
     /** A key is computed from the rest of the row: it is what finds the row. */
     private void seasons() throws SQLException {
-        table("season", "'id = ' || id", List.of(Rule.small("id"), Rule.text("key"), Rule.text("scene"),
-            Rule.text("scene_key"), Rule.text("limits"), Rule.text("rules"), Rule.whole("players", 1,
-            MOST_PLAYERS, "1 to " + MOST_PLAYERS), Rule.whole("opened"), Rule.flag("lower_is_better")));
         Set<String> bad = new HashSet<>();
-        found.forEach(row -> bad.add(row.key()));
+        found.stream().filter(row -> row.table().equals("season")).forEach(row -> bad.add(row.key()));
         try (ResultSet row = database.query("SELECT id, key, scene, scene_key, limits, rules, players, lower_is_better "
             + "FROM season")) {
             while (row.next()) {
@@ -183,24 +161,19 @@ final class RowCheck {
                 versions.add(row.getInt(1));
             }
         }
-        try (ResultSet row = database.query("SELECT id, versions, quote(versions), typeof(id) FROM lineup")) {
+        try (ResultSet row = database.query("SELECT id, versions, quote(versions) FROM lineup")) {
             while (row.next()) {
                 String text = row.getString(2);
                 boolean form = text != null && VERSIONS.matcher(text).matches();
-                boolean numbered = row.getLong(1) >= 0 && row.getLong(1) <= Integer.MAX_VALUE;
-                if (!form || !numbered) {
-                    add(new BadRow("lineup", "id = " + row.getLong(1), form ? "id" : "versions", form
-                        ? Long.toString(row.getLong(1)) : shortened(row.getString(3)), form ? SMALL
-                        : "numbers of versions, apart by blanks"));
-                } else if (!versions.containsAll(Arrays.stream(GameQueries.numbers(text)).boxed().toList())) {
-                    add(new BadRow("lineup", "id = " + row.getLong(1), "versions", shortened(row.getString(3)),
-                        "numbers of rows of the table version"));
+                if (!form || !versions.containsAll(Arrays.stream(GameQueries.numbers(text)).boxed().toList())) {
+                    add(new BadRow("lineup", "id = " + row.getLong(1), "versions", shortened(row.getString(3)), form
+                        ? "numbers of rows of the table version" : "numbers of versions, apart by blanks"));
                 }
             }
         }
     }
 
-    private void table(String table, String key, List<Rule> rules) throws SQLException {
+    private void table(String table, List<Rule> rules) throws SQLException {
         StringBuilder which = new StringBuilder("CASE");
         for (int k = 0; k < rules.size(); k++) {
             which.append(" WHEN ").append(rules.get(k).bad()).append(" THEN ").append(k);
@@ -210,8 +183,8 @@ final class RowCheck {
         for (int k = 0; k < rules.size(); k++) {
             value.append(" WHEN ").append(k).append(" THEN quote(").append(rules.get(k).column()).append(')');
         }
-        try (ResultSet row = database.query("SELECT " + key + ", k, " + value + " END FROM (SELECT *, " + first
-            + " AS k FROM " + table + " t) WHERE k IS NOT NULL")) {
+        try (ResultSet row = database.query("SELECT " + KEYS.getOrDefault(table, "'id = ' || id") + ", k, " + value
+            + " END FROM (SELECT *, " + first + " AS k FROM " + table + " t) WHERE k IS NOT NULL")) {
             while (found.size() < most && row.next()) {
                 Rule rule = rules.get(row.getInt(2));
                 add(new BadRow(table, row.getString(1), rule.column(), shortened(row.getString(3)), rule.expected()));

@@ -9,7 +9,6 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
-import java.util.stream.Collectors;
 import steward.numerics.StateHash;
 
 /**
@@ -21,23 +20,43 @@ import steward.numerics.StateHash;
 final class RowDigest {
 
     /**
-     * A table whose rows have digests. Each has the column {@code id}. A column of any table that is called like one of
-     * them refers to its rows.
+     * A table whose rows have digests. A column of any table that is called like one of them refers to its rows.
      *
      * @param part  the table whose rows belong to a row of this one, or {@code null}
      * @param owner its column with the id of the row to which they belong
      */
     private record Table(String name, String part, String owner) {
 
+        /** The column {@code id}, or both that are the key of a decision. */
+        String id() {
+            return name.equals(DECISION) ? "season << 32 | number" : "id";
+        }
+
+        String order() {
+            return name.equals(DECISION) ? "season, number" : "id";
+        }
+
+        /** A condition on the id, which is its first parameter. */
+        String which() {
+            return name.equals(DECISION) ? "season = ?1 >> 32 AND number = ?1 & 4294967295" : "id = ?1";
+        }
+
+        /** The condition with an id, for a person too. */
+        String key(long id) {
+            return name.equals(DECISION) ? "season = " + (id >> Integer.SIZE) + " AND number = " + (int) id
+                : "id = " + id;
+        }
+
         String rows() {
             return part == null ? "the row" : "the row and its rows of the table " + part;
         }
     }
 
+    private static final String DECISION = "decision";
     /** Each stands behind those to which it refers. */
     private static final List<Table> TABLES = List.of(new Table("season", null, null),
         new Table("version", "identity", "version"), new Table("machine", null, null), new Table("lineup", null, null),
-        new Table("game", "seat", "game"));
+        new Table(DECISION, null, null), new Table("game", "seat", "game"));
     /** Stands for a value that is not there. */
     private static final long NOTHING = 0x6E6F7468696E67L;
 
@@ -126,13 +145,13 @@ final class RowDigest {
     static void seal(Database database, String table, String where, Object... values) throws SQLException {
         Table of = TABLES.stream().filter(each -> each.name().equals(table)).findFirst().orElseThrow();
         List<Long> ids = new ArrayList<>();
-        try (ResultSet row = database.query("SELECT id FROM " + table + " WHERE " + where, values)) {
+        try (ResultSet row = database.query("SELECT " + of.id() + " FROM " + table + " WHERE " + where, values)) {
             while (row.next()) {
                 ids.add(row.getLong(1));
             }
         }
         for (long id : ids) {
-            set(database, of, rows(database, of, null, " WHERE id = ?", " WHERE " + of.owner() + " = ?", id));
+            set(database, of, rows(database, of, null, " WHERE " + of.which(), " WHERE " + of.owner() + " = ?", id));
         }
     }
 
@@ -150,7 +169,8 @@ final class RowDigest {
 
     private static void set(Database database, Table table, Rows rows) throws SQLException {
         for (int k = 0; k < rows.size; k++) {
-            database.update("UPDATE " + table.name() + " SET digest = ? WHERE id = ?", rows.computed[k], rows.ids[k]);
+            database.update("UPDATE " + table.name() + " SET digest = ?2 WHERE " + table.which(), rows.ids[k],
+                rows.computed[k]);
         }
     }
 
@@ -170,7 +190,7 @@ final class RowDigest {
             Rows rows = rows(database, table, null, "", "");
             for (int k = 0; k < rows.size; k++) {
                 if (rows.stored[k] != rows.computed[k]) {
-                    taker.accept(new BadRow(table.name(), "id = " + rows.ids[k], "digest",
+                    taker.accept(new BadRow(table.name(), table.key(rows.ids[k]), "digest",
                         Long.toString(rows.stored[k]), rows.computed[k] + ", which follows from " + table.rows()
                         + ": a value was changed"));
                 }
@@ -182,8 +202,8 @@ final class RowDigest {
     private static Rows rows(Database database, Table table, Map<String, Rows> known, String where, String partWhere,
                              Object... values) throws SQLException {
         Rows rows = new Rows();
-        scan(database, table.name(), known, "id, digest", where + " ORDER BY id", rows,
-            rows::add, values);
+        scan(database, table.name(), known, table.id() + ", digest", where + " ORDER BY "
+            + table.order(), rows, rows::add, values);
         if (known != null) {
             known.put(table.name(), rows);
         }
@@ -203,21 +223,33 @@ final class RowDigest {
     private static void scan(Database database, String table, Map<String, Rows> known, String first, String which,
                              Rows rows, RowTaker taker, Object... values) throws SQLException {
         Column[] columns = columns(database, table, known);
+        List<String> names = Arrays.stream(columns).map(Column::name).toList();
+        int seasonAt = names.indexOf("season");
+        int decisionAt = names.indexOf(DECISION);
         StateHash hash = new StateHash();
-        try (ResultSet row = database.query("SELECT " + first + ", " + Arrays.stream(columns).map(Column::name)
-            .collect(Collectors.joining(", ")) + " FROM " + table + which, values)) {
+        try (ResultSet row = database.query("SELECT " + first + ", " + String.join(", ", names) + " FROM " + table
+                + which, values)) {
             while (row.next()) {
                 hash.reset();
-                for (int k = 0; k < columns.length; k++) {
-                    rows.broken |= !add(hash, row, k + 3, columns[k]);
+                long id = row.getLong(1);
+                if (table.equals(DECISION)) {
+                    hash.add(id >> Integer.SIZE);
+                    hash.add((long) (int) id);
                 }
-                taker.take(row.getLong(1), row.getLong(2), hash.value());
+                long season = 0;
+                for (int k = 0; k < columns.length; k++) {
+                    long value = add(hash, row, k + 3, columns[k]);
+                    season = k == seasonAt ? value : season;
+                    rows.broken |= columns[k].referred() != null && value != NOTHING && columns[k].referred()
+                        .find(k == decisionAt ? season << Integer.SIZE | value : value) < 0;
+                }
+                taker.take(id, row.getLong(2), hash.value());
             }
         }
     }
 
-    /** Adds a value. @return false if it refers to a row that is not there */
-    private static boolean add(StateHash hash, ResultSet row, int place, Column column) throws SQLException {
+    /** Adds a value. @return what it refers to if it is a whole number */
+    private static long add(StateHash hash, ResultSet row, int place, Column column) throws SQLException {
         if (column.kind() == Kind.TEXT || column.kind() == Kind.BLOB) {
             byte[] bytes = row.getBytes(place);
             if (bytes == null) {
@@ -225,20 +257,23 @@ final class RowDigest {
             } else {
                 add(hash, bytes);
             }
-        } else if (column.kind() == Kind.REAL) {
-            hash.add(row.getDouble(place) + 0.0);
-        } else {
-            long whole = row.getLong(place);
-            hash.add(whole == 0 && !column.isAlways() && row.wasNull() ? NOTHING : whole);
-            return column.referred() == null || column.referred().find(whole) >= 0;
+            return NOTHING;
         }
-        return true;
+        if (column.kind() == Kind.REAL) {
+            hash.add(row.getDouble(place) + 0.0);
+            return NOTHING;
+        }
+        long whole = row.getLong(place);
+        long value = whole == 0 && !column.isAlways() && row.wasNull() ? NOTHING : whole;
+        hash.add(value);
+        return value;
     }
 
+    /** The columns of a table, but its digest and the two that are the id of a decision. */
     private static Column[] columns(Database database, String table, Map<String, Rows> known) throws SQLException {
         List<Column> columns = new ArrayList<>();
-        try (ResultSet row = database.query("SELECT name, type, \"notnull\" OR pk FROM pragma_table_info(?) "
-            + "WHERE name <> 'digest'", table)) {
+        try (ResultSet row = database.query("SELECT name, type, \"notnull\" OR pk FROM pragma_table_info(?1) "
+            + "WHERE name <> 'digest' AND NOT (?1 = '" + DECISION + "' AND name IN ('season', 'number'))", table)) {
             while (row.next()) {
                 columns.add(new Column(row.getString(1), Kind.valueOf(row.getString(2)), row.getBoolean(3),
                     known == null ? null : known.get(row.getString(1))));

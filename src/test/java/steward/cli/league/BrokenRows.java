@@ -117,6 +117,7 @@ public final class BrokenRows {
         return switch (table) {
             case "seat" -> "season || ' ' || version || ' ' || game || ' ' || seat";
             case "identity" -> "hash";
+            case "decision" -> "season || ' ' || number";
             default -> "id";
         };
     }

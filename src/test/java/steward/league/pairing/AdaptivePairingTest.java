@@ -17,7 +17,7 @@ import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import steward.league.EarlierGames;
+import steward.league.MemoryLeague;
 import steward.league.Schedule;
 import steward.league.Season;
 import steward.league.rating.Ratings;
@@ -35,19 +35,17 @@ class AdaptivePairingTest {
     private static final class Play {
 
         private final Season season;
+        private final MemoryLeague league;
         private final Schedule schedule;
         private final KnownResults known;
         private final LeagueEnd end;
 
-        Play(int players, Iterable<Schedule.Task> stored) {
+        Play(int players, MemoryLeague league, Iterable<Schedule.Task> stored) {
+            this.league = league;
             season = Season.of("crowd", "key", "limits", "rules", players, false);
-            EarlierGames earlier = new EarlierGames();
             known = new KnownResults(season);
-            stored.forEach(task -> {
-                earlier.add(task.decision(), earlier.lineup(task.lineup()));
-                know(task);
-            });
-            schedule = new Schedule(100, players, LAG, earlier);
+            stored.forEach(this::know);
+            schedule = new Schedule(100, players, LAG, league.past());
             schedule.play(BOTS, versions -> new AdaptivePairing(versions, players, LAG, RULE,
                 before -> Ratings.of(known.before(before), versions)));
             end = new LeagueEnd(RULE, known, LAG, () -> BOTS);
@@ -58,9 +56,13 @@ class AdaptivePairingTest {
             known.add(task.decision(), task.seed(), task.lineup(), score(task), 0, ranks(task));
         }
 
+        Schedule.Task next(long most) {
+            return league.next(schedule, most);
+        }
+
         void over(Schedule.Task task) {
             know(task);
-            schedule.over(task);
+            league.over(schedule, task);
         }
     }
 
@@ -86,9 +88,9 @@ class AdaptivePairingTest {
     }
 
     private static TreeSet<String> straight(int players) {
-        Play play = new Play(players, List.of());
+        Play play = new Play(players, new MemoryLeague(players), List.of());
         TreeSet<String> games = new TreeSet<>();
-        for (Schedule.Task task = play.schedule.next(20_000); task != null; task = play.schedule.next(20_000)) {
+        for (Schedule.Task task = play.next(20_000); task != null; task = play.next(20_000)) {
             games.add(name(task));
             play.over(task);
         }
@@ -129,14 +131,15 @@ class AdaptivePairingTest {
 
     private static TreeSet<String> interrupted(int players, SplittableRandom random) {
         Map<String, Schedule.Task> stored = new HashMap<>();
+        MemoryLeague league = new MemoryLeague(players, 1 + random.nextInt(2 * LAG * players));
         boolean ended = false;
         while (!ended) {
-            Play play = new Play(players, stored.values());
+            Play play = new Play(players, league, stored.values());
             List<Schedule.Task> open = new ArrayList<>();
             int threads = 1 + random.nextInt(5);
             int steps = random.nextInt(3000);
             for (int k = 0; k < steps && !ended; k++) {
-                Schedule.Task task = open.size() < threads ? play.schedule.next(20_000) : null;
+                Schedule.Task task = open.size() < threads ? play.next(20_000) : null;
                 if (task != null) {
                     open.add(task);
                 } else if (!open.isEmpty()) {
@@ -154,9 +157,9 @@ class AdaptivePairingTest {
     @Test
     void thoseInDoubtPlayMostAndNobodyIsForgotten() {
         Map<Integer, Integer> games = new HashMap<>();
-        Play play = new Play(2, List.of());
+        Play play = new Play(2, new MemoryLeague(2), List.of());
         int decisions = 0;
-        for (Schedule.Task task = play.schedule.next(4000); task != null; task = play.schedule.next(4000)) {
+        for (Schedule.Task task = play.next(4000); task != null; task = play.next(4000)) {
             Arrays.stream(task.lineup()).forEach(bot -> games.merge(bot, 1, Integer::sum));
             play.over(task);
             decisions++;

@@ -122,8 +122,9 @@ class DirectLeagueTest {
             RosterReader reader = new RosterReader(store, contest, Map.of(), false, what -> { },
                 System::currentTimeMillis);
             long start = System.nanoTime();
-            new LeagueRun(into, store, number, own, contest, reader, reader.read(kept),
-                new LeagueRun.Limits(THREADS, GAMES, Long.MAX_VALUE), "bench", what -> { }, game -> { }).play();
+            new LeagueRun(new OpenSeason(into, store, number, own), contest, reader, reader.read(kept),
+                new LeagueRun.Limits(THREADS, GAMES, Long.MAX_VALUE), LeagueRun.Rules.NONE, null, "bench",
+                what -> { }, game -> { }).play();
             double nanos = System.nanoTime() - start;
             assertEquals(GAMES, store.games(number));
             return nanos / GAMES;

@@ -63,6 +63,12 @@ class GameStoreTest {
                 new StoredSeat(other.id(), ranks == -1 ? 1 : 0, 2, ranks == -1 ? "exited" : null, 50, 200, 800, 6000)));
     }
 
+    /** The game as one that is not of the schedule. */
+    private static StoredGame free(StoredGame game) {
+        return new StoredGame(0, game.name(), -1, game.seed(), game.attempt(), game.counts(), game.turns(),
+            game.problem(), game.played(), game.machine(), game.replay(), game.transcript(), game.seats());
+    }
+
     @Test
     void aGameThatIsPlayedTwiceIsStoredOnce() {
         try (GameStore store = GameStore.write(folder)) {
@@ -196,14 +202,17 @@ class GameStoreTest {
                 game(c, b, 2, 1, 1, true), game(c, a, 1, 1, 1, false), game(c, a, 1, 1, 2, true)));
             int other = store.open(Season.of("duel", "key", "longer", "rules", 2, false));
             store.add(other, List.of(game(a, c, 5, 1, 1, true)));
-            Schedule schedule = new Schedule(0, 2, 64, new GameQueries(store, season, SEASON).earlier());
+            Schedule schedule = new Schedule(0, 2, 64, new GameQueries(store, season, SEASON).past());
             schedule.play(List.of(a.id(), b.id(), c.id()), versions -> Pairing.roundRobin(versions, 2));
             List<String> games = new ArrayList<>();
+            store.add(season, List.of(schedule.decide(Long.MAX_VALUE, 6)), List.of());
             for (int k = 0; k < 6; k++) {
-                Schedule.Task task = schedule.next(Long.MAX_VALUE);
+                Schedule.Task task = schedule.next(Long.MAX_VALUE, any -> true);
                 games.add(task.decision() + " " + Arrays.toString(task.lineup()));
             }
             assertEquals(List.of("0 [2, 1]", "1 [1, 3]", "3 [1, 2]", "3 [2, 1]", "4 [1, 3]", "4 [3, 1]"), games);
+            assertEquals(5, new GameQueries(store, season, SEASON).past().next(), "the two new decisions are stored");
+            assertEquals(List.of(), store.badRows(1));
         }
     }
 
@@ -213,10 +222,10 @@ class GameStoreTest {
             int season = store.open(SEASON);
             Version a = store.add("a", "./a", false, "1a", 1);
             Version b = store.add("b", "./b", false, "1b", 2);
-            GameWriter writer = new GameWriter(store, season);
+            GameWriter writer = new GameWriter(store, season, 5000);
             writer.start();
             for (int seed = 0; seed < 5000; seed++) {
-                assertTrue(writer.add(List.of(game(a, b, seed, 1, 1, true))));
+                assertTrue(writer.add(List.of(free(game(a, b, seed, 1, 1, true)))));
             }
             writer.close();
             assertEquals(5000, writer.stored());
@@ -398,11 +407,11 @@ class GameStoreTest {
                 store.database().execute("PRAGMA max_page_count = " + (pages + 3));
                 return null;
             });
-            GameWriter writer = new GameWriter(store, season);
+            GameWriter writer = new GameWriter(store, season, 5000);
             writer.start();
             boolean more = true;
             for (int seed = 1; seed < 5000 && more; seed++) {
-                more = writer.add(List.of(game(a, b, seed, 1, 1, true)));
+                more = writer.add(List.of(free(game(a, b, seed, 1, 1, true))));
             }
             writer.close();
             assertEquals(folder.database() + ": the disk is full; what was stored before is whole",

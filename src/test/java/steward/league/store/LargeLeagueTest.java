@@ -12,10 +12,10 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import steward.league.EarlierGames;
 import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
 import steward.league.Pairing;
+import steward.league.PastDecisions;
 import steward.league.Schedule;
 import steward.league.Season;
 import steward.league.pairing.AdaptivePairing;
@@ -102,11 +102,11 @@ class LargeLeagueTest {
     /** The first decision of a run that goes on. */
     private static int next(GameStore store, GameQueries queries, boolean adaptive) {
         int lag = LeagueSettings.USUAL_LAG;
-        EarlierGames earlier = queries.earlier();
-        Schedule schedule = new Schedule(1, 2, lag, earlier);
+        PastDecisions past = queries.past();
+        Schedule schedule = new Schedule(1, 2, lag, past);
         List<Integer> playing = store.versions().stream().map(GameStore.Version::id).toList();
         if (adaptive) {
-            int settled = Looks.settled(earlier.firstOpen(), lag);
+            int settled = Looks.settled(past.next(), lag);
             KnownResults known = new KnownResults(SEASON, queries.resultsBefore(settled));
             queries.known(settled, known::add);
             schedule.play(playing, versions -> new AdaptivePairing(versions, 2, lag, StopRule.NONE,
@@ -114,7 +114,7 @@ class LargeLeagueTest {
         } else {
             schedule.play(playing, versions -> Pairing.roundRobin(versions, 2));
         }
-        return schedule.next(Long.MAX_VALUE).decision();
+        return schedule.decide(Long.MAX_VALUE, 1).made().get(0).number();
     }
 
     private static String since(long began) {

@@ -36,7 +36,7 @@ class SnapshotTest {
                 while (!written.isDone()) {
                     queries.results();
                     queries.resultsBefore(Integer.MAX_VALUE);
-                    queries.earlier();
+                    queries.past();
                     queries.known(0, (decision, seed, lineup, score, transcript, ranks) ->
                         assertEquals(2, lineup.length));
                     assertEquals(List.of(), reader.badRows(1));

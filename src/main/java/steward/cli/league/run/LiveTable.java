@@ -8,7 +8,7 @@ import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Supplier;
 
-/** Some lines on a terminal that are written over again and again; messages scroll above them. */
+/** Messages on a terminal, and below them, once they are there, some lines that are written over again and again. */
 final class LiveTable implements AutoCloseable {
 
     private static final long PERIOD_MS = 500;
@@ -16,7 +16,7 @@ final class LiveTable implements AutoCloseable {
     private static final String CLEAR = "\u001b[J";
 
     private final PrintStream terminal;
-    private final Supplier<List<String>> content;
+    private Supplier<List<String>> content;
     private final ScheduledExecutorService clock = Executors.newSingleThreadScheduledExecutor(work -> {
         Thread thread = new Thread(work, "live table");
         thread.setDaemon(true);
@@ -25,9 +25,13 @@ final class LiveTable implements AutoCloseable {
     private int lines;
     private boolean closed;
 
-    LiveTable(PrintStream terminal, Supplier<List<String>> content) {
+    LiveTable(PrintStream terminal) {
         this.terminal = terminal;
-        this.content = content;
+    }
+
+    /** Draws lines from now on. */
+    synchronized void draw(Supplier<List<String>> lines) {
+        content = lines;
         clock.scheduleWithFixedDelay(this::draw, PERIOD_MS, PERIOD_MS, TimeUnit.MILLISECONDS);
     }
 

@@ -2,13 +2,10 @@ package steward.cli.league.run;
 
 import java.lang.management.ManagementFactory;
 import java.util.List;
-import java.util.Map;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
-import java.util.concurrent.atomic.AtomicReference;
-import java.util.function.BiFunction;
 import java.util.function.Consumer;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -32,11 +29,11 @@ import steward.files.InputException;
 import steward.league.FolderLock;
 import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
-import steward.league.Schedule;
 import steward.league.Season;
 import steward.league.StoredGame;
 import steward.league.pairing.StopRule;
 import steward.league.play.LeagueRun;
+import steward.league.play.OpenSeason;
 import steward.league.play.Roster;
 import steward.league.play.RosterReader;
 import steward.league.rating.LeagueTable;
@@ -114,14 +111,11 @@ public final class RunCommand extends ProgramCommand {
         + "plays.")
     private boolean json;
 
-    /** Games to be played and no others, or {@code null}. */
-    private Plan plan;
+    /** Plans the games to be played and no others, or {@code null}. */
+    private LeagueRun.Planner plan;
     private Consumer<StoredGame> follower = game -> { };
     /** True if the caller says what begins and what was played. */
     private boolean part;
-
-    /** Games that are to be played, see {@link LeagueRun#following}. */
-    public interface Plan extends BiFunction<Roster, Map<List<Integer>, Integer>, Schedule.Plan> { }
 
     /** @param serving an object with options that let other machines play */
     public RunCommand(Serving serving) {
@@ -134,7 +128,7 @@ public final class RunCommand extends ProgramCommand {
      * @param ofMore   true if the caller says itself what begins and how many games there were
      * @param listener is told of each game, by any thread
      */
-    public RunCommand following(Plan maker, boolean ofMore, Consumer<StoredGame> listener) {
+    public RunCommand following(LeagueRun.Planner maker, boolean ofMore, Consumer<StoredGame> listener) {
         plan = maker;
         part = ofMore;
         follower = listener;
@@ -165,8 +159,8 @@ public final class RunCommand extends ProgramCommand {
             store.before().ifPresent(copy -> streams.err().println("steward: " + folder.database()
                 + ": brought up to date; as it was: " + copy));
             int number = SeasonOpening.open(folder, store, season, anew);
-            return play(folder, settings, store, new GameQueries(viewed, number, season), season, number, contest,
-                limits, rule);
+            return play(new OpenSeason(folder, store, number, season), settings,
+                new GameQueries(viewed, number, season), contest, limits, new LeagueRun.Rules(rule, pauseAfter, plan));
         }
     }
 
@@ -193,59 +187,57 @@ public final class RunCommand extends ProgramCommand {
     }
 
     @SuppressWarnings("try")                           // only closed, never used
-    private int play(LeagueFolder folder, LeagueSettings settings, GameStore store, GameQueries viewed, Season season,
-                     int number, Contest contest, LeagueRun.Limits limits, StopRule rule) throws InterruptedException {
-        AtomicReference<LiveTable> screen = new AtomicReference<>();
-        AtomicReference<Serving.Service> others = new AtomicReference<>();
+    private int play(OpenSeason open, LeagueSettings settings, GameQueries viewed, Contest contest,
+                     LeagueRun.Limits limits, LeagueRun.Rules rules) throws InterruptedException {
+        Season season = open.season();
         // What has been played is summed up while the run reads which games it consists of.
         CompletableFuture<Results> past = CompletableFuture.supplyAsync(viewed::results);
-        RosterReader reader = new RosterReader(store, contest, LeagueOpening.environment(settings), same,
-            what -> say(screen.get(), what), System::currentTimeMillis);
-        Roster roster = folder.named(() -> reader.read(settings));
-        LeagueProgress progress = new LeagueProgress(store, limits);
-        LeagueRun run = new LeagueRun(folder, store, number, season, contest, reader, roster, limits,
-            machine(contest), what -> say(screen.get(), what), game -> {
-                progress.add(game);
-                follower.accept(game);
-                if (others.get() != null) {
-                    others.get().stored(game);
-                }
-            });
-        progress.goOn(done(past));
-        run.pauseAfter(pauseAfter);
-        if (rule.isAny()) {
-            run.until(rule);
-        }
-        if (plan != null) {
-            progress.planned(run.following(plan));
-        }
+        LiveTable screen = new LiveTable(streams.err());
+        Consumer<String> teller = what -> screen.say("steward: " + TextFormat.plain(what));
+        RosterReader reader = new RosterReader(open.store(), contest, LeagueOpening.environment(settings), same,
+            teller, System::currentTimeMillis);
+        Roster roster = open.folder().named(() -> reader.read(settings));
+        LeagueProgress progress = new LeagueProgress(open.store(), limits);
         AtomicBoolean told = new AtomicBoolean();
-        try (Serving.Service machines = serving.start(folder, season, contest, settings,
-                what -> say(screen.get(), what));
-             LeagueWatch page = watch.watch() ? LeagueWatch.start(folder, season, viewed, progress, watch) : null;
-             Interruption interruption = new Interruption(streams, () -> told.getAndSet(true) ? null
-                : interrupted(run, progress, season, others.get(), screen.get()))) {
-            if (page != null) {
-                page.follow(run, machines, streams, open);
+        Serving.Service machines = serving.start(open.folder(), season, contest, settings, teller);
+        LeagueRun run;
+        try (screen; machines) {
+            run = new LeagueRun(open, contest, reader, roster, limits, rules, machines, machine(contest),
+                teller, game -> {
+                    progress.add(game);
+                    follower.accept(game);
+                    if (machines != null) {
+                        machines.stored(game);
+                    }
+                });
+            progress.goOn(done(past));
+            if (plan != null) {
+                progress.planned(run.planned());
             }
-            if (machines != null) {
-                run.with(machines);
-                machines.follow(run, () -> WorkerBooks.read(viewed, store), () -> progress.replace(viewed::results));
-                others.set(machines);
+            try (LeagueWatch page = watch.watch() ? LeagueWatch.start(open.folder(), season, viewed, progress, watch)
+                     : null;
+                 Interruption interruption = new Interruption(streams, () -> told.getAndSet(true) ? null
+                     : interrupted(run, progress, season, machines, screen))) {
+                if (page != null) {
+                    page.follow(run, machines, streams, this.open);
+                }
+                if (machines != null) {
+                    machines.follow(run, () -> WorkerBooks.read(viewed, open.store()),
+                        () -> progress.replace(viewed::results));
+                }
+                if (streams.errTerminal() && !quiet) {
+                    screen.draw(() -> progress.lines(run, machines, streams::errColour));
+                }
+                if (!quiet && !part) {
+                    sayBegin(teller, contest, plan != null ? progress.planned() : length(settings, season, roster));
+                }
+                run.play();
             }
-            screen.set(streams.errTerminal() && !quiet ? new LiveTable(streams.err(),
-                () -> progress.lines(run, machines, streams::errColour)) : null);
-            if (!quiet && !part) {
-                sayBegin(screen.get(), contest, plan != null ? progress.planned() : length(settings, season, roster));
-            }
-            run.play();
             if (told.getAndSet(true)) {
                 return ExitStatus.FAILED;              // the process is about to end, with the status of its signal
             }
-        } finally {
-            close(screen.get());
         }
-        tell(run, progress, season, others.get());
+        tell(run, progress, season, machines);
         if (run.stopped() != null) {
             streams.err().println("steward: the league ends: " + TextFormat.plain(run.stopped())
                 + "; what was over before is stored, and the same command goes on");
@@ -263,38 +255,23 @@ public final class RunCommand extends ProgramCommand {
         }
     }
 
-    private static void close(LiveTable screen) {
-        if (screen != null) {
-            screen.close();
-        }
-    }
-
     private static String length(LeagueSettings settings, Season season, Roster roster) {
         return RoundText.length(settings, roster.versions(), season.players(), settings.gauntlet() == null ? -1
             : roster.versionOf(settings.gauntlet()).orElse(-1), roster.meeting());
     }
 
-    private void sayBegin(LiveTable screen, Contest contest, String length) {
+    private static void sayBegin(Consumer<String> teller, Contest contest, String length) {
         if (!contest.hold().isEmpty()) {
-            say(screen, contest.hold());
+            teller.accept(contest.hold());
         }
-        say(screen, length);
-    }
-
-    private void say(LiveTable screen, String what) {
-        String line = "steward: " + TextFormat.plain(what);
-        if (screen == null) {
-            streams.err().println(line);
-        } else {
-            screen.say(line);
-        }
+        teller.accept(length);
     }
 
     /** Called at Ctrl-C, on another thread than the playing ones. */
     private String interrupted(LeagueRun run, LeagueProgress progress, Season season,
                                Serving.Service machines, LiveTable screen) {
         int cut = run.breakOff();
-        close(screen);
+        screen.close();
         tell(run, progress, season, machines);
         streams.out().flush();
         return TextFormat.count(progress.played(), "game") + " of this run " + (progress.played() == 1 ? "is" : "are")

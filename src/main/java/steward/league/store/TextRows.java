@@ -1,0 +1,45 @@
+package steward.league.store;
+
+import java.sql.SQLException;
+import java.util.HashMap;
+import java.util.Map;
+
+/**
+ * A table of texts, each with a number, written within a transaction that has begun. The numbers are kept, so that they
+ * are not looked up for every game. Not thread-safe.
+ */
+final class TextRows {
+
+    private final Database database;
+    private final String table;
+    private final String column;
+    private final Map<String, Long> known = new HashMap<>();
+
+    TextRows(Database database, String table, String column) {
+        this.database = database;
+        this.table = table;
+        this.column = column;
+    }
+
+    /** Forgets all numbers: what is rolled back may be among them. */
+    void forget() {
+        known.clear();
+    }
+
+    /** The number of a text, which is added if it is not there; it is kept only once it is surely stored. */
+    long number(String text) throws SQLException {
+        Long number = known.get(text);
+        if (number != null) {
+            return number;
+        }
+        String find = "SELECT id FROM " + table + " WHERE " + column + " = ?";
+        Object found = database.value(find, text);
+        if (found == null) {
+            database.update("INSERT INTO " + table + " (" + column + ") VALUES (?)", text);
+            RowDigest.seal(database, table, column + " = ?", text);
+            return ((Number) database.value(find, text)).longValue();
+        }
+        known.put(text, ((Number) found).longValue());
+        return ((Number) found).longValue();
+    }
+}
