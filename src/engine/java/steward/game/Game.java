@@ -36,8 +36,8 @@ public interface Game {
     }
 
     /**
-     * Time within the limit of the player's next answer after which the game counts it as late, in milliseconds; 0 where
-     * it counts none.
+     * Time within the limit of the player's next answer after which the game counts it as late, in milliseconds; 0
+     * where it counts none.
      */
     default int strikeMs(int player) {
         return 0;

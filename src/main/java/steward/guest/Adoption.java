@@ -96,8 +96,9 @@ public final class Adoption {
             ResidentReferees.shared().close();
         }
         Program boss = adoption.project.boss();
-        return new Made(adoption.json(name), adoption.players, boss == null ? List.of() : List.of(
-            Path.of(boss.words().get(0)).getFileName().toString(), boss.folder().resolve(boss.words().get(1)).toString()));
+        List<String> words = boss == null ? List.of() : List.of(Path.of(boss.words().get(0)).getFileName().toString(),
+            boss.folder().resolve(boss.words().get(1)).toString());
+        return new Made(adoption.json(name), adoption.players, words);
     }
 
     /** Chooses the level; one without a folder in which no game comes to its end is none. */

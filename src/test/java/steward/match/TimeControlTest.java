@@ -21,6 +21,17 @@ class TimeControlTest {
         assertEquals(75_000_000L, time.limit(499));
     }
 
+    /** A game with a limit of 50 ms counts 80 ms of the 100 ms that a player has as 40, and none without limits. */
+    @Test
+    void aGameCountsTimesAsIfTheLimitWereItsOwn() {
+        assertEquals(40_000_000L, TimeControl.counted(80_000_000L, 100_000_000L, 50));
+        assertEquals(49_999_999L, TimeControl.counted(49_999_999L, 50_000_000L, 50));
+        assertEquals(0, TimeControl.counted(80_000_000L, Long.MAX_VALUE, 50));
+        assertEquals(80_000_000L, TimeControl.counted(80_000_000L, 100_000_000L, 0));
+        assertEquals(80_000_000L, TimeControl.allowed(40, 100_000_000L, 50));
+        assertEquals(Long.MAX_VALUE, TimeControl.allowed(40, Long.MAX_VALUE, 50));
+    }
+
     @Test
     void aFactorScalesBoth() {
         assertEquals(new TimeControl(500_000_000L, 37_500_000L, TimeBasis.WALL, 0.5),

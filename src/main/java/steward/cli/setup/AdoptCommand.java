@@ -84,8 +84,8 @@ public final class AdoptCommand extends ProgramCommand {
         say("Written: " + file + (bundled ? ". To play in it with a bot that comes with the contest:"
             : ". To play in it:"));
         String boss = " --bot " + CommandLine.quote(List.of(CommandLine.quote(scene.boss())));
-        say("  steward match --scene " + CommandLine.quote(List.of(file.toString()))
-            + (bundled ? boss.repeat(scene.players()) : " --bot ./mine" + " --bot ./other".repeat(scene.players() - 1)));
+        say("  steward match --scene " + CommandLine.quote(List.of(file.toString())) + (bundled
+            ? boss.repeat(scene.players()) : " --bot ./mine" + " --bot ./other".repeat(scene.players() - 1)));
         return ExitStatus.DONE;
     }
 
