@@ -47,7 +47,8 @@ class MeanMaxSchemaTest {
     void everyLineOfAWholeMatchIsValid() {
         List<String> lines = new ArrayList<>();
         Recorded match = Recorded.of(TestScenes.open("mean-max"), 4,
-            List.of(BundledBots.of(new Marauder(), lines::add), BundledBots.of(new Gatherer()), BundledBots.of(new Marauder())));
+            List.of(BundledBots.of(new Marauder(), lines::add), BundledBots.of(new Gatherer()),
+                BundledBots.of(new Marauder())));
         assertEquals(2 * match.result().turns() + 2, lines.size());
         for (String line : lines) {
             assertEquals(List.of(), Schemas.problems(schemaOf(line), line), line);

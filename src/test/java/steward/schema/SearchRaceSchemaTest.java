@@ -36,7 +36,8 @@ class SearchRaceSchemaTest {
     @Test
     void everyLineOfAWholeMatchIsValid() {
         List<String> lines = new ArrayList<>();
-        Recorded match = Recorded.of(TestScenes.open("search-race"), 4, List.of(BundledBots.of(new Driver(), lines::add)));
+        Recorded match = Recorded.of(TestScenes.open("search-race"), 4,
+            List.of(BundledBots.of(new Driver(), lines::add)));
         assertEquals(2 * match.result().turns() + 2, lines.size());
         for (String line : lines) {
             assertEquals(List.of(), Schemas.problems(schemaOf(line), line), line);

@@ -57,7 +57,8 @@ public final class Captain extends FantasticBitsBot {
             double way = line - snaffle.x;
             boolean toward = way * snaffle.vx > 0 && Math.abs(snaffle.vx) > 300;
             double y = toward ? snaffle.y + snaffle.vy * way / snaffle.vx : -1;
-            boolean in = toward && Math.abs(way) < Striker.ROLL * Math.abs(snaffle.vx) && y > now.goalTop && y < now.goalBottom;
+            boolean in = toward && Math.abs(way) < Striker.ROLL * Math.abs(snaffle.vx) && y > now.goalTop
+                && y < now.goalBottom;
             // The spell begins with the next turn: until then the snaffle rolls on.
             boolean inTime = Math.abs(way) > 1.0 * Math.abs(snaffle.vx) && Math.abs(way) < 3 * Math.abs(snaffle.vx);
             if (in && inTime && snaffle != saved && !snaffle.held && !isTarget(own, snaffle)) {

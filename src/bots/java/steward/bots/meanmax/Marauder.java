@@ -45,7 +45,8 @@ public final class Marauder extends MeanMaxBot {
         Thing best = null;
         for (Thing wreck : now.wrecks) {
             boolean worth = wreck.water >= water && caster.distance(wreck) < SKILL_RANGE
-                && reaper.distance(wreck) > OWN_DISTANCE + Harvester.EFFECT_RADIUS / 2 && !Harvester.isInOil(now, wreck);
+                && reaper.distance(wreck) > OWN_DISTANCE + Harvester.EFFECT_RADIUS / 2
+                && !Harvester.isInOil(now, wreck);
             if (worth && rivalsAt(now.rivals(), wreck) > 0 && (best == null || wreck.water > best.water)) {
                 best = wreck;
             }

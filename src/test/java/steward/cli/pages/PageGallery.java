@@ -98,7 +98,8 @@ final class PageGallery {
         return switch (scene) {
             case "search-race" -> played(scene, BundledBots.of(new Planner()));
             case "mean-max" ->
-                played(scene, BundledBots.of(new Marauder()), BundledBots.of(new Gatherer()), BundledBots.of(new Gatherer()));
+                played(scene, BundledBots.of(new Marauder()), BundledBots.of(new Gatherer()),
+                    BundledBots.of(new Gatherer()));
             case "fantastic-bits" -> played(scene, BundledBots.of(new Captain()), BundledBots.of(new Chaser()));
             case "poker-chip-race" -> played(scene, BundledBots.of(new Glutton()), BundledBots.of(new Nibbler()));
             default -> PageTestRaces.play(PageTestRaces.scene(scene), 3);

@@ -61,7 +61,8 @@ class MovingPictureTest {
             3));
         assertTrue(compare(race, picture(race), 0) > 200);
         Path part = Files.write(folder.resolve("part.jsonl"), Recorded.of(TestScenes.open("mean-max"), 7,
-            List.of(BundledBots.of(new Marauder()), BundledBots.of(new Gatherer()), BundledBots.of(new Gatherer()))).bytes());
+            List.of(BundledBots.of(new Marauder()), BundledBots.of(new Gatherer()), BundledBots.of(new Gatherer())))
+            .bytes());
         assertTrue(compare(part, picture(part, "--from", "20", "--to", "60"), 20) > 41 * 9);
     }
 
