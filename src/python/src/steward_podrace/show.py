@@ -2,13 +2,20 @@
 
 import html
 from pathlib import Path
-from typing import Any
 
 
-def show(path: str | Path, width: int = 1000, height: int = 640) -> Any:
+class Page:
+    """What a notebook displays: a frame of its own, so that styles and scripts of page and notebook stay apart."""
+
+    def __init__(self, data: str):
+        self.data = data
+
+    def _repr_html_(self) -> str:
+        return self.data
+
+
+def show(path: str | Path, width: int = 1000, height: int = 640) -> Page:
     """Puts a page that ``steward replay --view`` wrote, or a moving picture in SVG, into a notebook.
-
-    :returns: an object that IPython displays
     """
     for name, value in (("width", width), ("height", height)):
         if not isinstance(value, int) or isinstance(value, bool) or not 1 <= value <= 10_000:
@@ -20,10 +27,5 @@ def show(path: str | Path, width: int = 1000, height: int = 640) -> Any:
     begin = text.lstrip("\ufeff \r\n\t")[:200].lower()
     if not begin.startswith(("<!doctype html", "<html", "<svg", "<?xml")):
         raise ValueError(f"{path}: found {text[:40]!r}, expected a page or an SVG picture")
-    try:
-        from IPython.display import HTML
-    except ImportError:
-        raise ValueError("show: found no IPython, expected to be in a notebook") from None
-    # A frame of its own: styles and scripts of page and notebook stay apart.
-    return HTML(f'<iframe srcdoc="{html.escape(text)}" width="{width}" height="{height}" '
+    return Page(f'<iframe srcdoc="{html.escape(text)}" width="{width}" height="{height}" '
                 'style="border: 0" sandbox="allow-scripts"></iframe>')
