@@ -27,9 +27,9 @@ def unpack(parameters: np.ndarray) -> list[tuple[np.ndarray, np.ndarray]]:
     """Layers of parameters ``[..., count]``."""
     layers, at = [], 0
     for rows, columns in SHAPES:
-        weights = parameters[..., at:at + rows * columns].reshape(*parameters.shape[:-1], rows, columns)
+        weights = parameters[..., at : at + rows * columns].reshape(*parameters.shape[:-1], rows, columns)
         at += rows * columns
-        layers.append((weights, parameters[..., at:at + columns]))
+        layers.append((weights, parameters[..., at : at + columns]))
         at += columns
     return layers
 
@@ -69,7 +69,7 @@ def regular(seen: np.ndarray) -> np.ndarray:
     """The bot regular as far as an observation tells: aims against its drift, the less thrust the more it turns."""
     actions = np.zeros((len(seen), 2, 3), np.float32)
     for k in range(2):
-        pod = seen[:, 38 * k:38 * k + 5].astype(np.float64)
+        pod = seen[:, 38 * k : 38 * k + 5].astype(np.float64)
         forward, right = (1e4 * pod[:, 4] * pod[:, 2 + each] - 3e3 * pod[:, each] for each in range(2))
         angle = np.arctan2(right, forward)
         actions[:, k, 0] = np.clip(np.degrees(angle) / 18, -1, 1)
@@ -97,7 +97,10 @@ def train(seed: int, threads: int, minutes: float) -> Network:
             policy = Network(unpack(mean.astype(np.float32)), INPUTS)
             won = share(policy, "racer", 200, 2 * 10**9, threads)
             spent = time.monotonic() - begin
-            print(f"{spent:4.0f} s, generation {generation}: {found.mean():.2f} checkpoints, {won:.0%} of 200 games", flush=True)
+            print(
+                f"{spent:4.0f} s, generation {generation}: {found.mean():.2f} checkpoints, {won:.0%} of 200 games",
+                flush=True,
+            )
             if won >= 0.98 or spent > 60 * minutes:
                 return policy
 
@@ -111,8 +114,10 @@ def main() -> None:
     options.add_argument("--out", default="bot.py")
     chosen = options.parse_args()
     policy = train(chosen.seed, chosen.threads, chosen.minutes)
-    print(f"trained: {share(policy, 'racer', 100, 10**9):.0%} of 100 games against racer, "
-          f"{share(policy, regular, 100, 10**9):.0%} against regular by observation")
+    print(
+        f"trained: {share(policy, 'racer', 100, 10**9):.0%} of 100 games against racer, "
+        f"{share(policy, regular, 100, 10**9):.0%} against regular by observation"
+    )
     export(policy, chosen.out)
     print(f"{chosen.out} written")
 

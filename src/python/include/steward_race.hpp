@@ -281,12 +281,13 @@ inline void strictTurn(double angle, double& cosine, double& sine) {
 inline double racerThrust(double dx, double dy, double distance, double cosine, double sine) {
     bool straight = (cosine == 0 && sine == 0) || distance == 0;
     double ahead = straight ? 1 : (cosine * dx + sine * dy) / distance;
-    double share = std::min(1.0, distance / 1200) * std::max(0.0, ahead);
-    return 200 * std::max(0.1, share);
+    double near = distance / 1200;
+    double share = (near < 1 ? near : 1) * (ahead > 0 ? ahead : 0);
+    return 200 * (share > 0.1 ? share : 0.1);
 }
 
-/// The commands of racer for both pods of a player. The usual sines decide nearly every thrust; where they leave a whole
-/// number in doubt, those that the bot itself computes do.
+/// The commands of racer for both pods of a player. The usual sines decide nearly every thrust; where they leave a
+/// whole number in doubt, those that the bot itself computes do.
 inline void racer(const Race& race, int player, Commands& commands) {
     const State& state = race.state;
     double cosines[4], sines[4];

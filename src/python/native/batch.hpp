@@ -62,7 +62,8 @@ public:
     int firstOver() const { return find([](const Slot& slot) { return slot.over; }); }
     bool isAutomatic() const { return settings.autoreset; }
     bool needsForeign() const {
-        return std::any_of(settings.members.begin(), settings.members.end(), [](const Member& m) { return !m.isRacer; });
+        return std::any_of(settings.members.begin(), settings.members.end(),
+            [](const Member& member) { return !member.isRacer; });
     }
     int opponent(int k) const { return races[static_cast<std::size_t>(k)].member; }
 
@@ -87,7 +88,7 @@ public:
         });
     }
 
-    /// Plays one turn of every race, whose actions have been checked. Returns how many ended; -1 after too many impacts.
+    /// Plays one turn of every race by checked actions. Returns how many ended; -1 after too many impacts.
     template <typename Action> int step(const Action* actions, const Action* foreign, const Outputs& out) {
         Arithmetic exact;
         std::atomic<int> ended{0}, broken{0};
@@ -239,7 +240,10 @@ public:
 
     /// The field of a snapshot that cannot be, or null.
     const char* wrong(const Snapshot& from) const {
-        auto place = [](double value) { return std::fabs(value) <= 0x1p30 && !(value != 0 && std::fabs(value) < 0x1p-100); };
+        auto place = [](double value) {
+            double size = std::fabs(value);
+            return size == 0 || (size >= 0x1p-100 && size <= 0x1p30);
+        };
         if (from.checkpoints < 2 || from.checkpoints > MOST_CHECKPOINTS) {
             return "checkpoints: expected 2..16";
         }
@@ -367,7 +371,8 @@ private:
         if (settings.reward != Reward::result) {
             for (int player = 0; player < 2; player++) {
                 int best = slot.race.bestPod(player);
-                slot.worth[player] = slot.race.state.passed[best] - slot.race.map().toNext(slot.race.state, best) / 20000;
+                slot.worth[player] = slot.race.state.passed[best]
+                    - slot.race.map().toNext(slot.race.state, best) / 20000;
             }
         }
     }

@@ -1,4 +1,4 @@
-// The module for Python: checks arrays, releases the interpreter's lock, calls Batch. Compiled once plain, once by AVX2.
+// The module for Python: checks arrays, releases the interpreter's lock, calls Batch. Compiled plain and by AVX2.
 #include <nanobind/nanobind.h>
 #include <nanobind/ndarray.h>
 #include <nanobind/stl/optional.h>
@@ -43,6 +43,7 @@ template <typename T> T* data(const Array<T>& array, const std::vector<std::size
 }
 
 std::size_t count(const Batch& batch) { return static_cast<std::size_t>(batch.count()); }
+std::size_t numbers(const Batch& batch) { return static_cast<std::size_t>(batch.observationSize()); }
 
 [[noreturn]] void refuse(const std::string& message) { throw nb::value_error(message.c_str()); }
 
@@ -50,8 +51,8 @@ void check(const Batch& batch, const float* actions, const char* name) {
     const std::ptrdiff_t width = batch.actionSize();
     for (std::ptrdiff_t k = 0; k < batch.count() * width; k++) {
         if (!std::isfinite(actions[k])) {
-            refuse(std::string(name) + ": found " + (actions[k] != actions[k] ? "NaN" : "an infinite number") + " in race "
-                + std::to_string(k / width) + ", expected finite numbers");
+            refuse(std::string(name) + ": found " + (actions[k] != actions[k] ? "NaN" : "an infinite number")
+                + " in race " + std::to_string(k / width) + ", expected finite numbers");
         }
     }
 }
@@ -71,7 +72,6 @@ int step(Batch& batch, const Array<const Action>& actions, const std::optional<A
          const Array<float>& observations, const Array<double>& rewards, const Array<bool>& terminated,
          const Array<double>& results, const Array<std::int64_t>& turns) {
     const std::size_t n = count(batch), width = static_cast<std::size_t>(batch.actionSize());
-    const std::size_t numbers = static_cast<std::size_t>(batch.observationSize());
     const Action* own = data(actions, {n, width}, "actions");
     const Action* others = foreign ? data(*foreign, {n, width}, "the opponent's actions") : nullptr;
     check(batch, own, "actions");
@@ -84,7 +84,7 @@ int step(Batch& batch, const Array<const Action>& actions, const std::optional<A
     if (over >= 0) {
         refuse("race " + std::to_string(over) + " is over: expected a reset of it first");
     }
-    steward::Outputs out = {data(observations, {n, numbers}, "observations"), data(rewards, {n}, "rewards"),
+    steward::Outputs out = {data(observations, {n, numbers(batch)}, "observations"), data(rewards, {n}, "rewards"),
         data(terminated, {n}, "terminated"), data(results, {n}, "results"), data(turns, {n}, "turns")};
     int ended;
     {
@@ -121,7 +121,8 @@ void play(Batch& batch, const Array<const double>& commands, const Array<const b
 }
 
 Batch* create(int races, int threads, bool contest, const std::vector<std::vector<std::pair<double, double>>>& maps,
-              const std::vector<std::pair<double, bool>>& members, bool full, bool discrete, int reward, bool autoreset) {
+              const std::vector<std::pair<double, bool>>& members, bool full, bool discrete, int reward,
+              bool autoreset) {
     if (races < 1 || threads < 1 || members.empty() || reward < 0 || reward > 2) {
         refuse("settings out of range");
     }
@@ -193,7 +194,7 @@ NB_MODULE(STEWARD_MODULE, m) {
         })
         .def("reset", [](Batch& batch, const Array<const bool>& mask, const Array<float>& observations) {
             const bool* chosen = data(mask, {count(batch)}, "mask");
-            float* out = data(observations, {count(batch), static_cast<std::size_t>(batch.observationSize())}, "observations");
+            float* out = data(observations, {count(batch), numbers(batch)}, "observations");
             nb::gil_scoped_release released;
             batch.reset(chosen, out);
         })
@@ -203,7 +204,7 @@ NB_MODULE(STEWARD_MODULE, m) {
             arg("observations"), arg("rewards"), arg("terminated"), arg("results"), arg("turns"))
         .def("play", &play)
         .def("observe", [](Batch& batch, int seat, const Array<float>& observations) {
-            float* out = data(observations, {count(batch), static_cast<std::size_t>(batch.observationSize())}, "observations");
+            float* out = data(observations, {count(batch), numbers(batch)}, "observations");
             nb::gil_scoped_release released;
             batch.observeAll(seat & 1, out);
         })
@@ -228,7 +229,8 @@ NB_MODULE(STEWARD_MODULE, m) {
             batch.ranks(data(out, {count(batch), 2}, "out"));
         })
         .def("save", [](const Batch& batch, const Array<std::uint8_t>& out) {
-            batch.save(reinterpret_cast<steward::Snapshot*>(data(out, {count(batch), sizeof(steward::Snapshot)}, "out")));
+            std::uint8_t* to = data(out, {count(batch), sizeof(steward::Snapshot)}, "out");
+            batch.save(reinterpret_cast<steward::Snapshot*>(to));
         })
         .def("load", &load);
     m.def("draw", [](std::uint64_t seed) {

@@ -28,12 +28,14 @@ def read() -> tuple[list[Game], np.ndarray]:
     words, games, at = np.fromfile(path, "<u8"), [], 0
     numbers = words.view("<f8")
     while words[at] == 1:
-        seed, contest, count = (int(each) for each in words[at + 1:at + 4])
-        checkpoints = numbers[at + 4:at + 4 + 2 * count].reshape(count, 2)
+        seed, contest, count = (int(each) for each in words[at + 1 : at + 4])
+        checkpoints = numbers[at + 4 : at + 4 + 2 * count].reshape(count, 2)
         at = begin = at + 4 + 2 * count
         while words[at] == 2:
             at += 1 + TURN_WORDS
         turns = words[begin:at].reshape(-1, 1 + TURN_WORDS)[:, 1:]
-        games.append(Game(seed, contest == 1, checkpoints, turns, int(words[at + 1]), tuple(map(int, words[at + 2:at + 4]))))
+        games.append(
+            Game(seed, contest == 1, checkpoints, turns, int(words[at + 1]), tuple(map(int, words[at + 2 : at + 4])))
+        )
         at += 4
-    return games, numbers[at + 1:].reshape(-1, 3)
+    return games, numbers[at + 1 :].reshape(-1, 3)

@@ -5,8 +5,18 @@ import os
 import numpy as np
 import pytest
 
-from steward_podrace import (Network, Pool, RaceEnv, RaceVectorEnv, Races, export, official_map, parallel_env, read_replay,
-                             show)
+from steward_podrace import (
+    Network,
+    Pool,
+    RaceEnv,
+    RaceVectorEnv,
+    Races,
+    export,
+    official_map,
+    parallel_env,
+    read_replay,
+    show,
+)
 
 GOOD = np.zeros((2, 6))
 
@@ -17,24 +27,51 @@ def changed(at, value):
     return actions
 
 
-@pytest.mark.parametrize("settings, words", [
-    ({"num_envs": 0}, "num_envs: found 0"), ({"num_envs": 2.5}, "num_envs"), ({"num_envs": True}, "num_envs"),
-    ({"maps": "unknown"}, "maps: found 'unknown'"), ({"maps": []}, "maps"), ({"maps": [[(0, 0)]]}, "found 1 checkpoints"),
-    ({"maps": [[(0, 0), (0, 0)]]}, "one place"), ({"maps": [[(0, 0), (np.nan, 1)]]}, "maps"), ({"maps": 3}, "maps"),
-    ({"rules": "gold"}, "rules: found 'gold'"), ({"observations": "all"}, "observations"), ({"actions": None}, "actions"),
-    ({"reward": "score"}, "reward"), ({"opponent": "veteran"}, "opponent: found 'veteran'"), ({"threads": 0}, "threads"),
-    ({"opponent": Pool.__new__, "reward": 3}, "reward"), ({"seed": -1}, "seed: found -1"), ({"seed": "a"}, "seed"),
-    ({"autoreset_mode": "never"}, "autoreset_mode"), ({"render_mode": "human"}, "render_mode")])
+@pytest.mark.parametrize(
+    "settings, words",
+    [
+        ({"num_envs": 0}, "num_envs: found 0"),
+        ({"num_envs": 2.5}, "num_envs"),
+        ({"num_envs": True}, "num_envs"),
+        ({"maps": "unknown"}, "maps: found 'unknown'"),
+        ({"maps": []}, "maps"),
+        ({"maps": [[(0, 0)]]}, "found 1 checkpoints"),
+        ({"maps": [[(0, 0), (0, 0)]]}, "one place"),
+        ({"maps": [[(0, 0), (np.nan, 1)]]}, "maps"),
+        ({"maps": 3}, "maps"),
+        ({"rules": "gold"}, "rules: found 'gold'"),
+        ({"observations": "all"}, "observations"),
+        ({"actions": None}, "actions"),
+        ({"reward": "score"}, "reward"),
+        ({"opponent": "veteran"}, "opponent: found 'veteran'"),
+        ({"threads": 0}, "threads"),
+        ({"opponent": Pool.__new__, "reward": 3}, "reward"),
+        ({"seed": -1}, "seed: found -1"),
+        ({"seed": "a"}, "seed"),
+        ({"autoreset_mode": "never"}, "autoreset_mode"),
+        ({"render_mode": "human"}, "render_mode"),
+    ],
+)
 def test_settings(settings, words):
     with pytest.raises(ValueError, match=words) as refused:
         RaceVectorEnv(**{"num_envs": 2, **settings})
     assert "expected" in str(refused.value)
 
 
-@pytest.mark.parametrize("actions, words", [
-    (np.zeros((3, 6)), r"shape \(3, 6\)"), (np.zeros(12), "shape"), (None, "object"), ("left", "actions"),
-    ([[0] * 6, [0]], "several lengths"), (np.zeros((2, 6), complex), "complex"), (changed((1, 2), np.nan), "NaN in race 1"),
-    (changed((0, 1), np.inf), "infinite number in race 0"), (changed((1, 1), 1e300), "infinite")])
+@pytest.mark.parametrize(
+    "actions, words",
+    [
+        (np.zeros((3, 6)), r"shape \(3, 6\)"),
+        (np.zeros(12), "shape"),
+        (None, "object"),
+        ("left", "actions"),
+        ([[0] * 6, [0]], "several lengths"),
+        (np.zeros((2, 6), complex), "complex"),
+        (changed((1, 2), np.nan), "NaN in race 1"),
+        (changed((0, 1), np.inf), "infinite number in race 0"),
+        (changed((1, 1), 1e300), "infinite"),
+    ],
+)
 def test_actions_are_refused_before_any_race_moves(actions, words):
     many = RaceVectorEnv(2, seed=1)
     many.reset()
@@ -83,9 +120,21 @@ def test_states_are_checked_before_any_changes():
     races = Races(2, seed=1)
     races.reset()
     good = races.states()
-    for field, value in (("x", np.nan), ("vy", np.inf), ("heading", 1e9), ("shield_timer", 5), ("boost_left", 2),
-                         ("passed", -1), ("turns_left", 101), ("turn", 501), ("ending", 9), ("opponent", 1),
-                         ("checkpoints", 17), ("over", 2), ("checkpoint_x", np.inf)):
+    for field, value in (
+        ("x", np.nan),
+        ("vy", np.inf),
+        ("heading", 1e9),
+        ("shield_timer", 5),
+        ("boost_left", 2),
+        ("passed", -1),
+        ("turns_left", 101),
+        ("turn", 501),
+        ("ending", 9),
+        ("opponent", 1),
+        ("checkpoints", 17),
+        ("over", 2),
+        ("checkpoint_x", np.inf),
+    ):
         bad = good.copy()
         bad[field][1] = value
         with pytest.raises(ValueError, match=f"race 1.*{field}"):
@@ -99,10 +148,17 @@ def test_states_are_checked_before_any_changes():
 def test_commands_faults_masks_and_seats():
     races = Races(2, seed=1)
     races.reset()
-    for call in (lambda: races.play(np.zeros((2, 4, 2))), lambda: races.play(np.full((2, 4, 3), 0.5)),
-                 lambda: races.play(np.full((2, 4, 3), np.nan)), lambda: races.play(np.zeros((2, 4, 3)), [1, 0]),
-                 lambda: races.observe(2), lambda: races.reset([True]), lambda: races.seed([1]), lambda: official_map(-1),
-                 lambda: RaceVectorEnv(2).reset(options={"reset_mask": np.zeros(2, bool)})):
+    for call in (
+        lambda: races.play(np.zeros((2, 4, 2))),
+        lambda: races.play(np.full((2, 4, 3), 0.5)),
+        lambda: races.play(np.full((2, 4, 3), np.nan)),
+        lambda: races.play(np.zeros((2, 4, 3)), [1, 0]),
+        lambda: races.observe(2),
+        lambda: races.reset([True]),
+        lambda: races.seed([1]),
+        lambda: official_map(-1),
+        lambda: RaceVectorEnv(2).reset(options={"reset_mask": np.zeros(2, bool)}),
+    ):
         with pytest.raises(ValueError, match="expected"):
             call()
 
@@ -113,12 +169,18 @@ def test_agents_networks_and_pages(tmp_path):
     with pytest.raises(ValueError, match="expected those of"):
         both.step({"player_0": np.zeros(6)})
     layers = [(np.zeros((38, 2)), np.zeros(2))]
-    for call in (lambda: Network([]), lambda: Network([(np.zeros((3, 2)), np.zeros(2))]),
-                 lambda: Network([(np.full((38, 2), np.nan), np.zeros(2))]), lambda: Network(layers, [50]),
-                 lambda: Network(layers)(np.zeros((1, 5))), lambda: export(None, tmp_path / "bot.py"),
-                 lambda: export(Network([(np.zeros((44, 2)), np.zeros(2))], observations="full"), tmp_path / "bot.py"),
-                 lambda: export(Network([(np.random.rand(38, 200), np.zeros(200)), (np.zeros((200, 2)), np.zeros(2))]),
-                                tmp_path / "bot.py")):
+    for call in (
+        lambda: Network([]),
+        lambda: Network([(np.zeros((3, 2)), np.zeros(2))]),
+        lambda: Network([(np.full((38, 2), np.nan), np.zeros(2))]),
+        lambda: Network(layers, [50]),
+        lambda: Network(layers)(np.zeros((1, 5))),
+        lambda: export(None, tmp_path / "bot.py"),
+        lambda: export(Network([(np.zeros((44, 2)), np.zeros(2))], observations="full"), tmp_path / "bot.py"),
+        lambda: export(
+            Network([(np.random.rand(38, 200), np.zeros(200)), (np.zeros((200, 2)), np.zeros(2))]), tmp_path / "bot.py"
+        ),
+    ):
         with pytest.raises(ValueError, match="expected"):
             call()
     assert not (tmp_path / "bot.py").exists()
@@ -132,11 +194,22 @@ def test_agents_networks_and_pages(tmp_path):
 START = '{"type":"steward-replay","format":3,"start":{"state":{"bodies":[]},"hash":"0"}}\n'
 
 
-@pytest.mark.parametrize("text, words", [
-    ("", "empty"), ("x\n", ":1: "), ("[]\n", "header"), (START.replace("3", "2"), "format 3"), (START, "result"),
-    (START + '{"type":"tu', ":2: found a line that is cut off"), (START + '{"type":"other"}\n', "'other'"),
-    (START + '{"type":"turn"}\n', "'turn'"), (START + '{"type":"turn","turn":1,"commands":5,"outcome":{}}\n', ":2: "),
-    (START + "[" * 100_000 + "\n", ":2: "), (b"\xff\xfe\n", ":1: ")])
+@pytest.mark.parametrize(
+    "text, words",
+    [
+        ("", "empty"),
+        ("x\n", ":1: "),
+        ("[]\n", "header"),
+        (START.replace("3", "2"), "format 3"),
+        (START, "result"),
+        (START + '{"type":"tu', ":2: found a line that is cut off"),
+        (START + '{"type":"other"}\n', "'other'"),
+        (START + '{"type":"turn"}\n', "'turn'"),
+        (START + '{"type":"turn","turn":1,"commands":5,"outcome":{}}\n', ":2: "),
+        (START + "[" * 100_000 + "\n", ":2: "),
+        (b"\xff\xfe\n", ":1: "),
+    ],
+)
 def test_replays_say_the_line(text, words, tmp_path):
     path = tmp_path / "game.jsonl"
     path.write_bytes(text if isinstance(text, bytes) else text.encode())
@@ -149,15 +222,17 @@ def test_broken_calls_end_in_a_ValueError_and_leave_sound_races():
     shapes = [(4, 6), (4, 4), (4,), (6,), (3, 6), (4, 6, 1), (0, 6), ()]
     fills = [0, 1, -1, 0.3, np.nan, np.inf, -np.inf, 1e308, 5e-324, 2**40]
     refused = 0
-    environments = [RaceVectorEnv(4, seed=1, threads=2), RaceVectorEnv(4, seed=2, actions="discrete", observations="full"),
-                    RaceVectorEnv(4, seed=3, opponent=lambda seen: rng.choice(fills) * np.ones((4, 6)),
-                                  autoreset_mode="SameStep")]
+    environments = [
+        RaceVectorEnv(4, seed=1, threads=2),
+        RaceVectorEnv(4, seed=2, actions="discrete", observations="full"),
+        RaceVectorEnv(4, seed=3, opponent=lambda seen: rng.choice(fills) * np.ones((4, 6)), autoreset_mode="SameStep"),
+    ]
     for env in environments:
         env.reset()
     for _ in range(calls):
         env = environments[rng.integers(3)]
         with np.errstate(all="ignore"):
-            array = np.full(shapes[rng.choice(8, p=[.6, .2] + [.2 / 6] * 6)], rng.choice(fills)) * rng.integers(0, 3)
+            array = np.full(shapes[rng.choice(8, p=[0.6, 0.2] + [0.2 / 6] * 6)], rng.choice(fills)) * rng.integers(0, 3)
             array = array.astype(rng.choice(["f8", "f4", "i8", "u1", "?", "c16", "O"])) if rng.random() < 0.4 else array
         states = env.states()
         field = rng.choice(states.dtype.names)
@@ -167,20 +242,26 @@ def test_broken_calls_end_in_a_ValueError_and_leave_sound_races():
                 if kind < 4:
                     env.step(array)
                 elif kind == 4:
-                    states[field][rng.integers(4)] = int(rng.integers(-3, 600)) if rng.random() < 0.5 else rng.choice(fills)
+                    states[field][rng.integers(4)] = (
+                        int(rng.integers(-3, 600)) if rng.random() < 0.5 else rng.choice(fills)
+                    )
                     env.set_states(states)
                 elif kind == 5:
                     env.races.play(rng.choice(fills) * np.ones((4, 4, 3)), rng.random((4, 2)) < 0.1)
                 elif kind == 6:
-                    env.reset(seed=rng.choice([None, 5, -1, "x"]), options={"reset_mask": rng.random(rng.integers(3, 5)) < 1})
+                    env.reset(
+                        seed=rng.choice([None, 5, -1, "x"]), options={"reset_mask": rng.random(rng.integers(3, 5)) < 1}
+                    )
                 else:
                     env.races.observe(int(rng.integers(-1, 3)))
         except (ValueError, OverflowError):
             refused += 1
-        except RuntimeError as problem:                        # of states that no race reaches
+        except RuntimeError as problem:  # of states that no race reaches
             assert "14000 impacts" in str(problem)
     assert calls > refused > calls / 10
     for env in environments:
         env.reset(seed=7)
-        env.step(np.zeros((4, 4), int) if env.races.discrete else np.zeros((4, 6))) if env is not environments[2] else None
+        env.step(np.zeros((4, 4), int) if env.races.discrete else np.zeros((4, 6))) if env is not environments[
+            2
+        ] else None
         assert np.isfinite(env.races.observe()).all()

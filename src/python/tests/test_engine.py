@@ -47,7 +47,7 @@ def test_every_state_end_rank_and_hash_is_the_engines(module, contest, monkeypat
             drives = going & (marks[:, player, 1] == 1) & ~faults[:, player]
             commanded += drives.sum()
             own = races.racer(player)
-            wrong = drives & (own != commands[:, 2 * player:2 * player + 2]).any((1, 2))
+            wrong = drives & (own != commands[:, 2 * player : 2 * player + 2]).any((1, 2))
             assert not wrong.any(), f"racer in game {np.flatnonzero(wrong)[0]}, turn {turn}: {own[wrong][0]}"
         races.play(commands, faults)
         states = races.states()

@@ -68,10 +68,20 @@ def equal(found, expected):
 
 
 @pytest.mark.parametrize("mode", list(AutoresetMode))
-@pytest.mark.parametrize("settings", [
-    {}, {"actions": "discrete", "reward": "lead", "rules": "contest"},
-    {"opponent": Pool([("racer", 1), (idle, 2), (forward, 1)]), "observations": "full", "maps": MAP, "reward": "progress"},
-    {"maps": MAP, "reward": lambda turn: turn.after["passed"].sum(1) - turn.before["passed"].sum(1)}])
+@pytest.mark.parametrize(
+    "settings",
+    [
+        {},
+        {"actions": "discrete", "reward": "lead", "rules": "contest"},
+        {
+            "opponent": Pool([("racer", 1), (idle, 2), (forward, 1)]),
+            "observations": "full",
+            "maps": MAP,
+            "reward": "progress",
+        },
+        {"maps": MAP, "reward": lambda turn: turn.after["passed"].sum(1) - turn.before["passed"].sum(1)},
+    ],
+)
 def test_many_are_the_same_as_single_ones(mode, settings):
     n, steps = 5, 260
     many = RaceVectorEnv(n, autoreset_mode=mode, seed=11, threads=2, **settings)
@@ -85,8 +95,11 @@ def test_many_are_the_same_as_single_ones(mode, settings):
         if settings.get("actions") == "discrete":
             actions = rng.integers(0, [7, 5, 7, 5], (n, 4))
         else:
-            actions = forward(many.races.observe()) if step % 3 and settings.get("observations") != "full" \
+            actions = (
+                forward(many.races.observe())
+                if step % 3 and settings.get("observations") != "full"
                 else rng.uniform(-1, 1, (n, 6)).astype(np.float32)
+            )
         found, expected = many.step(actions), single.step(actions)
         for one, other in zip(found[:4], expected[:4]):
             assert one.dtype == other.dtype
@@ -130,7 +143,7 @@ def test_a_copy_goes_on_as_its_original_and_a_state_can_be_restored():
 def test_a_pool_is_drawn_by_its_weights():
     races = Races(20000, opponent=Pool([("racer", 1), (idle, 3)]), seed=1)
     races.reset()
-    drawn = races.states()["opponent"].mean()                  # standard deviation sqrt(0.75 0.25 / 20000) = 0.0031
+    drawn = races.states()["opponent"].mean()  # standard deviation sqrt(0.75 0.25 / 20000) = 0.0031
     assert abs(drawn - 0.75) < 4 * 0.0031
 
 
@@ -146,13 +159,14 @@ def test_a_policy_plays_the_other_seat_as_its_own():
         both.reset(ended) if ended.any() else None
         if not np.isnan(results).any():
             break
-    assert abs(results.mean() - 0.5) < 0.2                     # seats are alike: 200 games, 5 standard deviations
+    assert abs(results.mean() - 0.5) < 0.2  # seats are alike: 200 games, 5 standard deviations
 
 
 def test_seeds_draw_the_maps_of_a_match():
     # the zones in the header of a replay of `steward match --seed 7`
-    np.testing.assert_array_equal(steward_podrace.official_map(7),
-                                  [(13314, 5515), (9570, 1412), (3669, 4395), (8018, 7871)])
+    np.testing.assert_array_equal(
+        steward_podrace.official_map(7), [(13314, 5515), (9570, 1412), (3669, 4395), (8018, 7871)]
+    )
 
 
 def test_without_copies_arrays_are_the_same_ones():

@@ -16,12 +16,16 @@ def lines(races, seat, setup):
     state, out = races.states()[0], []
     n = int(state["checkpoints"])
     if setup:
-        out += ["3", str(n)] + [f"{x:.0f} {y:.0f}" for x, y in zip(state["checkpoint_x"][:n], state["checkpoint_y"][:n])]
+        out += ["3", str(n)] + [
+            f"{x:.0f} {y:.0f}" for x, y in zip(state["checkpoint_x"][:n], state["checkpoint_y"][:n])
+        ]
     for pod in (2 * seat, 2 * seat + 1, 2 - 2 * seat, 3 - 2 * seat):
         degrees = np.degrees(state["heading"][pod]) % 360
         angle = -1 if np.isnan(degrees) else int(np.floor(degrees + 0.5))
-        out.append(f"{state['x'][pod]:.0f} {state['y'][pod]:.0f} {state['vx'][pod]:.0f} {state['vy'][pod]:.0f} {angle} "
-                   f"{(state['passed'][pod] + 1) % n}")
+        out.append(
+            f"{state['x'][pod]:.0f} {state['y'][pod]:.0f} {state['vx'][pod]:.0f} {state['vy'][pod]:.0f} {angle} "
+            f"{(state['passed'][pod] + 1) % n}"
+        )
     return "\n".join(out) + "\n"
 
 
@@ -39,17 +43,20 @@ def test_commands_of_the_bot_are_the_policys(seat, outputs, tmp_path):
         races = Races(1, seed=100 * seat + game, autoreset=False)
         races.reset()
         turns = 0
-        with subprocess.Popen([sys.executable, "-S", "bot.py"], cwd=tmp_path, text=True, stdin=subprocess.PIPE,
-                              stdout=subprocess.PIPE) as bot:
+        with subprocess.Popen(
+            [sys.executable, "-S", "bot.py"], cwd=tmp_path, text=True, stdin=subprocess.PIPE, stdout=subprocess.PIPE
+        ) as bot:
             while not races.states()["over"][0]:
                 bot.stdin.write(lines(races, seat, turns == 0))
                 bot.stdin.flush()
                 own = races.commands(policy(races.observe(seat)), seat)
                 said = [bot.stdout.readline().strip() for _ in range(2)]
-                assert said == [f"{x:.0f} {y:.0f} {words.get(int(thrust), int(thrust))}" for x, y, thrust in own[0]], turns
+                assert said == [f"{x:.0f} {y:.0f} {words.get(int(thrust), int(thrust))}" for x, y, thrust in own[0]], (
+                    turns
+                )
                 commands = np.zeros((1, 4, 3))
-                commands[:, 2 * seat:2 * seat + 2] = own
-                commands[:, 2 - 2 * seat:4 - 2 * seat] = races.racer(1 - seat)
+                commands[:, 2 * seat : 2 * seat + 2] = own
+                commands[:, 2 - 2 * seat : 4 - 2 * seat] = races.racer(1 - seat)
                 races.play(commands)
                 turns += 1
             bot.stdin.close()

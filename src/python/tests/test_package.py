@@ -19,8 +19,13 @@ HOME = Path(__file__).parents[1]
 
 
 def python(code, **environment):
-    return subprocess.run([sys.executable, "-c", textwrap.dedent(code)], capture_output=True, text=True, check=True,
-                          env={**os.environ, **environment}).stdout.strip()
+    return subprocess.run(
+        [sys.executable, "-c", textwrap.dedent(code)],
+        capture_output=True,
+        text=True,
+        check=True,
+        env={**os.environ, **environment},
+    ).stdout.strip()
 
 
 def test_the_source_archive_builds_and_plays_elsewhere(tmp_path):
@@ -30,16 +35,33 @@ def test_the_source_archive_builds_and_plays_elsewhere(tmp_path):
         archive.extractall(tmp_path / "elsewhere", filter="data")
     source = next((tmp_path / "elsewhere").iterdir())
     assert (source / "LICENSE").read_bytes() == (HOME / "LICENSE").read_bytes()
-    subprocess.run([sys.executable, "-m", "pip", "install", "-q", "--no-build-isolation", "--no-deps", "--target",
-                    tmp_path / "site", source], check=True, capture_output=True)
-    said = python("""
+    subprocess.run(
+        [
+            sys.executable,
+            "-m",
+            "pip",
+            "install",
+            "-q",
+            "--no-build-isolation",
+            "--no-deps",
+            "--target",
+            tmp_path / "site",
+            source,
+        ],
+        check=True,
+        capture_output=True,
+    )
+    said = python(
+        """
         import numpy as np, steward_podrace
         races = steward_podrace.Races(8, seed=1)
         races.reset()
         for _ in range(200):
             races.step(np.ones((8, 6)))
         print(steward_podrace.__file__, races.states()["turn"].max() > 50)
-        """, PYTHONPATH=str(tmp_path / "site"))
+        """,
+        PYTHONPATH=str(tmp_path / "site"),
+    )
     assert said.startswith(str(tmp_path / "site")) and said.endswith("True")
 
 
@@ -78,7 +100,9 @@ def test_races_are_exact_after_a_library_that_flushes_and_rounds_otherwise(tmp_p
         print(seen.hexdigest(), races.hashes().tobytes().hex())
         """
     for module in modules():
-        assert python(code, FLUSH="1", STEWARD_PODRACE_MODULE=module) == python(code, FLUSH="0", STEWARD_PODRACE_MODULE=module)
+        assert python(code, FLUSH="1", STEWARD_PODRACE_MODULE=module) == python(
+            code, FLUSH="0", STEWARD_PODRACE_MODULE=module
+        )
 
 
 def test_a_thousand_steps_allocate_nothing_that_grows_with_the_races():

@@ -12,21 +12,42 @@ from steward_podrace import read_replay, show
 
 def write(path, turns, cut=0):
     """A replay with all that the tables know: rows of differing fields, texts, paths, a guest's commands."""
-    lines = [{"type": "steward-replay", "format": 3, "start": {"state": {"bodies": [
-        {"id": 0, "x": 1, "heading": None}, {"id": 1, "x": 2.5, "heading": 0.5}], "turnsLeft": [100, 99]}, "hash": "00"}}]
+    lines = [
+        {
+            "type": "steward-replay",
+            "format": 3,
+            "start": {
+                "state": {
+                    "bodies": [{"id": 0, "x": 1, "heading": None}, {"id": 1, "x": 2.5, "heading": 0.5}],
+                    "turnsLeft": [100, 99],
+                },
+                "hash": "00",
+            },
+        }
+    ]
     for turn in range(1, turns + 1):
-        lines.append({"type": "turn", "turn": turn,
-                      "commands": [[{"x": turn, "y": 0.5, "thrust": 200}, None], {"lines": ["a", "b"], "ms": 3}, None],
-                      "faults": [None, "late"],
-                      "outcome": {"impacts": [{"time": 0.25, "a": 0, "b": 1}] if turn % 2 else [],
-                                  "paths": [{"id": 1, "knots": [[0.25, 7, 8]]}],
-                                  "events": [{"kind": "mark", "body": 1, "x": 5, "text": "hello"}],
-                                  "state": {"bodies": [{"id": 0, "x": turn, "heading": 1, "live": True}],
-                                            "turnsLeft": [turn, 99], "said": [{"block": "VIEW", "lines": ["x"]}]},
-                                  "hash": "ff"}})
+        lines.append(
+            {
+                "type": "turn",
+                "turn": turn,
+                "commands": [[{"x": turn, "y": 0.5, "thrust": 200}, None], {"lines": ["a", "b"], "ms": 3}, None],
+                "faults": [None, "late"],
+                "outcome": {
+                    "impacts": [{"time": 0.25, "a": 0, "b": 1}] if turn % 2 else [],
+                    "paths": [{"id": 1, "knots": [[0.25, 7, 8]]}],
+                    "events": [{"kind": "mark", "body": 1, "x": 5, "text": "hello"}],
+                    "state": {
+                        "bodies": [{"id": 0, "x": turn, "heading": 1, "live": True}],
+                        "turnsLeft": [turn, 99],
+                        "said": [{"block": "VIEW", "lines": ["x"]}],
+                    },
+                    "hash": "ff",
+                },
+            }
+        )
     lines.append({"type": "result", "turns": turns})
     text = "".join(json.dumps(line) + "\n" for line in lines)
-    path.write_text(text[:len(text) - cut])
+    path.write_text(text[: len(text) - cut])
     return path
 
 
@@ -73,7 +94,9 @@ def test_memory_is_a_few_times_the_arrays(tmp_path):
     seconds, peak = time.process_time() - begin, tracemalloc.get_traced_memory()[1]
     tracemalloc.stop()
     arrays = sum(column.nbytes for table in replay.tables.values() for column in table.values())
-    print(f"{path.stat().st_size / 1e6:.0f} MB, {seconds:.1f} s under tracemalloc, peak {peak / arrays:.1f} of the arrays")
+    print(
+        f"{path.stat().st_size / 1e6:.0f} MB, {seconds:.1f} s under tracemalloc, peak {peak / arrays:.1f} of the arrays"
+    )
     assert peak < 4 * arrays
 
 

@@ -1,7 +1,8 @@
 """Thousands of exact pod races at once, and Steward's replays as tables.
 
-Turns, maps, ends and ranks are those of Steward's engine for the scene ``mad-pod-racing``, to the last bit. NumPy is all
-that is needed; with Gymnasium there are :class:`RaceVectorEnv` and :class:`RaceEnv`, with PettingZoo :func:`parallel_env`.
+Turns, maps, ends and ranks are those of Steward's engine for the scene ``mad-pod-racing``, to the last bit. NumPy is
+all that is needed; with Gymnasium there are :class:`RaceVectorEnv` and :class:`RaceEnv`, with PettingZoo
+:func:`parallel_env`.
 """
 
 from importlib.util import find_spec
@@ -13,8 +14,19 @@ from .races import STATE, Races, Turn, official_map
 from .replays import Replay, read_replay
 from .show import show
 
-__all__ = ["STATE", "Network", "Pool", "Races", "Replay", "Turn", "export", "module_name", "official_map",
-           "read_replay", "show"]
+__all__ = [
+    "STATE",
+    "Network",
+    "Pool",
+    "Races",
+    "Replay",
+    "Turn",
+    "export",
+    "module_name",
+    "official_map",
+    "read_replay",
+    "show",
+]
 __version__ = "0.3.0"
 
 if find_spec("gymnasium") is not None:

@@ -1,4 +1,4 @@
-"""The compiled module: by AVX2 where the processor has it, else plain. ``STEWARD_PODRACE_MODULE=plain`` asks for plain."""
+"""The compiled module: by AVX2 where the processor has it, unless ``STEWARD_PODRACE_MODULE=plain``."""
 
 import importlib
 import os
@@ -15,7 +15,7 @@ def _choose() -> ModuleType:
     if os.environ.get("STEWARD_PODRACE_MODULE") != "plain" and plain.HAS_AVX2:
         try:
             return load("avx2")
-        except ImportError:                                    # built by a compiler that has no AVX2
+        except ImportError:  # built by a compiler that has no AVX2
             pass
     return plain
 

@@ -62,6 +62,7 @@ def environment(count: int, threads: int, copy: bool) -> Callable[[], int]:
         for k in range(STEPS):
             races.step(actions[k % 16])
         return STEPS * count
+
     return run
 
 
@@ -91,8 +92,12 @@ class PlainPods:
             pod[3] += 200 * math.sin(pod[4])
         left = 1.0
         while left > 0:
-            found = [(time, i, j) for i in range(4) for j in range(i)
-                     if (time := self.impact(self.pods[i], self.pods[j], left)) is not None]
+            found = [
+                (time, i, j)
+                for i in range(4)
+                for j in range(i)
+                if (time := self.impact(self.pods[i], self.pods[j], left)) is not None
+            ]
             step, i, j = min(found, default=(left, 0, 0))
             for pod in self.pods:
                 pod[0] += pod[2] * step
@@ -123,6 +128,7 @@ def plain_python() -> Callable[[], int]:
         for _ in range(2000):
             pods.turn()
         return 2000
+
     return run
 
 
@@ -134,8 +140,21 @@ def by_ctypes() -> Callable[[], int] | None:
     folder = Path(tempfile.mkdtemp())
     try:
         (folder / "shim.cpp").write_text(SHIM)
-        made = subprocess.run([compiler, "-std=c++17", "-O2", "-fPIC", "-shared", f"-I{Path(__file__).parent / 'include'}",
-                               "-o", folder / "shim.so", folder / "shim.cpp"], capture_output=True, check=False)
+        made = subprocess.run(
+            [
+                compiler,
+                "-std=c++17",
+                "-O2",
+                "-fPIC",
+                "-shared",
+                f"-I{Path(__file__).parent / 'include'}",
+                "-o",
+                folder / "shim.so",
+                folder / "shim.cpp",
+            ],
+            capture_output=True,
+            check=False,
+        )
         if made.returncode != 0:
             return None
         library = ctypes.CDLL(str(folder / "shim.so"))
@@ -144,13 +163,16 @@ def by_ctypes() -> Callable[[], int] | None:
     places = official_map(1)
     library.start(places.ctypes.data_as(ctypes.c_void_p), len(places))
     rng = np.random.default_rng(1)
-    commands = [np.column_stack([rng.uniform(0, 16000, 4), rng.uniform(0, 9000, 4), np.full(4, 200)]) for _ in range(16)]
+    commands = [
+        np.column_stack([rng.uniform(0, 16000, 4), rng.uniform(0, 9000, 4), np.full(4, 200)]) for _ in range(16)
+    ]
     pointers = [each.ctypes.data_as(ctypes.c_void_p) for each in commands]
 
     def run() -> int:
         for k in range(50_000):
             library.turn(pointers[k % 16])
         return 50_000
+
     return run
 
 
@@ -165,12 +187,13 @@ def resident() -> int:
 def memory(count: int) -> tuple[int, int]:
     """Bytes that races add to the process, and the peak of allocations over 1,000 steps above their start."""
     from .envs import RaceVectorEnv
+
     actions = np.zeros((count, 6), np.float32)
     actions[:, [1, 4]] = 1
     before = resident()
     env = RaceVectorEnv(count, copy=False, seed=1)
     env.reset()
-    for _ in range(200):                                       # so that a first end has come
+    for _ in range(200):  # so that a first end has come
         env.step(actions)
     added = resident() - before
     tracemalloc.start()
@@ -186,8 +209,12 @@ def memory(count: int) -> tuple[int, int]:
 
 def child(module: str, *words: str) -> subprocess.Popen:
     """This program in a process of its own, for one number."""
-    return subprocess.Popen([sys.executable, "-m", "steward_podrace.bench", *words], stdout=subprocess.PIPE, text=True,
-                            env={**os.environ, "STEWARD_PODRACE_MODULE": module})
+    return subprocess.Popen(
+        [sys.executable, "-m", "steward_podrace.bench", *words],
+        stdout=subprocess.PIPE,
+        text=True,
+        env={**os.environ, "STEWARD_PODRACE_MODULE": module},
+    )
 
 
 def numbers(process: subprocess.Popen) -> tuple[float, float]:
@@ -198,25 +225,31 @@ def numbers(process: subprocess.Popen) -> tuple[float, float]:
 
 def table() -> None:
     """Prints all rows."""
+
     def row(name: str, steps: tuple[float, float] | None) -> None:
         said = "untried: no C++ compiler" if steps is None else f"{steps[0]:>12,.0f} {steps[1]:>12,.0f}"
         print(f"{name:58} {said}", flush=True)
+
     print(f"{'steps a second':58} {'clock':>12} {'processor':>12}")
     row("pure Python, one race, no observations", best(plain_python()))
     shim = by_ctypes()
     row("the header by ctypes, one race, no observations", None if shim is None else best(shim))
     for module in dict.fromkeys(["plain", module_name()]):
         for copy in ("copy", "place"):
-            row(f"{RACES} races, 1 thread, {module}, {'copy=True' if copy == 'copy' else 'copy=False'}",
-                numbers(child(module, "--only", copy, "--threads", "1")))
+            row(
+                f"{RACES} races, 1 thread, {module}, {'copy=True' if copy == 'copy' else 'copy=False'}",
+                numbers(child(module, "--only", copy, "--threads", "1")),
+            )
     row(f"{2 * RACES} races, 2 threads", numbers(child("", "--only", "place", "--threads", "2")))
     pair = [child("", "--only", "place", "--threads", "1") for _ in range(2)]
     both = [numbers(each) for each in pair]
     row(f"2 processes of {RACES} races, together", (both[0][0] + both[1][0], (both[0][1] + both[1][1]) / 2))
     added, few = memory(RACES)[0], memory(16)[1]
     print(f"{RACES} races add {added / 1e6:.1f} MB to the process")
-    print(f"1,000 steps with copy=False: the peak of allocations is {few} bytes above its start with 16 races, "
-          f"{memory(RACES)[1]} with {RACES}")
+    print(
+        f"1,000 steps with copy=False: the peak of allocations is {few} bytes above its start with 16 races, "
+        f"{memory(RACES)[1]} with {RACES}"
+    )
 
 
 def main() -> None:

@@ -17,7 +17,9 @@ BOUND = 1e7
 def spaces_of(races: Races) -> tuple[spaces.Box, spaces.Space]:
     """The spaces of a single race's observation and action."""
     seen = spaces.Box(-BOUND, BOUND, races.observation_shape, np.float32)
-    return seen, spaces.MultiDiscrete([7, 5, 7, 5]) if races.discrete else spaces.Box(-1, 1, races.action_shape, np.float32)
+    return seen, spaces.MultiDiscrete([7, 5, 7, 5]) if races.discrete else spaces.Box(
+        -1, 1, races.action_shape, np.float32
+    )
 
 
 class RaceEnv(gymnasium.Env):
@@ -67,7 +69,7 @@ class RaceEnv(gymnasium.Env):
 
 
 class RaceVectorEnv(gymnasium.vector.VectorEnv):
-    """Many races in lockstep, equal to as many :class:`RaceEnv` in Gymnasium's SyncVectorEnv, in each mode of autoreset.
+    """Many races in lockstep, equal to as many :class:`RaceEnv` in a SyncVectorEnv, in each mode of autoreset.
 
     Arguments are those of :class:`Races`, which is in ``races``; ``autoreset_mode`` is a mode of Gymnasium or its name.
     With ``copy=False`` all arrays that are returned are overwritten by the next call.
@@ -75,13 +77,21 @@ class RaceVectorEnv(gymnasium.vector.VectorEnv):
 
     metadata = {"render_modes": []}
 
-    def __init__(self, num_envs: int = 1, *, autoreset_mode: AutoresetMode | str = AutoresetMode.NEXT_STEP,
-                 render_mode: None = None, **settings: Any):
+    def __init__(
+        self,
+        num_envs: int = 1,
+        *,
+        autoreset_mode: AutoresetMode | str = AutoresetMode.NEXT_STEP,
+        render_mode: None = None,
+        **settings: Any,
+    ):
         try:
             self.autoreset_mode = AutoresetMode(autoreset_mode)
         except ValueError:
-            raise ValueError(f"autoreset_mode: found {autoreset_mode!r}, expected one of "
-                             f"{', '.join(repr(mode.value) for mode in AutoresetMode)}") from None
+            raise ValueError(
+                f"autoreset_mode: found {autoreset_mode!r}, expected one of "
+                f"{', '.join(repr(mode.value) for mode in AutoresetMode)}"
+            ) from None
         self.render_mode = _none(render_mode)
         self.metadata = {**self.metadata, "autoreset_mode": self.autoreset_mode}
         self.races = Races(num_envs, autoreset=self.autoreset_mode == AutoresetMode.NEXT_STEP, **settings)
@@ -98,14 +108,23 @@ class RaceVectorEnv(gymnasium.vector.VectorEnv):
         mask = None
         if options is not None and "reset_mask" in options:
             mask = options["reset_mask"]
-            if not isinstance(mask, np.ndarray) or mask.dtype != np.bool_ or mask.shape != (self.num_envs,) \
-                    or not mask.any():
-                raise ValueError(f"reset_mask: found {mask!r}, expected a bool array ({self.num_envs},), one at least true")
+            if (
+                not isinstance(mask, np.ndarray)
+                or mask.dtype != np.bool_
+                or mask.shape != (self.num_envs,)
+                or not mask.any()
+            ):
+                raise ValueError(
+                    f"reset_mask: found {mask!r}, expected a bool array ({self.num_envs},), one at least true"
+                )
         if seed is not None:
             if mask is not None:
                 every = [seed + k for k in range(self.num_envs)] if isinstance(seed, int) else list(seed)
-                seed = [each if chosen else None for each, chosen in zip(every, mask)] \
-                    if len(every) == self.num_envs else every
+                seed = (
+                    [each if chosen else None for each, chosen in zip(every, mask)]
+                    if len(every) == self.num_envs
+                    else every
+                )
             self.races.seed(seed)
         return self.races.reset(mask), {}
 

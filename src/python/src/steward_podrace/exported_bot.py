@@ -78,7 +78,9 @@ def main():
             shield, boost = special > 0.5, special < -0.5
             timers[me] = 4 if shield else max(0, timers[me] - 1)
             boosts[me] = 0 if boost else boosts[me]
-            print(x, y, "SHIELD" if shield else "BOOST" if boost else math.floor((thrust + 1) * 100 + 0.5), flush=me == 1)
+            print(
+                x, y, "SHIELD" if shield else "BOOST" if boost else math.floor((thrust + 1) * 100 + 0.5), flush=me == 1
+            )
 
 
 main()

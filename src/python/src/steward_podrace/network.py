@@ -24,8 +24,9 @@ class Network:
     :param observations: of which it is made, ``"site"`` or ``"full"``
     """
 
-    def __init__(self, layers: Sequence[tuple[Any, Any]], inputs: Sequence[int] | None = None,
-                 observations: str = "site"):
+    def __init__(
+        self, layers: Sequence[tuple[Any, Any]], inputs: Sequence[int] | None = None, observations: str = "site"
+    ):
         choice("observations", observations, list(BLOCK))
         self.observations = observations
         block = BLOCK[observations]
@@ -35,10 +36,16 @@ class Network:
         self.layers = [(np.asarray(weights, np.float64), np.asarray(biases, np.float64)) for weights, biases in layers]
         width = len(self.inputs)
         for weights, biases in self.layers:
-            if weights.ndim != 2 or weights.shape[0] != width or biases.shape != weights.shape[1:] \
-                    or not (np.isfinite(weights).all() and np.isfinite(biases).all()):
-                raise ValueError(f"layers: found weights {weights.shape} and biases {biases.shape}, expected finite ones, "
-                                 f"{width} inputs and a bias for each output")
+            if (
+                weights.ndim != 2
+                or weights.shape[0] != width
+                or biases.shape != weights.shape[1:]
+                or not (np.isfinite(weights).all() and np.isfinite(biases).all())
+            ):
+                raise ValueError(
+                    f"layers: found weights {weights.shape} and biases {biases.shape}, expected finite ones, "
+                    f"{width} inputs and a bias for each output"
+                )
             width = weights.shape[1]
         if width not in (2, 3) or not self.layers:
             raise ValueError(f"layers: found {width} outputs, expected 2 or 3")
@@ -48,24 +55,27 @@ class Network:
         block, seen = BLOCK[self.observations], np.asarray(observations)
         if seen.ndim != 2 or seen.shape[1] != 2 * block + 2:
             raise ValueError(f"observations: found the shape {seen.shape}, expected (n, {2 * block + 2})")
-        values = seen[:, :2 * block].reshape(-1, 2, block)[:, :, self.inputs].astype(np.float64)
+        values = seen[:, : 2 * block].reshape(-1, 2, block)[:, :, self.inputs].astype(np.float64)
         for weights, biases in self.layers:
             values = np.tanh(values @ weights + biases)
         actions = np.zeros((len(seen), 2, 3), np.float32)
-        actions[:, :, :values.shape[2]] = values
+        actions[:, :, : values.shape[2]] = values
         return actions.reshape(-1, 6)
 
 
 def export(policy: Network, path: str | Path) -> None:
-    """Writes a network as a bot of one file, which needs Python's standard library alone and speaks the text protocol."""
+    """Writes a network as a bot of one file, which needs the standard library alone and speaks the text protocol."""
     if not isinstance(policy, Network):
         raise ValueError(f"policy: found {type(policy).__name__}, expected a Network")
     if policy.observations != "site":
         raise ValueError("policy: found one of observations 'full', which no bot is told, expected 'site'")
     layers = [(weights.T.tolist(), biases.tolist()) for weights, biases in policy.layers]
     template = files(__package__).joinpath("exported_bot.py").read_text("utf-8")
-    text = template.replace("INPUTS: list = []", f"INPUTS: list = {policy.inputs}") \
-        .replace("LAYERS: list = []", f"LAYERS: list = {layers}")
+    text = template.replace("INPUTS: list = []", f"INPUTS: list = {policy.inputs}").replace(
+        "LAYERS: list = []", f"LAYERS: list = {layers}"
+    )
     if len(text) > LONGEST:
-        raise ValueError(f"policy: found a bot of {len(text)} characters, expected at most {LONGEST}: a smaller network")
+        raise ValueError(
+            f"policy: found a bot of {len(text)} characters, expected at most {LONGEST}: a smaller network"
+        )
     Path(path).write_text(text, "utf-8")

@@ -17,16 +17,32 @@ class ParallelRace(ParallelEnv):
 
     metadata = {"name": "steward_podrace_v0", "render_modes": [], "is_parallelizable": True}
 
-    def __init__(self, render_mode: None = None, *, rules: str = "live", maps: Any = "official",
-                 observations: str = "site", actions: str = "continuous", seed: int | None = None):
+    def __init__(
+        self,
+        render_mode: None = None,
+        *,
+        rules: str = "live",
+        maps: Any = "official",
+        observations: str = "site",
+        actions: str = "continuous",
+        seed: int | None = None,
+    ):
         if render_mode is not None:
             raise ValueError(f"render_mode: found {render_mode!r}, expected None")
         self.render_mode = None
-        self.races = Races(1, opponent=lambda seen: None, rules=rules, maps=maps, observations=observations,
-                           actions=actions, autoreset=False, seed=seed)
+        self.races = Races(
+            1,
+            opponent=lambda seen: None,
+            rules=rules,
+            maps=maps,
+            observations=observations,
+            actions=actions,
+            autoreset=False,
+            seed=seed,
+        )
         self.possible_agents = list(AGENTS)
         self.agents: list[str] = []
-        spaces = [spaces_of(self.races) for _ in AGENTS]       # each has a random state of its own
+        spaces = [spaces_of(self.races) for _ in AGENTS]  # each has a random state of its own
         self.observation_spaces = {agent: each[0] for agent, each in zip(AGENTS, spaces)}
         self.action_spaces = {agent: each[1] for agent, each in zip(AGENTS, spaces)}
 
@@ -60,8 +76,13 @@ class ParallelRace(ParallelEnv):
         reward = float(rewards[0])
         if ended:
             self.agents = []
-        return (self._seen(), {"player_0": reward, "player_1": -reward}, dict.fromkeys(AGENTS, ended > 0),
-                dict.fromkeys(AGENTS, False), {agent: {} for agent in AGENTS})
+        return (
+            self._seen(),
+            {"player_0": reward, "player_1": -reward},
+            dict.fromkeys(AGENTS, ended > 0),
+            dict.fromkeys(AGENTS, False),
+            {agent: {} for agent in AGENTS},
+        )
 
     def close(self) -> None:
         """Refuses all further calls."""

@@ -9,11 +9,31 @@ import numpy as np
 from ._core import core
 from .opponents import pool_of
 
-STATE = np.dtype([
-    ("x", "f8", 4), ("y", "f8", 4), ("vx", "f8", 4), ("vy", "f8", 4), ("heading", "f8", 4), ("shield_timer", "i4", 4),
-    ("boost_left", "i4", 4), ("heavy", "i4", 4), ("passed", "i4", 4), ("turns_left", "i4", 2), ("out_turn", "i4", 2),
-    ("turn", "i4"), ("ending", "i4"), ("opponent", "i4"), ("fresh", "i4"), ("over", "i4"), ("checkpoints", "i4"),
-    ("seed", "u8"), ("stream", "u8"), ("checkpoint_x", "f8", 16), ("checkpoint_y", "f8", 16)])
+STATE = np.dtype(
+    [
+        ("x", "f8", 4),
+        ("y", "f8", 4),
+        ("vx", "f8", 4),
+        ("vy", "f8", 4),
+        ("heading", "f8", 4),
+        ("shield_timer", "i4", 4),
+        ("boost_left", "i4", 4),
+        ("heavy", "i4", 4),
+        ("passed", "i4", 4),
+        ("turns_left", "i4", 2),
+        ("out_turn", "i4", 2),
+        ("turn", "i4"),
+        ("ending", "i4"),
+        ("opponent", "i4"),
+        ("fresh", "i4"),
+        ("over", "i4"),
+        ("checkpoints", "i4"),
+        ("seed", "u8"),
+        ("stream", "u8"),
+        ("checkpoint_x", "f8", 16),
+        ("checkpoint_y", "f8", 16),
+    ]
+)
 """State of one race. Pods 0 and 1 are player 0's.
 
 Places in u, speeds in u a turn, headings in radians (NaN while unset); ``heavy``: 1 while a raised shield makes the pod
@@ -98,12 +118,33 @@ class Races:
     :param copy: whether returned arrays are new ones; otherwise they are overwritten by the next call
     """
 
-    def __init__(self, num_envs: int = 1, *, opponent: Any = "racer", rules: str = "live", maps: Any = "official",
-                 observations: str = "site", actions: str = "continuous", reward: str | Callable[[Turn], Any] = "result",
-                 autoreset: bool = True, seed: int | None = None, threads: int = 1, copy: bool = True):
+    def __init__(
+        self,
+        num_envs: int = 1,
+        *,
+        opponent: Any = "racer",
+        rules: str = "live",
+        maps: Any = "official",
+        observations: str = "site",
+        actions: str = "continuous",
+        reward: str | Callable[[Turn], Any] = "result",
+        autoreset: bool = True,
+        seed: int | None = None,
+        threads: int = 1,
+        copy: bool = True,
+    ):
         self.num_envs = whole("num_envs", num_envs, 1, 1 << 24)
-        self.settings = {"opponent": opponent, "rules": rules, "maps": maps, "observations": observations,
-                         "actions": actions, "reward": reward, "autoreset": autoreset, "threads": threads, "copy": copy}
+        self.settings = {
+            "opponent": opponent,
+            "rules": rules,
+            "maps": maps,
+            "observations": observations,
+            "actions": actions,
+            "reward": reward,
+            "autoreset": autoreset,
+            "threads": threads,
+            "copy": copy,
+        }
         self.pool = pool_of(opponent)
         self.discrete = choice("actions", actions, ["continuous", "discrete"]) == 1
         self.action_shape = (4,) if self.discrete else (6,)
@@ -113,11 +154,16 @@ class Races:
         if self._reward is not None and not callable(reward):
             raise ValueError(f"reward: found {reward!r}, expected a function or one of {', '.join(map(repr, REWARDS))}")
         self._batch = core.Batch(
-            races=self.num_envs, threads=whole("threads", threads, 1, 256),
-            contest=choice("rules", rules, ["live", "contest"]) == 1, maps=_maps(maps),
+            races=self.num_envs,
+            threads=whole("threads", threads, 1, 256),
+            contest=choice("rules", rules, ["live", "contest"]) == 1,
+            maps=_maps(maps),
             members=[(weight, member == "racer") for member, weight in self.pool.members],
-            full=choice("observations", observations, ["site", "full"]) == 1, discrete=self.discrete,
-            reward=0 if self._reward is not None else choice("reward", reward, REWARDS), autoreset=bool(autoreset))
+            full=choice("observations", observations, ["site", "full"]) == 1,
+            discrete=self.discrete,
+            reward=0 if self._reward is not None else choice("reward", reward, REWARDS),
+            autoreset=bool(autoreset),
+        )
         self._step = self._batch.step_discrete if self.discrete else self._batch.step
         n, numbers = self.num_envs, self._batch.observation_size
         self.observation_shape = (numbers,)
@@ -133,7 +179,7 @@ class Races:
             self._answers = np.zeros((n, *self.action_shape), np.int64 if self.discrete else np.float32)
         first = int(np.random.SeedSequence().generate_state(1, np.uint64)[0] >> 1) if seed is None else seed
         self.seed(first)
-        self._batch.reset(self._all, self._kept[0])            # so that every race has a state from the beginning
+        self._batch.reset(self._all, self._kept[0])  # so that every race has a state from the beginning
         self.seed(first)
 
     def _new(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -218,7 +264,9 @@ class Races:
         self._open()
         return self.step_both(self.actions(actions), self._opponents())
 
-    def step_both(self, actions: np.ndarray, foreign: np.ndarray | None) -> tuple[np.ndarray, np.ndarray, np.ndarray, int]:
+    def step_both(
+        self, actions: np.ndarray, foreign: np.ndarray | None
+    ) -> tuple[np.ndarray, np.ndarray, np.ndarray, int]:
         """Plays one turn by actions that :meth:`actions` returned, of both players where the opponent is a policy."""
         observations, rewards, terminated = self._new() if self.copy else self._kept
         before = self.states() if self._reward is not None else None
@@ -230,9 +278,10 @@ class Races:
     def _own_reward(self, turn: Turn) -> np.ndarray:
         found = np.asarray(self._reward(turn))
         if found.shape != (self.num_envs,) or found.dtype.kind not in "biuf" or not np.isfinite(found).all():
-            raise ValueError(f"reward: found {found.dtype} of the shape {found.shape}, expected finite numbers "
-                             f"({self.num_envs},)")
-        return np.where(turn.after["turn"] == 0, 0, found)     # a step that begins a race anew has no reward
+            raise ValueError(
+                f"reward: found {found.dtype} of the shape {found.shape}, expected finite numbers ({self.num_envs},)"
+            )
+        return np.where(turn.after["turn"] == 0, 0, found)  # a step that begins a race anew has no reward
 
     def play(self, commands: Any, faults: Any = None) -> None:
         """Plays one turn of races that are not over by commands ``[num_envs, 4, (x, y, thrust)]`` of all pods.
@@ -240,12 +289,18 @@ class Races:
         Thrust: 0..200, or -1 no command, -2 shield, -3 boost. ``faults``, bool ``[num_envs, 2]``, puts players out.
         """
         self._open()
-        given, faulty = np.asarray(commands), np.zeros((self.num_envs, 2), np.bool_) if faults is None else np.asarray(faults)
+        given, faulty = (
+            np.asarray(commands),
+            np.zeros((self.num_envs, 2), np.bool_) if faults is None else np.asarray(faults),
+        )
         if given.dtype.kind not in "iuf" or given.shape != (self.num_envs, 4, 3):
-            raise ValueError(f"commands: found {given.dtype} of the shape {given.shape}, expected numbers of "
-                             f"({self.num_envs}, 4, 3)")
+            raise ValueError(
+                f"commands: found {given.dtype} of the shape {given.shape}, expected numbers of ({self.num_envs}, 4, 3)"
+            )
         if faulty.dtype != np.bool_ or faulty.shape != (self.num_envs, 2):
-            raise ValueError(f"faults: found {faulty.dtype} of the shape {faulty.shape}, expected bool ({self.num_envs}, 2)")
+            raise ValueError(
+                f"faults: found {faulty.dtype} of the shape {faulty.shape}, expected bool ({self.num_envs}, 2)"
+            )
         self._batch.play(np.ascontiguousarray(given, np.float64), np.ascontiguousarray(faulty))
 
     def observe(self, seat: int = 0) -> np.ndarray:
@@ -296,7 +351,9 @@ class Races:
         """Sets all states, ``[num_envs]`` of :data:`STATE`; none changes if one is refused."""
         self._open()
         if not isinstance(states, np.ndarray) or states.dtype != STATE or states.shape != (self.num_envs,):
-            found = f"{states.dtype} of the shape {states.shape}" if isinstance(states, np.ndarray) else repr(states)[:80]
+            found = (
+                f"{states.dtype} of the shape {states.shape}" if isinstance(states, np.ndarray) else repr(states)[:80]
+            )
             raise ValueError(f"states: found {found}, expected the type STATE of ({self.num_envs},)")
         self._batch.load(np.ascontiguousarray(states).view(np.uint8).reshape(self.num_envs, -1))
 

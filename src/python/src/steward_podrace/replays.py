@@ -114,7 +114,9 @@ class _Tables:
     """The tables of one replay while it is read."""
 
     def __init__(self) -> None:
-        self.tables: dict[str, _Table] = {name: _Table() for name in ("turns", "states", "commands", "impacts", "events")}
+        self.tables: dict[str, _Table] = {
+            name: _Table() for name in ("turns", "states", "commands", "impacts", "events")
+        }
 
     def table(self, name: str) -> _Table:
         return self.tables.setdefault(name, _Table())
@@ -192,6 +194,8 @@ def _read(path: str, lines: Iterable[bytes], partial: bool) -> Replay:
     if header is None:
         raise ValueError(f"{path}: found {'an empty file' if number == 0 else 'no whole line'}, expected a replay")
     if result is None and not partial:
-        raise ValueError(f"{path}:{number}: found the end of the file, expected turns up to a result; partial=True "
-                         "reads as far as it goes")
+        raise ValueError(
+            f"{path}:{number}: found the end of the file, expected turns up to a result; partial=True "
+            "reads as far as it goes"
+        )
     return Replay(header, result, {name: table.columns() for name, table in tables.tables.items() if table.count})

@@ -15,8 +15,7 @@ class Page:
 
 
 def show(path: str | Path, width: int = 1000, height: int = 640) -> Page:
-    """Puts a page that ``steward replay --view`` wrote, or a moving picture in SVG, into a notebook.
-    """
+    """Puts a page that ``steward replay --view`` wrote, or a moving picture in SVG, into a notebook."""
     for name, value in (("width", width), ("height", height)):
         if not isinstance(value, int) or isinstance(value, bool) or not 1 <= value <= 10_000:
             raise ValueError(f"{name}: found {value!r}, expected a whole number 1..10000")
@@ -27,5 +26,7 @@ def show(path: str | Path, width: int = 1000, height: int = 640) -> Page:
     begin = text.lstrip("\ufeff \r\n\t")[:200].lower()
     if not begin.startswith(("<!doctype html", "<html", "<svg", "<?xml")):
         raise ValueError(f"{path}: found {text[:40]!r}, expected a page or an SVG picture")
-    return Page(f'<iframe srcdoc="{html.escape(text)}" width="{width}" height="{height}" '
-                'style="border: 0" sandbox="allow-scripts"></iframe>')
+    return Page(
+        f'<iframe srcdoc="{html.escape(text)}" width="{width}" height="{height}" '
+        'style="border: 0" sandbox="allow-scripts"></iframe>'
+    )

@@ -173,4 +173,12 @@ class DocsTest {
         String page = Files.readString(Path.of("docs/replays.md"));
         assertTrue(page.contains("The format is number " + ReplayHeader.FORMAT + "."), "docs/replays.md");
     }
+
+    @Test
+    void thePageOnPythonHasTheReadmeOfThePackage() throws IOException {
+        String readme = Files.readString(Path.of("src/python/README.md"));
+        String text = "<!-- generated from src/python/README.md -->\n" + readme.substring(readme.indexOf("\n\n") + 2)
+            + "<!-- /generated -->";
+        assertTrue(Files.readString(Path.of("docs/python.md")).contains(text), "docs/python.md");
+    }
 }
