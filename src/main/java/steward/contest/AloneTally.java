@@ -1,5 +1,6 @@
 package steward.contest;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
@@ -19,6 +20,7 @@ final class AloneTally {
     private int wins;
     private int draws;
     private double points;
+    private final List<Double> ofMaps = new ArrayList<>();
 
     private AloneTally(Contest contest, int entrant) {
         this.entrant = entrant;
@@ -49,7 +51,7 @@ final class AloneTally {
         boolean others = tally.bots > 1;
         int maps = others ? tally.maps : games;
         return new Tally(maps, tally.wins, tally.draws, others ? maps - tally.wins - tally.draws : 0, 0, faults,
-            others ? tally.points / maps : Double.NaN, score / games);
+            others ? tally.points / maps : Double.NaN, score / games, tally.ofMaps);
     }
 
     private double[] unknown() {
@@ -72,7 +74,8 @@ final class AloneTally {
             }
         }
         maps++;
-        points += (behind + 0.5 * equal) / (bots - 1);
+        ofMaps.add((behind + 0.5 * equal) / (bots - 1));
+        points += ofMaps.get(ofMaps.size() - 1);
         wins += behind == bots - 1 ? 1 : 0;
         draws += behind < bots - 1 && behind + equal == bots - 1 ? 1 : 0;
     }

@@ -1,7 +1,10 @@
 package steward.contest;
 
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import java.util.TreeMap;
+import steward.contest.repeat.Repeats;
 import steward.match.MatchResult;
 
 /**
@@ -15,7 +18,9 @@ public final class Standings {
     private final AnswerTimes[] times;
     private final double[] points;
     private int results;
+    private int counted;
     private int failed;
+    private volatile boolean random;
 
     private final FailureCounts failures;
 
@@ -46,7 +51,9 @@ public final class Standings {
         if (result != null) {
             results++;
             failed += result.anyFault() ? 1 : 0;
-            for (int player = 0; player < result.players().size() && !contest.isAlone(); player++) {
+            counted += game.allFailed() ? 0 : 1;
+            for (int player = 0; player < result.players().size() && !contest.isAlone() && !game.allFailed();
+                    player++) {
                 points[game.entrantOf(contest, player)] += Tally.points(result, player);
             }
         }
@@ -67,14 +74,39 @@ public final class Standings {
         return failed;
     }
 
-    /** Points per game of a bot so far, by its place in the call; NaN without games. As {@link Tally#points}. */
+    /** Points per game of a bot so far, by its place in the call, repeats included; NaN without games. */
     public synchronized double points(int entrant) {
-        return contest.isAlone() ? tally(entrant).points() : points[entrant] / results;
+        return contest.isAlone() ? tally(entrant).points() : points[entrant] / counted;
     }
 
     /** Returns how a bot did, by its place in the call. */
     public Tally tally(int entrant) {
-        return Tally.of(contest, games(), entrant);
+        List<Series.Played> all = games();
+        return Tally.of(contest, all, repeats(all), entrant);
+    }
+
+    /** Returns the games that repeat an earlier one, in the order of their numbers. */
+    public List<Series.Played> repeats() {
+        List<Series.Played> all = games();
+        Set<Integer> numbers = repeats(all);
+        return all.stream().filter(game -> numbers.contains(game.number())).toList();
+    }
+
+    private Set<Integer> repeats(List<Series.Played> all) {
+        Repeats seen = new Repeats();
+        Set<Integer> repeats = new HashSet<>();
+        for (Series.Played game : all) {
+            if (!random && !contest.isAlone() && game.result() != null && !game.allFailed()
+                    && seen.isRepeat(game.rotation(), game.facts().transcript())) {
+                repeats.add(game.number());
+            }
+        }
+        return repeats;
+    }
+
+    /** Bots draw by lot: equal games are independent draws, and no repeats. */
+    public void random() {
+        random = true;
     }
 
     /** Returns how long a bot took to answer; to be looked at when no more games are played. */

@@ -1,6 +1,10 @@
 package steward.contest;
 
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
 import steward.match.MatchResult;
 
 /**
@@ -10,53 +14,67 @@ import steward.match.MatchResult;
  * bots 1 for a win, 1/2 for a draw, 0 for a loss. Where each plays alone, the results on the same map count so; a bot
  * without others has no points.
  *
- * <p>A game in which all bots failed in the same turn counts for its points as its result says, a draw between two; but
- * it is counted apart, since it does not tell which bot is better.
+ * <p>Two kinds of games tell nothing of which bot is better, and have no points: those in which all bots failed in the
+ * same turn, and repeats, in which the same bots in the same seats did what they had done in an earlier game.
  *
- * @param games     with a result
+ * @param games     that have points
  * @param wins      alone on the first rank
  * @param draws     on the first rank with others
  * @param losses    the rest
- * @param allFailed games in which all bots failed in the same turn, in none of the three above
- * @param faults    games in which the bot failed as a program
+ * @param allFailed games in which all bots failed in the same turn
+ * @param faults    games in which the bot failed as a program, of all
  * @param points    per game, 0..1; NaN without games, and without other bots
- * @param score     the game's own, per game; NaN without games
+ * @param score     the game's own, per game, of all
+ * @param seeds     mean points of each seed; games of a seed belong together
  */
 public record Tally(int games, int wins, int draws, int losses, int allFailed, int faults, double points,
-                    double score) {
+                    double score, List<Double> seeds) {
 
-    /** The standard normal quantile of 0.975. */
-    private static final double Z = 1.959963984540054;
+    /** Copies the list. */
+    public Tally {
+        seeds = List.copyOf(seeds);
+    }
 
-    /** The tally of a bot, by its place in the call. */
-    static Tally of(Contest contest, List<Series.Played> played, int entrant) {
+    /**
+     * The tally of a bot, by its place in the call.
+     *
+     * @param repeats numbers of the games that are repeats
+     */
+    static Tally of(Contest contest, List<Series.Played> played, Set<Integer> repeats, int entrant) {
         if (contest.isAlone()) {
             return AloneTally.of(contest, played, entrant);
         }
-        int games = 0;
+        int results = 0;
         int wins = 0;
         int draws = 0;
+        int losses = 0;
         int allFailed = 0;
         int faults = 0;
-        double points = 0;
         double score = 0;
+        Map<Long, List<Double>> seeds = new TreeMap<>();
         for (Series.Played game : played) {
             MatchResult result = game.result();
             if (result == null) {
                 continue;
             }
             int player = game.playerOf(contest, entrant);
-            games++;
-            boolean first = result.players().get(player).rank() == 0;
+            results++;
             allFailed += game.allFailed() ? 1 : 0;
-            wins += !game.allFailed() && result.winner() == player ? 1 : 0;
-            draws += !game.allFailed() && result.winner() != player && first ? 1 : 0;
             faults += result.players().get(player).fault() != null ? 1 : 0;
-            points += points(result, player);
             score += result.players().get(player).score();
+            if (!game.allFailed() && !repeats.contains(game.number())) {
+                boolean first = result.players().get(player).rank() == 0;
+                wins += result.winner() == player ? 1 : 0;
+                draws += result.winner() != player && first ? 1 : 0;
+                losses += first ? 0 : 1;
+                seeds.computeIfAbsent(game.seed(), seed -> new ArrayList<>(2)).add(points(result, player));
+            }
         }
-        return new Tally(games, wins, draws, games - wins - draws - allFailed, allFailed, faults, points / games,
-            score / games);
+        int games = wins + draws + losses;
+        return new Tally(games, wins, draws, losses, allFailed, faults,
+            seeds.values().stream().flatMap(List::stream).mapToDouble(each -> each).sum() / games, score / results,
+            seeds.values().stream().map(each -> each.stream().mapToDouble(one -> one).average().orElseThrow())
+                .toList());
     }
 
     static double points(MatchResult result, int player) {
@@ -67,29 +85,5 @@ public record Tally(int games, int wins, int draws, int losses, int allFailed, i
             points += other.rank() > rank ? 1 : other.rank() == rank ? 0.5 : 0;
         }
         return (points - 0.5) / others;
-    }
-
-    /** The lower end of the 95% interval of {@link #points}. */
-    public double low() {
-        return Math.max(0, centre() - halfWidth());
-    }
-
-    /** The upper end. */
-    public double high() {
-        return Math.min(1, centre() + halfWidth());
-    }
-
-    /*
-     * Wilson's score interval (E. B. Wilson, "Probable inference, the law of succession, and statistical inference",
-     * Journal of the American Statistical Association 22, 1927): all p with |points - p| <= z sqrt(p (1 - p) / n).
-     * It is made for wins and losses. With points between 0 and 1 it is too wide rather than too narrow, because no
-     * variable in 0..1 with the mean p has a variance above p (1 - p). It counts games as independent.
-     */
-    private double centre() {
-        return (points + Z * Z / (2 * games)) / (1 + Z * Z / games);
-    }
-
-    private double halfWidth() {
-        return Z / (1 + Z * Z / games) * Math.sqrt(points * (1 - points) / games + Z * Z / (4.0 * games * games));
     }
 }

@@ -31,7 +31,7 @@ export function drawBot(onClose) {
   const head = make(box, 'p', null, 'bot-head');
   paint(make(head, 'i', null, 'dot'), bot);
   make(head, 'b', bot.name);
-  make(head, 'span', `rank ${bot.rank} · ${bot.games ? signed(bot.rating) : '–'} Elo · ${thousands(bot.games)} games · `
+  make(head, 'span', `rank ${bot.rank} · ${bot.games && bot.rating !== null ? signed(bot.rating) : '–'} Elo · ${thousands(bot.games)} games · `
     + `${bot.points === null ? '–' : `${fixed(100 * bot.points, 1)}%`} of the points · ${bot.faults} faults`, 'scene');
   const close = make(head, 'button', 'Close', 'more');
   close.addEventListener('click', onClose);

@@ -1,7 +1,7 @@
 // Who beats whom, and who is better: every bot against every other, whole at any number of bots. Heads stand upright,
 // a head sorts by its column, arrow keys go from cell to cell.
 
-import { bound, find, fixed, make, nameCell, plusMinus, signed, state, thousands } from './words.js';
+import { difference, find, fixed, make, nameCell, plusMinus, state, thousands } from './words.js';
 
 const SMALL = 16;               // from so many bots on cells are small
 const CELL_PIXELS = 40;         // both tables stand beside each other where they are whole then
@@ -84,8 +84,6 @@ export function drawCross(onChoose) {
   }
   const differences = state.league.differences ?? [];
   drawMatrix(find('better'), (i, j) => differences[i]?.[j]?.[3] ?? null,
-    (bot, other, i, j) => `${bot.name} − ${other.name}: ${signed(differences[i][j][0])}`
-      + `${plusMinus(differences[i][j][1])}${typeof differences[i][j][4] === 'number'
-        ? `, surely ${bound(differences[i][j][0], differences[i][j][4])},` : ''} Elo, anytime`
+    (bot, other, i, j) => `${bot.name} − ${other.name}: ${difference(differences[i][j])} Elo, anytime`
       + `${plusMinus(differences[i][j][2]) || ' –'}`, () => false, onChoose);
 }

@@ -27,7 +27,7 @@ export function drawRatings() {
   const last = points[points.length - 1];
   const settled = points.filter(point => point.games >= last.games * EARLY);
   const seen = settled.flatMap(point => columns.map(k => point.ratings[k]).filter(value => value !== null));
-  const [low, high] = [Math.min(...seen) - SPACE, Math.max(...seen) + SPACE];
+  const [low, high] = [Math.min(0, ...seen) - SPACE, Math.max(0, ...seen) + SPACE];
   const values = bots.map((_, place) => points.map(point => point.ratings[columns[place]]));
   const shownBots = bots.filter(bot => !hidden.has(bot.version));
   const hasBands = shownBots.length <= MOST_BANDS;

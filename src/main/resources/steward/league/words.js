@@ -41,6 +41,9 @@ export const signed = value => (Math.round(value) > 0 ? '+' : Math.round(value) 
 export const bounded = bot => bot.bound !== null && bot.bound !== undefined;
 export const bound = (value, end) => `${value > 0 ? '>' : '<'} ${Math.round(end)}`.replace('-', '−');
 export const plusMinus = bar => bar === null || bar === undefined ? '' : ` ± ${Math.round(bar)}`;
+/** A difference as the league's JSON has it: Elo, bar, anytime bar, likelihood of superiority, bound. */
+export const difference = ([elo, bar, , superiority, end]) => (end !== null ? bound(superiority - 0.5, end)
+  : elo === null || bar === null ? '–' : signed(elo) + plusMinus(bar));
 export const thousands = value => value.toLocaleString('en-US').replaceAll(',', '\u2009');
 
 export function heads(table, names) {

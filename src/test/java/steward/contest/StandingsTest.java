@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.Set;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import steward.cli.shared.Games;
@@ -49,9 +50,10 @@ class StandingsTest {
     void resultsOfBotsAloneAreComparedMapByMap() {
         List<Series.Played> games = games(new double[] {100.25, 120}, new double[] {90, 90},
             new double[] {1000, 120.5}, new double[] {1000, 1000}, new double[] {80, Double.NaN});
-        Tally first = Tally.of(alone(2), games, 0);
-        assertEquals(new Tally(4, 1, 2, 1, 0, 2, 0.5, (100.25 + 90 + 1000 + 1000 + 80) / 5), first);
-        assertEquals(new Tally(4, 1, 2, 1, 0, 1, 0.5, (120 + 90 + 120.5 + 1000) / 4), Tally.of(alone(2), games, 1));
+        Tally first = Tally.of(alone(2), games, Set.of(), 0);
+        assertEquals(new Tally(4, 1, 2, 1, 0, 2, 0.5, (100.25 + 90 + 1000 + 1000 + 80) / 5, first.seeds()), first);
+        assertEquals(new Tally(4, 1, 2, 1, 0, 1, 0.5, (120 + 90 + 120.5 + 1000) / 4,
+            Tally.of(alone(2), games, Set.of(), 1).seeds()), Tally.of(alone(2), games, Set.of(), 1));
         assertFalse(games.get(6).allFailed(), "a bot alone does not fail together with others");
     }
 
@@ -59,14 +61,14 @@ class StandingsTest {
     @Test
     void threeBotsAloneShareThePoints() {
         List<Series.Played> games = games(new double[] {10, 20, 30}, new double[] {20, 10, 20});
-        assertEquals((1 + 0.25) / 2, Tally.of(alone(3), games, 0).points());
-        assertEquals((0.5 + 1) / 2, Tally.of(alone(3), games, 1).points());
-        assertEquals((0 + 0.25) / 2, Tally.of(alone(3), games, 2).points());
+        assertEquals((1 + 0.25) / 2, Tally.of(alone(3), games, Set.of(), 0).points());
+        assertEquals((0.5 + 1) / 2, Tally.of(alone(3), games, Set.of(), 1).points());
+        assertEquals((0 + 0.25) / 2, Tally.of(alone(3), games, Set.of(), 2).points());
     }
 
     @Test
     void aBotWithoutOthersHasNoPoints() {
-        Tally tally = Tally.of(alone(1), games(new double[] {10}, new double[] {30}), 0);
+        Tally tally = Tally.of(alone(1), games(new double[] {10}, new double[] {30}), Set.of(), 0);
         assertEquals(2, tally.games());
         assertTrue(Double.isNaN(tally.points()));
         assertEquals(20, tally.score());
@@ -96,12 +98,16 @@ class StandingsTest {
             List.of(failures), null);
     }
 
+    private static Series.Played of(int number, long seed, Series.Played game) {
+        return new Series.Played(number, seed, game.rotation(), game.result(), null, game.failures(), null);
+    }
+
     private static Failure failure(int player, int turn, String reason) {
         return new Failure(player, turn, reason, List.of("said in turn " + turn), List.of());
     }
 
     private static Tally tally(List<Integer> ranks, int bot) {
-        return Tally.of(contest(ranks.size()), List.of(game(1, 0, ranks)), bot);
+        return Tally.of(contest(ranks.size()), List.of(game(1, 0, ranks)), Set.of(), bot);
     }
 
     /** Points 1, 1/2, 0 of three bots: the middle one has one other below and one above. */
@@ -114,16 +120,14 @@ class StandingsTest {
         assertEquals(0, tally(List.of(0, 1, 2), 2).points());
     }
 
-    /**
-     * 8 points of 10 with z = 1.959964: centre (0.8 + z^2 / 20) / (1 + z^2 / 10) = 0.992073 / 1.384146 = 0.716740, half
-     * width z / 1.384146 * sqrt(0.016 + z^2 / 400) = 1.416010 * 0.160011 = 0.226578.
-     */
+    /** Two games of seed 7 and one of seed 8; a fourth repeats the first, and its bots failed together in a fifth. */
     @Test
-    void theIntervalIsWilsons() {
-        Tally tally = new Tally(10, 8, 0, 2, 0, 0, 0.8, 0);
-        assertEquals(0.490162, tally.low(), 1e-6);
-        assertEquals(0.943318, tally.high(), 1e-6);
-        assertEquals(1, new Tally(10, 10, 0, 0, 0, 0, 1, 0).high(), 1e-12);
+    void gamesOfASeedBelongTogetherAndRepeatsCountOnce() {
+        List<Series.Played> games = List.of(of(1, 7, game(1, 0, List.of(0, 1))), of(2, 7, game(2, 0, List.of(0, 0))),
+            of(3, 8, game(3, 0, List.of(1, 0))), of(4, 9, game(4, 0, List.of(0, 1))),
+            of(5, 10, game(5, 0, List.of(0, 0), failure(0, 1, "a"), failure(1, 1, "b"))));
+        Tally first = Tally.of(contest(2), games, Set.of(4), 0);
+        assertEquals(new Tally(3, 1, 1, 1, 1, 1, 0.5, 0, List.of(0.75, 0.0)), first);
     }
 
     @Test
@@ -135,9 +139,10 @@ class StandingsTest {
             game(4, 0, List.of(1, 0), failure(0, 3, "a")));
         assertTrue(games.get(0).allFailed());
         assertFalse(games.get(1).allFailed() || games.get(2).allFailed() || games.get(3).allFailed());
-        Tally first = Tally.of(contest(2), games, 0);
-        assertEquals(new Tally(4, 0, 1, 2, 1, 3, 0.25, 0), first);
-        assertEquals(new Tally(4, 2, 1, 0, 1, 2, 0.75, 1), Tally.of(contest(2), games, 1));
+        Tally first = Tally.of(contest(2), games, Set.of(), 0);
+        assertEquals(new Tally(3, 0, 1, 2, 1, 3, 0.5 / 3, 0, List.of(0.5, 0.0, 0.0)), first);
+        assertEquals(new Tally(3, 2, 1, 0, 1, 2, 2.5 / 3, 1, List.of(0.5, 1.0, 1.0)),
+            Tally.of(contest(2), games, Set.of(), 1));
     }
 
     @Test

@@ -151,7 +151,7 @@ public final class MatchCommand extends ProgramCommand {
         Verbosity report = json ? Verbosity.JSON : quiet ? Verbosity.LINE : Verbosity.FULL;
         if (many.isAny()) {
             Series series = new Series(contest, first, many.games(), many.swap(), path, many.keep(), many.hiccups());
-            SeriesRun run = new SeriesRun(streams, series, report, strict);
+            SeriesRun run = new SeriesRun(streams, series, report, strict, many.random());
             if (many.into() == null) {
                 return run.play(many.threads(streams), overwrite);
             }

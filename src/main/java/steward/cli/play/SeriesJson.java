@@ -11,6 +11,7 @@ import steward.contest.Series;
 import steward.contest.SeriesPlay;
 import steward.contest.Standings;
 import steward.contest.Tally;
+import steward.league.sequential.ScoreRange;
 import steward.json.JsonNumbers;
 import steward.json.JsonObject;
 import steward.match.MatchResult;
@@ -37,6 +38,9 @@ final class SeriesJson {
             out.writeNumberProperty("games", standings.games().size());
             out.writeNumberProperty("results", standings.results());
             out.writeNumberProperty("allFailed", standings.allFailed().size());
+            JsonNumbers.writeAll(out, "repeats", standings.repeats().size(),
+                k -> standings.repeats().get(k).number());
+            JsonNumbers.writeOrNull(out, "superiority", SeriesText.superiority(series, standings));
             out.writeBooleanProperty("interrupted", play.isBrokenOff());
             out.writeStringProperty("stopped", play.stopped());
             out.writeStringProperty("keep", series.keep().word());
@@ -47,7 +51,7 @@ final class SeriesJson {
             out.writeStringProperty("hold", series.contest().hold());
             JsonNumbers.writeOrNull(out, "meanTurns", standings.meanTurns());
             JsonObject.writeAll(out, "bots", series.contest().entrants().size(),
-                k -> writeBot(out, series.contest().entrants().get(k), standings.tally(k)));
+                k -> writeBot(out, series, series.contest().entrants().get(k), standings.tally(k)));
             FailureReport.json(out, standings.failures());
             JsonObject.writeAll(out, "list", standings.games(), game -> writeGame(out, series, game));
             JsonObject.writeAll(out, "times", series.contest().entrants().size(),
@@ -55,7 +59,7 @@ final class SeriesJson {
         });
     }
 
-    private static void writeBot(JsonGenerator out, Contest.Entrant entrant, Tally tally) {
+    private static void writeBot(JsonGenerator out, Series series, Contest.Entrant entrant, Tally tally) {
         out.writeStringProperty("name", entrant.name());
         out.writeStringProperty("bot", entrant.bot());
         out.writeStringProperty(OwnLimits.FIELD, OwnLimits.writtenOrNull(entrant.limits()));
@@ -67,8 +71,9 @@ final class SeriesJson {
         JsonNumbers.writeOrNull(out, "points", tally.points());
         out.writeArrayPropertyStart("interval95");
         if (!Double.isNaN(tally.points())) {
-            JsonNumbers.write(out, tally.low());
-            JsonNumbers.write(out, tally.high());
+            ScoreRange range = ScoreRange.of(SeriesText.scores(series, tally));
+            JsonNumbers.write(out, range.low());
+            JsonNumbers.write(out, range.high());
         }
         out.writeEndArray();
         JsonNumbers.writeOrNull(out, "meanScore", tally.score());

@@ -63,6 +63,10 @@ final class SeriesOptions {
             + "without charging the bot for that (replay, the default), or it counts (count).")
     private String hiccups;
 
+    @Option(names = "--random", description = "Says that a bot draws by lot: equal games are independent draws, and "
+        + "count.")
+    private boolean random;
+
     @Option(names = "--into", paramLabel = "DIR",
         description = "Stores the games in this league, see 'steward league'; one that it has already stays as it is.")
     private String into;
@@ -77,6 +81,7 @@ final class SeriesOptions {
         threads.check();
         check.that(isAny() || !threads.isGiven(), "--threads is for many games, expected --games or --swap with it");
         check.that(isAny() || into == null, "--into is for many games, expected --games or --swap with it");
+        check.that(isAny() || !random, "--random is for many games, expected --games or --swap with it");
         check.that(isAny() || keep == null, "--keep is for many games, expected --games or --swap with it");
         check.that(hiccups == null || Hiccups.of(hiccups).isPresent(),
             "--hiccups: found '" + hiccups + "', expected replay or count");
@@ -102,6 +107,11 @@ final class SeriesOptions {
     /** Returns how many seeds. */
     int games() {
         return games == null ? 1 : games;
+    }
+
+    /** True if a bot draws by lot. */
+    boolean random() {
+        return random;
     }
 
     boolean swap() {

@@ -20,8 +20,9 @@ import steward.text.TextFormat;
  *
  * @param report how much is said
  * @param strict whether a bot that fails makes the exit status 1
+ * @param random whether bots draw by lot, so that equal games are no repeats
  */
-record SeriesRun(Streams streams, Series series, Verbosity report, boolean strict) {
+record SeriesRun(Streams streams, Series series, Verbosity report, boolean strict, boolean random) {
 
     /** How many games without a result are reported one by one. */
     private static final int PROBLEMS_SHOWN = 10;
@@ -45,6 +46,9 @@ record SeriesRun(Streams streams, Series series, Verbosity report, boolean stric
             throws InterruptedException {
         series.prepare(overwrite);
         SeriesPlay play = new SeriesPlay(series, overwrite, watch);
+        if (random) {
+            play.standings().random();
+        }
         AtomicBoolean told = new AtomicBoolean();
         if (report == Verbosity.FULL && series.games() != series.seeds()) {
             streams.err().println(TextFormat.count(series.seeds(), "seed") + ", "

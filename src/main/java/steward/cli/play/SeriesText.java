@@ -10,6 +10,8 @@ import steward.contest.KeptReplays;
 import steward.contest.Series;
 import steward.contest.Standings;
 import steward.contest.Tally;
+import steward.league.sequential.ScoreCounts;
+import steward.league.sequential.ScoreRange;
 import steward.text.TextFormat;
 
 /** The result of a series for people. */
@@ -68,6 +70,12 @@ final class SeriesText {
         out.println();
         out.println(legend(series.contest()));
         out.println("Times without first answers, which include the start of the program; p99 is at most 1.6% high.");
+        double superiority = superiority(series, standings);
+        if (!Double.isNaN(superiority)) {
+            out.println("Likelihood of superiority of " + TextFormat.plain(series.contest().entrants().get(0).name())
+                + ": " + TextFormat.fixed(100 * superiority, 1) + "%");
+        }
+        repeats(out, series, standings.repeats());
         allFailed(out, colour, series, standings.allFailed());
         FailureReport.print(out, colour, series.contest(), standings.failures());
         playedAgain(out, series, standings.playedAgain());
@@ -77,11 +85,11 @@ final class SeriesText {
     private static String legend(Contest contest) {
         String others = contest.entrants().size() > 2 ? " against each other bot, divided by their number" : "";
         if (!contest.isAlone()) {
-            return "Points: 1 for a win, 1/2 for a draw" + others + "; Wilson's 95% interval.";
+            return "Points: 1 for a win, 1/2 for a draw" + others + "; 95% interval by seeds.";
         }
         return contest.entrants().size() == 1 ? "Points: none without another bot on the same maps."
             : "Points: 1 for the better result on the same map, 1/2 for an equal one" + others
-                + "; Wilson's 95% interval.";
+                + "; 95% interval by maps.";
     }
 
     private static int nameWidth(Series series) {
@@ -106,9 +114,36 @@ final class SeriesText {
                 + TextFormat.right(Integer.toString(tally.losses()), 8)
                 + (tally.faults() > 0 ? colour.bad(faults) : faults)
                 + colour.strong(TextFormat.right(TextFormat.fixed(tally.points(), 3), 8))
-                + "   " + TextFormat.left(Double.isNaN(tally.points()) ? "-" : TextFormat.fixed(tally.low(), 3) + " to "
-                    + TextFormat.fixed(tally.high(), 3), 14)
+                + "   " + TextFormat.left(interval(series, tally), 14)
                 + TextFormat.right(TextFormat.fixed(tally.score(), 2), 12));
+        }
+    }
+
+    private static String interval(Series series, Tally tally) {
+        ScoreRange range = ScoreRange.of(scores(series, tally));
+        return Double.isNaN(tally.points()) ? "-" : TextFormat.fixed(range.low(), 3) + " to "
+            + TextFormat.fixed(range.high(), 3);
+    }
+
+    /** The points of a bot by seed. */
+    static ScoreCounts scores(Series series, Tally tally) {
+        ScoreCounts scores = new ScoreCounts(series.swap() ? series.contest().players() : 1);
+        tally.seeds().forEach(scores::add);
+        return scores;
+    }
+
+    /** Likelihood of superiority of the first of two bots; NaN for others, and where it is open. */
+    static double superiority(Series series, Standings standings) {
+        return series.contest().entrants().size() != 2 ? Double.NaN
+            : ScoreRange.superiority(scores(series, standings.tally(0)));
+    }
+
+    private static void repeats(PrintStream out, Series series, List<Series.Played> games) {
+        if (!games.isEmpty()) {
+            out.println(TextFormat.count(games.size(), "game") + " of " + series.games() + " (" + FailureReport.more(
+                games.stream().limit(FailureReport.GAMES_SHOWN).map(game -> "game " + game.number()).toList(),
+                games.size()) + ") only repeat earlier ones, and count once; with --random, for a bot that draws by "
+                + "lot, they count.");
         }
     }
 
@@ -135,7 +170,7 @@ final class SeriesText {
             String bots = (series.contest().entrants().size() == 2 ? "Both" : "All") + " bots failed";
             out.println(colour.warning(bots) + " in the same turn in " + TextFormat.count(games.size(), "game") + " ("
                 + FailureReport.more(numbers, games.size())
-                + "): no draws of merit, and not counted as such; points as for a draw.");
+                + "): they count in no points.");
         }
     }
 

@@ -17,12 +17,14 @@ import steward.cli.options.SeedOption;
 import steward.cli.options.ThreadsOption;
 import steward.cli.options.TimeLimitOptions;
 import steward.cli.play.StoredSeries;
+import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Games;
 import steward.cli.shared.Verbosity;
 import steward.contest.Contest;
 import steward.files.OutputFiles;
 import steward.game.GameSetup;
 import steward.league.sequential.Gsprt;
+import steward.league.sequential.ScoreCounts;
 
 /** {@code steward sprt}: is the new bot better than the old one? */
 @Command(name = "sprt", description = "Plays two bots until it is clear whether the first is better.",
@@ -35,6 +37,7 @@ import steward.league.sequential.Gsprt;
         "", "Examples:",
         "  steward sprt --bot new=./new --bot old=./old --threads auto",
         "  steward sprt --bot ./new --bot ./old --elo0 -5 --elo1 5 --into night",
+        "  steward sprt --penta 3,12,40,30,9",
         "", "Exit status: 0 it was decided, or has played --games; 1 games have no result, or",
         "a bot failed in 10 games in a row; 2 wrong call; 130 interrupted."})
 public final class SprtCommand extends ProgramCommand {
@@ -72,6 +75,14 @@ public final class SprtCommand extends ProgramCommand {
         + "and takes those that it has.")
     private String into;
 
+    @Option(names = "--penta", paramLabel = "N,N,N,N,N", split = ",", description = "Plays nothing: computes from how "
+        + "many pairs of games (seeds) brought 0, 1/2, 1, 3/2 and 2 points.")
+    private List<String> penta = new ArrayList<>();
+
+    @Option(names = "--wdl", paramLabel = "W,D,L", split = ",", description = "Plays nothing: computes from how many "
+        + "single games were won, drawn and lost.")
+    private List<String> wdl = new ArrayList<>();
+
     @Option(names = "--json", description = "Prints one JSON object and nothing else.")
     private boolean json;
 
@@ -89,6 +100,14 @@ public final class SprtCommand extends ProgramCommand {
         check.exclusive("--json", json, "--quiet", quiet);
         Gsprt test = options.test();
         threads.check();
+        Verbosity report = json ? Verbosity.JSON : quiet ? Verbosity.LINE : Verbosity.FULL;
+        if (!penta.isEmpty() || !wdl.isEmpty()) {
+            check.exclusive("--penta", !penta.isEmpty(), "--wdl", !wdl.isEmpty());
+            check.that(bots.isEmpty() && into == null, "found --bot or --into beside counts, expected counts alone: "
+                + "nothing is played");
+            SprtRun.compute(streams, test, counts(), report);
+            return ExitStatus.DONE;
+        }
         double factor = pace.factor();
         check.that(bots.size() == 2, "--bot: found " + bots.size() + ", expected two: the new bot and the old one");
         GameSetup setup = Games.warn(scene.open(streams), streams);
@@ -97,7 +116,6 @@ public final class SprtCommand extends ProgramCommand {
         folders.of("--fill").forEach(folder -> own.addAll(Collections.nCopies(all.size() - bots.size(), folder)));
         Contest contest = pace.limit(Contest.ofSeries(setup, all, own, ProtocolWord.parse(protocol), factor))
             .isolatedBy(sandbox.isolation(streams));
-        Verbosity report = json ? Verbosity.JSON : quiet ? Verbosity.LINE : Verbosity.FULL;
         if (into == null) {
             return new SprtRun(streams, contest, test, options.ending(), null, report)
                 .play(seed.orDrawn(), threads.count(streams), StoredSeries.watch(contest, streams));
@@ -108,6 +126,23 @@ public final class SprtCommand extends ProgramCommand {
                 return new SprtRun(streams, contest, test, options.ending(), store, report)
                     .play(seed.or(store.ownSeed()), threads.count(streams), watch);
             });
+    }
+
+    /** Counts that were given: the lowest score first. */
+    private ScoreCounts counts() {
+        boolean isPenta = !penta.isEmpty();
+        List<String> words = isPenta ? penta : wdl;
+        int expected = isPenta ? 5 : 3;
+        boolean isRight = words.size() == expected && words.stream().allMatch(word -> word.matches("[0-9]{1,12}"));
+        check.that(isRight && words.stream().anyMatch(word -> Long.parseLong(word) > 0),
+            (isPenta ? "--penta" : "--wdl") + ": found '" + String.join(",", words) + "', expected " + expected
+            + " numbers of " + (isPenta ? "pairs with 0, 1/2, 1, 3/2 and 2 points, such as 3,12,40,30,9"
+            : "games that were won, drawn and lost, such as 120,30,90"));
+        ScoreCounts scores = new ScoreCounts(isPenta ? 2 : 1);
+        for (int k = 0; k < expected; k++) {
+            scores.add((double) k / (expected - 1), Long.parseLong(words.get(isPenta ? k : expected - 1 - k)));
+        }
+        return scores;
     }
 
     private List<String> withFill(int players) {

@@ -81,6 +81,17 @@ public final class SprtRun {
         text = new SprtText(test, contest.entrants().get(0).name(), contest.entrants().get(1).name());
     }
 
+    /** Tells the state of a test whose scores were counted elsewhere. */
+    static void compute(Streams streams, Gsprt test, ScoreCounts scores, Verbosity report) {
+        SprtText text = new SprtText(test, "the first", "the second");
+        SprtText.Unused none = new SprtText.Unused(0, 0, 0);
+        switch (report) {
+            case JSON -> Json.print(streams, out -> text.json(out, scores, none));
+            case LINE -> streams.out().println(text.lines(scores, none, streams.outColour()).get(1));
+            default -> text.lines(scores, none, streams.outColour()).forEach(streams.out()::println);
+        }
+    }
+
     /**
      * Plays.
      *

@@ -3,14 +3,13 @@ package steward.cli.sequential;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import java.util.function.DoubleFunction;
 import java.util.stream.Collectors;
 import steward.cli.streams.Colour;
 import steward.json.JsonNumbers;
 import steward.league.sequential.ExpectedLength;
 import steward.league.sequential.Gsprt;
 import steward.league.sequential.ScoreCounts;
-import steward.league.sequential.SequentialBar;
+import steward.league.sequential.StoppedRange;
 import steward.text.TextFormat;
 import tools.jackson.core.JsonGenerator;
 
@@ -29,13 +28,14 @@ record SprtText(Gsprt test, String one, String other) {
      */
     record Unused(long without, long allFailed, long repeats) { }
 
-    private String model() {
-        return test.model().name().toLowerCase(Locale.ROOT);
+    /** Elo by the mean score, nElo by standard deviations: the two are told apart wherever a number stands. */
+    private String unit() {
+        return test.model() == Gsprt.Model.NORMALIZED ? "nElo" : "Elo";
     }
 
     /** Returns a line about the test: the bots, the hypotheses, the error rates. */
     String heading() {
-        return TextFormat.plain(one + " - " + other) + ": " + model() + " Elo " + number(test.elo0()) + " (H0) or "
+        return TextFormat.plain(one + " - " + other) + ": " + unit() + " " + number(test.elo0()) + " (H0) or "
             + number(test.elo1()) + " (H1), alpha " + number(test.alpha()) + ", beta " + number(test.beta());
     }
 
@@ -71,8 +71,10 @@ record SprtText(Gsprt test, String one, String other) {
         List<String> lines = new ArrayList<>();
         Gsprt.State state = test.state(scores);
         String result = switch (state) {
-            case H1 -> "H1 is accepted: " + TextFormat.plain(one) + " is better";
-            case H0 -> "H0 is accepted: " + TextFormat.plain(one) + " is not better by so much";
+            case H1 -> "H1 is accepted: " + TextFormat.plain(one) + (test.elo0() >= 0 ? " is better"
+                : " is more than " + number(test.elo0()) + " " + unit() + " ahead");
+            case H0 -> "H0 is accepted: " + TextFormat.plain(one) + (test.elo1() <= 0 ? " is worse"
+                : " is less than " + number(test.elo1()) + " " + unit() + " ahead");
             case OPEN -> "not decided";
         };
         lines.add(heading());
@@ -88,31 +90,28 @@ record SprtText(Gsprt test, String one, String other) {
             .map(each -> TextFormat.number(each.getKey(), 3) + " " + each.getValue() + " times")
             .collect(Collectors.joining(", ")));
         if (scores.observations() > 1) {
-            lines.add("Score " + TextFormat.fixed(scores.mean(), 4) + (isVoid(scores)
-                ? ", of too few seeds for a bar"
-                : " (" + range(SequentialBar.ofMean(scores), mean -> TextFormat.fixed(mean, 4)) + "), " + elo(scores)
-                + ", 95% at any time"));
+            StoppedRange found = test.range(scores);
+            lines.add("Score " + TextFormat.fixed(scores.mean(), 4) + (isVoid(found) ? ", of too few seeds for a bar"
+                : ", " + unit() + " " + elo(found) + ", " + percent(1 - test.alpha() - test.beta(), 0)
+                + (state == Gsprt.State.OPEN ? " however it ends" : " corrected for stopping")
+                + "; likelihood of superiority " + percent(found.superiority(), 1)));
         }
         return lines;
     }
 
+    private static String percent(double share, int digits) {
+        return TextFormat.fixed(100 * share, digits) + "%";
+    }
+
     /** True if the range of scores is too wide to say anything. */
-    private static boolean isVoid(ScoreCounts scores) {
-        SequentialBar bar = SequentialBar.ofMean(scores);
-        return Math.min(1, bar.high()) - Math.max(0, bar.low()) > VOID;
+    private static boolean isVoid(StoppedRange found) {
+        return found.scoreHigh() - found.scoreLow() > VOID;
     }
 
-    private static String range(SequentialBar bar, DoubleFunction<String> form) {
-        String low = form.apply(bar.low());
-        String high = form.apply(bar.high());
-        return bar.isOpenAbove() ? "> " + low : bar.isOpenBelow() ? "< " + high : low + " to " + high;
-    }
-
-    private String elo(ScoreCounts scores) {
-        SequentialBar bar = test.range(scores);
-        String range = range(bar, SprtText::signed);
-        return model() + " Elo " + (bar.isOpenAbove() || bar.isOpenBelow() ? range
-            : signed(test.elo(scores.mean(), scores)) + " (" + range + ")");
+    private static String elo(StoppedRange found) {
+        return Double.isInfinite(found.high()) ? "> " + signed(found.low())
+            : Double.isInfinite(found.low()) ? "< " + signed(found.high())
+            : signed(found.elo()) + " (" + signed(found.low()) + " to " + signed(found.high()) + ")";
     }
 
     /** One decimal, with its sign unless that is a zero. */
@@ -123,7 +122,7 @@ record SprtText(Gsprt test, String one, String other) {
 
     void json(JsonGenerator out, ScoreCounts scores, Unused unused) {
         out.writeStringProperty("state", test.state(scores).name());
-        out.writeStringProperty("model", model());
+        out.writeStringProperty("model", test.model().name().toLowerCase(Locale.ROOT));
         out.writeNumberProperty("elo0", test.elo0());
         out.writeNumberProperty("elo1", test.elo1());
         out.writeNumberProperty("llr", test.ratio(scores));
@@ -144,19 +143,23 @@ record SprtText(Gsprt test, String one, String other) {
         out.writeEndArray();
         if (scores.observations() > 1) {
             out.writeNumberProperty("score", scores.mean());
-            json(out, "score", SequentialBar.ofMean(scores), isVoid(scores));
-            SequentialBar elo = test.range(scores);
-            JsonNumbers.writeOrNull(out, "elo", elo.isOpenAbove() || elo.isOpenBelow() ? Double.NaN
-                : test.elo(scores.mean(), scores));
-            json(out, "elo", elo, isVoid(scores));
+            StoppedRange found = test.range(scores);
+            boolean isVoid = isVoid(found);
+            String elo = test.model() == Gsprt.Model.NORMALIZED ? "nElo" : "elo";
+            out.writeNumberProperty("level", 1 - test.alpha() - test.beta());
+            write(out, "scoreLow", isVoid, found.scoreLow());
+            write(out, "scoreHigh", isVoid, found.scoreHigh());
+            write(out, elo, isVoid, found.elo());
+            write(out, elo + "Low", isVoid, found.low());
+            write(out, elo + "High", isVoid, found.high());
+            write(out, "superiority", isVoid, found.superiority());
             if (test.state(scores) == Gsprt.State.OPEN) {
                 out.writeNumberProperty("gamesLeft", expectedGames(scores));
             }
         }
     }
 
-    private static void json(JsonGenerator out, String name, SequentialBar bar, boolean isVoid) {
-        JsonNumbers.writeOrNull(out, name + "Low", isVoid || bar.isOpenBelow() ? Double.NaN : bar.low());
-        JsonNumbers.writeOrNull(out, name + "High", isVoid || bar.isOpenAbove() ? Double.NaN : bar.high());
+    private static void write(JsonGenerator out, String name, boolean isVoid, double value) {
+        JsonNumbers.writeOrNull(out, name, isVoid || Double.isInfinite(value) ? Double.NaN : value);
     }
 }

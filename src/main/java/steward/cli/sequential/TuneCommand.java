@@ -159,6 +159,8 @@ public final class TuneCommand extends ProgramCommand {
     private final Map<List<String>, Repeats> seen = new HashMap<>();
     /** True if a game of the step was not played before. */
     private boolean fresh;
+    /** Steps in which both sets of values scored alike, so that they told nothing. */
+    private int tied;
     private long told = System.nanoTime();
 
     private record Failures(Contest contest, FailureCounts counts) { }
@@ -236,6 +238,11 @@ public final class TuneCommand extends ProgramCommand {
     }
 
     private int result(Spsa search, int ofStep, long first) throws InterruptedException {
+        if (search.step() > 0 && tied == search.step()) {
+            streams.err().println("steward: in each of the " + TextFormat.count(tied, "step") + " both sets of values "
+                + "scored alike: the search saw no difference, and its path is chance. Try wider ranges, parameters "
+                + "that the bot reads, opponents nearer in strength (--against), or more seeds a step (--seeds)");
+        }
         if (!search.isOver()) {
             streams.err().println("steward: the search ends after " + TextFormat.count(search.step(), "step")
                 + ": in the last " + STALE + " every game was one that had been played before. These bots play alike "
@@ -243,7 +250,7 @@ public final class TuneCommand extends ProgramCommand {
         }
         if (json) {
             Json.print(streams, out -> {
-                TuneJson.write(out, command, search, search.step() >= LEAST_STEPS);
+                TuneJson.write(out, command, search, tied, search.step() >= LEAST_STEPS);
                 FailureReport.json(out, failures.values().stream().flatMap(each -> each.counts().kinds().stream())
                     .toList());
             });
@@ -264,6 +271,7 @@ public final class TuneCommand extends ProgramCommand {
 
     private void search(Spsa search, long first) throws InterruptedException {
         int stale = 0;
+        tied = 0;
         while (!search.isOver() && stale < STALE) {
             fresh = false;
             long at = first + (long) search.step() * seeds;
@@ -277,6 +285,7 @@ public final class TuneCommand extends ProgramCommand {
                 return;
             }
             search.go(plus, minus);
+            tied += plus == minus ? 1 : 0;
             stale = fresh ? 0 : stale + 1;
             if (System.nanoTime() - told > TELL_NANOS) {
                 told = System.nanoTime();

@@ -9,9 +9,13 @@ import tools.jackson.core.JsonGenerator;
 /** The result of a search for parameters, as the fields of one object; values are as in the command. */
 final class TuneJson {
 
-    /** @param found whether there were steps enough for a result; without it {@code bot} is null */
-    static void write(JsonGenerator out, TunedCommand command, Spsa search, boolean found) {
+    /**
+     * @param tied  steps in which both sets of values scored alike
+     * @param found whether there were steps enough for a result; without it {@code bot} is null
+     */
+    static void write(JsonGenerator out, TunedCommand command, Spsa search, int tied, boolean found) {
         out.writeNumberProperty("steps", search.step());
+        out.writeNumberProperty("tied", tied);
         out.writeStringProperty("bot", found ? command.with(search.result()) : null);
         JsonObject.writeAll(out, "parameters", command.parameters().size(), k -> {
             Parameter parameter = command.parameters().get(k);

@@ -70,7 +70,7 @@ record PlayedGames(Season season, List<LeagueTable.Entry> entries, List<StoredGa
     /** Path of the ratings over these games. */
     RatingPath path() {
         Results results = new Results(season);
-        RatingPath.Collector path = new RatingPath.Collector(entries);
+        RatingPath.Collector path = new RatingPath.Collector(entries, LeagueTable.Reference.NONE);
         long step = Math.max(1, games.size() / RatingPath.points(entries.size()));
         for (int k = 0; k < games.size(); k++) {
             add(results, games.get(k));

@@ -37,7 +37,17 @@ public final class LeagueJson {
         out.writeNumberProperty("again", table.results().playedAgain());
         out.writeNumberProperty("without", table.results().withoutResult());
         out.writeNumberProperty("forgiven", table.results().forgiven());
-        JsonObject.writeAll(out, "bots", table.rows(), row -> bot(out, row));
+        out.writeName("anchor");
+        if (table.reference().anchor() < 0) {
+            out.writeNull();
+        } else {
+            out.writeStartArray();
+            out.writeString(table.name(table.reference().anchor()));
+            JsonNumbers.write(out, table.reference().elo());
+            out.writeEndArray();
+        }
+        JsonObject.writeAll(out, "bots", table.rows(), row -> bot(out, table, row));
+        JsonObject.writeTexts(out, "apart", ApartWords.of(table));
         square(out, "cross", table, (row, column) -> cell(out, table, row, column));
         square(out, "differences", table, (row, column) -> difference(out, table, row, column));
         JsonObject.writeEach(out, "surprises", table.surprises(), each -> {
@@ -78,23 +88,25 @@ public final class LeagueJson {
 
     /**
      * In Elo: the difference, its bar, the bar that holds at all looks; the likelihood of superiority; and the end of a
-     * bar that has only one, or {@code null}. A bar of which nothing is known is {@code null}. Of more than 100 bots
-     * those more than 10 places apart are {@code null}.
+     * bar that has only one, or {@code null}. What is not known is {@code null}: of bots that cannot be compared all
+     * but the likelihood and the bound. Of more than 100 bots those more than 10 places apart are {@code null}.
      */
     private static void difference(JsonGenerator out, LeagueTable table, int row, int column) {
         if (row == column || table.rows().size() > MOST_ALL && Math.abs(row - column) > NEAR) {
             out.writeNull();
             return;
         }
-        Difference difference = table.bounded(row, column);
+        difference(out, table.bounded(row, column), table.superiority(row, column));
+    }
+
+    private static void difference(JsonGenerator out, Difference difference, double superiority) {
         out.writeStartArray();
-        JsonNumbers.write(out, difference.elo());
+        JsonNumbers.writeOrNull(out, Double.isInfinite(difference.elo()) ? Double.NaN : difference.elo());
         for (double bar : new double[] {difference.isOneSided() ? Difference.MOST_BAR : difference.bar(),
             difference.anytimeBar()}) {
             JsonNumbers.writeOrNull(out, known(bar));
         }
-        JsonNumbers.write(out, (difference.isOneSided() || Double.isInfinite(difference.variance())
-            ? table.difference(row, column) : difference).superiority());
+        JsonNumbers.writeOrNull(out, superiority);
         JsonNumbers.writeOrNull(out, difference.isOneSided() ? difference.boundElo() : Double.NaN);
         out.writeEndArray();
     }
@@ -114,17 +126,22 @@ public final class LeagueJson {
         return Difference.isKnown(bar) ? bar : Double.NaN;
     }
 
-    private static void bot(JsonGenerator out, Row row) {
+    private static void bot(JsonGenerator out, LeagueTable table, Row row) {
         out.writeNumberProperty("rank", row.rank());
         out.writeNumberProperty("version", row.entry().version());
         out.writeStringProperty("name", row.entry().name());
         out.writeBooleanProperty("active", row.entry().active());
         out.writeBooleanProperty("random", row.entry().random());
         out.writeBooleanProperty("paused", row.entry().active() && row.entry().paused());
+        out.writeNumberProperty("group", row.component());
         JsonNumbers.writeOrNull(out, "rating", row.rating());
         JsonNumbers.writeOrNull(out, "bar", row.hasBar() ? row.bar() : Double.NaN);
         JsonNumbers.writeOrNull(out, "bound", row.bound());
         JsonNumbers.writeOrNull(out, "anytime", known(row.anytime()));
+        out.writeStringProperty("to", row.to() < 0 ? null : table.name(row.to()));
+        out.writeName("difference");
+        difference(out, row.difference(), row.to() < 0 ? Double.NaN
+            : table.ratings().superiority(row.entry().version(), row.to()));
         out.writeNumberProperty("best", row.best());
         out.writeNumberProperty("worst", row.worst());
         out.writeNumberProperty("games", row.sums().games());

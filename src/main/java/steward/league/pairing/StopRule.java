@@ -1,6 +1,5 @@
 package steward.league.pairing;
 
-import java.util.Comparator;
 import java.util.List;
 import java.util.stream.IntStream;
 import steward.league.rating.AnytimeBar;
@@ -10,7 +9,8 @@ import steward.league.rating.Ratings;
 /**
  * Rule by which enough is known. All by bars that hold at any time.
  *
- * @param bars   ends when each bot's rating has a bar of at most so many Elo; NaN for no such end
+ * @param bars   ends when the rating of each bot that can have such a bar has one of at most so many Elo, see {@link
+ *               BarNeed}; NaN for no such end
  * @param ranked ends when every two neighbours in the table are ordered or equal
  * @param equal  neighbours are equal whose difference is surely within so many Elo; 0 if none are
  */
@@ -39,15 +39,8 @@ public record StopRule(double bars, boolean ranked, double equal) {
     }
 
     public boolean isMet(Ratings ratings) {
-        return (Double.isNaN(bars) || ratings.versions().stream()
-            .allMatch(version -> ratings.rating(version).anytimeBar() <= bars))
-            && (!ranked || !orders(ratings, order(ratings)).contains(Order.OPEN));
-    }
-
-    /** The versions from the highest rating. */
-    public static List<Integer> order(Ratings ratings) {
-        return ratings.versions().stream().sorted(Comparator.comparingDouble((Integer version) ->
-            -ratings.fit().rating(ratings.versions().indexOf(version))).thenComparing(version -> version)).toList();
+        return (Double.isNaN(bars) || BarNeed.of(ratings, bars).stream().noneMatch(BarNeed::isWaitedFor))
+            && (!ranked || !orders(ratings, ratings.order()).contains(Order.OPEN));
     }
 
     /** Returns the known order of each version in a list and the next one. */
@@ -59,11 +52,14 @@ public record StopRule(double bars, boolean ranked, double equal) {
      * Returns the known order of two versions; it does not matter which of them is the better one. All that is said
      * holds with 95% for all pairs of bots and at all looks at once: each has the part of the 5% that falls to one of
      * so many pairs, nine tenths for its bar and one for the test of those of which one has won or lost nearly
-     * everything.
+     * everything. Across components all falls to their bound.
      */
     Order order(Ratings ratings, int one, int other) {
         int bots = ratings.versions().size();
         double alpha = AnytimeBar.ALPHA / Math.max(1, bots * (bots - 1) / 2);
+        if (!ratings.isComparable(one, other)) {
+            return ratings.isUnequal(one, other, alpha) ? Order.ORDERED : Order.OPEN;
+        }
         Difference difference = ratings.difference(one, other);
         double bar = difference.anytimeBar((1 - TESTED) * alpha);
         double apart = Math.abs(difference.elo());

@@ -10,7 +10,7 @@ import java.util.List;
  *
  * <ol>
  * <li>The score u of a cluster, its push on the ratings, is for each of its pairs the weight times points - expected
- * points, up for one bot and down for the other; likewise for the weight of ties. Clusters are independent, so B is the
+ * points, up for one bot and down for the other. Clusters are independent, so B is the
  * sum of their covariances. Games within a cluster may depend on each other: the square of their sum contains
  * that.</li>
  * <li>The n clusters of a stratum have one distribution. Their covariance is n/(n - 1) times the sum of (u - m)(u -
@@ -36,45 +36,40 @@ final class ClusterSpread {
     private final List<Stratum> strata;
     private final double[][] weights;
     private final double[] ratings;
-    private final boolean tied;
-    private final double ties;
+    private final double dispersion;
     private final double[][] inverse;
-    /**
-     * Covariances by stratum, over its bots' ratings and the weight of ties, in rows; {@code null} without clusters.
-     */
+    /** Covariances by stratum, over its bots' ratings, in rows; {@code null} without clusters. */
     private final double[][] moments;
     private final double[] freedoms;
-    /** Strata of two bots: both bots, and the three moments that differ. Looked up one after another. */
+    /** Strata of two bots: both bots, and the one moment that tells all. Looked up one after another. */
     private final int[] pairs;
-    private final double[] threes;
-    /** The model's variance of points, covariance and variance of ties, by stratum and pair, all weighted. */
+    private final double[] singles;
+    /** The model's variance of all weighted points, by stratum and pair. */
     private final double[][] variances;
 
     /**
-     * @param weights of a game, by stratum and pair
-     * @param ratings at the maximum, in natural units
-     * @param tied    whether there are ties: then the inverse has a last row for the logarithm of their weight
-     * @param ties    the weight of ties
-     * @param tested  whether these are ratings that are tested: then all clusters count by their distance to the model
-     * @param inverse of the second derivatives
+     * @param weights    of a game, by stratum and pair
+     * @param ratings    at the solution, in natural units
+     * @param dispersion variance of a game as a share of that of games without ties
+     * @param tested     whether these are ratings that are tested: then all clusters count by their distance to the
+     *                   model
+     * @param inverse    of the second derivatives
      */
-    ClusterSpread(List<Stratum> strata, double[][] weights, double[] ratings, boolean tied, double ties, boolean tested,
+    ClusterSpread(List<Stratum> strata, double[][] weights, double[] ratings, double dispersion, boolean tested,
                   double[]... inverse) {
         this.strata = strata;
         this.weights = weights;
         this.ratings = ratings;
-        this.tied = tied;
-        this.ties = ties;
+        this.dispersion = dispersion;
         this.inverse = inverse;
         moments = new double[strata.size()][];
         freedoms = new double[strata.size()];
         variances = new double[strata.size()][];
         pairs = new int[2 * strata.size()];
-        threes = new double[3 * strata.size()];
-        TieModel model = new TieModel();
+        singles = new double[strata.size()];
         for (int q = 0; q < moments.length; q++) {
             if (strata.get(q).clusters > 0) {
-                spread(q, model, !tested && strata.get(q).clusters >= RatingFit.WHOLE);
+                spread(q, !tested && strata.get(q).clusters >= RatingFit.WHOLE);
             }
         }
     }
@@ -89,17 +84,14 @@ final class ClusterSpread {
         return freedoms[q];
     }
 
-    /** Adds all to a matrix over the ratings and, where there are ties, the logarithm of their weight. */
+    /** Adds all to a matrix over the ratings. */
     void addTo(double[]... sum) {
         for (int q = 0; q < moments.length; q++) {
             if (isAny(q)) {
                 int[] bots = strata.get(q).bots;
-                int size = bots.length + 1;
-                int used = tied ? size : bots.length;
-                for (int i = 0; i < used; i++) {
-                    double[] row = sum[i < bots.length ? bots[i] : sum.length - 1];
-                    for (int j = 0; j < used; j++) {
-                        row[j < bots.length ? bots[j] : sum.length - 1] += moments[q][i * size + j];
+                for (int i = 0; i < bots.length; i++) {
+                    for (int j = 0; j < bots.length; j++) {
+                        sum[bots[i]][bots[j]] += moments[q][i * bots.length + j];
                     }
                 }
             }
@@ -110,24 +102,20 @@ final class ClusterSpread {
      * Returns a stratum's part in the variance of a sum along a direction, which has been multiplied by the inverse.
      */
     double along(int q, double... along) {
-        double last = tied ? along[along.length - 1] : 0;
         if (pairs[2 * q] != pairs[2 * q + 1]) {
-            // The one is pushed up by as much as the other is pushed down: of the 9 moments 3 differ.
+            // The one is pushed up by as much as the other is pushed down.
             double apart = along[pairs[2 * q]] - along[pairs[2 * q + 1]];
-            return threes[3 * q] * apart * apart + 2 * threes[3 * q + 1] * apart * last
-                + threes[3 * q + 2] * last * last;
+            return singles[q] * apart * apart;
         }
         int[] bots = strata.get(q).bots;
-        int size = bots.length + 1;
         double[] moment = moments[q];
         double sum = 0;
-        for (int i = 0; i < size; i++) {
-            double own = i < bots.length ? along[bots[i]] : last;
+        for (int i = 0; i < bots.length; i++) {
             double row = 0;
-            for (int j = 0; j < size; j++) {
-                row += moment[i * size + j] * (j < bots.length ? along[bots[j]] : last);
+            for (int j = 0; j < bots.length; j++) {
+                row += moment[i * bots.length + j] * along[bots[j]];
             }
-            sum += own * row;
+            sum += along[bots[i]] * row;
         }
         return sum;
     }
@@ -147,18 +135,16 @@ final class ClusterSpread {
     /** Returns one pair's part, likewise. */
     double modelledPair(int q, int k, double... along) {
         Stratum stratum = strata.get(q);
-        double[] told = variances[q];
-        double last = tied ? along[along.length - 1] : 0;
         double apart = along[stratum.bots[stratum.low[k]]] - along[stratum.bots[stratum.high[k]]];
-        return told[3 * k] * apart * apart + 2 * told[3 * k + 1] * apart * last + told[3 * k + 2] * last * last;
+        return variances[q][k] * apart * apart;
     }
 
-    private void spread(int q, TieModel model, boolean own) {
+    private void spread(int q, boolean own) {
         Stratum stratum = strata.get(q);
-        int size = stratum.bots.length + 1;
-        double[] mean = new double[2 * stratum.pairs()];
-        double[] told = new double[3 * stratum.pairs()];
-        double leverage = model(q, model, mean, told, own);
+        int size = stratum.bots.length;
+        double[] mean = new double[stratum.pairs()];
+        double[] told = new double[stratum.pairs()];
+        double leverage = model(q, mean, told, own);
         double[] moment = observed(q, mean);
         double freedom = own ? stratum.clusters - 1 : stratum.clusters * (1 - leverage);
         double mixed = MIXED / (freedom + MIXED);
@@ -168,64 +154,44 @@ final class ClusterSpread {
         }
         double[] lacking = lacking(stratum, weights[q], mean, told);
         for (int k = 0; k < lacking.length; k++) {
-            addPair(moment, size, stratum.low[k], stratum.high[k], (mixed + lacking[k]) * told[3 * k],
-                mixed * told[3 * k + 1], mixed * told[3 * k + 2]);
+            double more = (mixed + lacking[k]) * told[k];
+            int i = stratum.low[k];
+            int j = stratum.high[k];
+            moment[i * size + i] += more;
+            moment[j * size + j] += more;
+            moment[i * size + j] -= more;
+            moment[j * size + i] -= more;
         }
         moments[q] = moment;
-        if (stratum.bots.length == 2) {
+        if (size == 2) {
             System.arraycopy(stratum.bots, 0, pairs, 2 * q, 2);
-            threes[3 * q] = moment[0];
-            threes[3 * q + 1] = moment[2];
-            threes[3 * q + 2] = moment[moment.length - 1];
+            singles[q] = moment[0];
         }
         variances[q] = told;
         freedoms[q] = freedom + MIXED;
     }
 
-    private static void addPair(double[] moment, int size, int i, int j, double points, double covariance, double tie) {
-        int last = size - 1;
-        moment[i * size + i] += points;
-        moment[j * size + j] += points;
-        moment[i * size + j] -= points;
-        moment[j * size + i] -= points;
-        moment[i * size + last] += covariance;
-        moment[last * size + i] += covariance;
-        moment[j * size + last] -= covariance;
-        moment[last * size + j] -= covariance;
-        moment[last * size + last] += tie;
-    }
-
     /**
      * Computes means and variances of a stratum by the model.
      *
-     * @param mean      to be filled: points and ties of a game, of the model or of the stratum itself
-     * @param told      to be filled: variance of the points, covariance, variance of ties of all weighted games
+     * @param mean to be filled: points of a game, of the model or of the stratum itself
+     * @param told to be filled: variance of the points of all weighted games
      * @return the leverage of a cluster
      */
-    private double model(int q, TieModel model, double[] mean, double[] told, boolean own) {
+    private double model(int q, double[] mean, double[] told, boolean own) {
         Stratum stratum = strata.get(q);
-        int last = inverse.length - 1;
         double leverage = 0;
         for (int k = 0; k < stratum.pairs(); k++) {
             int one = stratum.bots[stratum.low[k]];
             int other = stratum.bots[stratum.high[k]];
-            model.compute(ratings[one] - ratings[other], ties);
+            double points = RatingFit.points(ratings[one] - ratings[other]);
             double games = stratum.sums[3 * k];
-            mean[2 * k] = own && games > 0 ? stratum.sums[3 * k + 1] / games : model.points;
-            mean[2 * k + 1] = own && games > 0 ? stratum.sums[3 * k + 2] / games : model.tie;
+            mean[k] = own && games > 0 ? stratum.sums[3 * k + 1] / games : points;
             double weight = weights[q][k];
-            double square = weight * weight * stratum.weight * games;
-            told[3 * k] = square * model.pointsVariance;
-            told[3 * k + 1] = tied ? square * model.covariance : 0;
-            told[3 * k + 2] = tied ? square * model.tieVariance : 0;
+            told[k] = weight * weight * stratum.weight * games * dispersion * points * (1 - points);
             if (!own) {
                 double turn = inverse[one][one] + inverse[other][other] - 2 * inverse[one][other];
-                double part = turn * model.pointsVariance;
-                if (tied) {
-                    part += 2 * (inverse[one][last] - inverse[other][last]) * model.covariance
-                        + inverse[last][last] * model.tieVariance;
-                }
-                leverage += weight * games * part;
+                leverage += weight * games * turn * points * (1 - points);
             }
         }
         return Math.min(MOST_LEVERAGE, leverage / stratum.clusters);
@@ -234,8 +200,7 @@ final class ClusterSpread {
     /** Returns the sum over clusters of the squares of their distances to a mean. */
     private double[] observed(int q, double... mean) {
         Stratum stratum = strata.get(q);
-        int last = stratum.bots.length;
-        int size = last + 1;
+        int size = stratum.bots.length;
         double[] moment = new double[size * size];
         double[] push = new double[size];
         for (int p = 0; p < stratum.size; p++) {
@@ -245,11 +210,9 @@ final class ClusterSpread {
             Arrays.fill(push, 0);
             double[] numbers = stratum.patterns[p];
             for (int k = 0; k < stratum.pairs(); k++) {
-                double weight = weights[q][k];
-                double surplus = weight * (numbers[3 * k + 1] - numbers[3 * k] * mean[2 * k]);
+                double surplus = weights[q][k] * (numbers[3 * k + 1] - numbers[3 * k] * mean[k]);
                 push[stratum.low[k]] += surplus;
                 push[stratum.high[k]] -= surplus;
-                push[last] += tied ? weight * (numbers[3 * k + 2] - numbers[3 * k] * mean[2 * k + 1]) : 0;
             }
             for (int i = 0; i < size; i++) {
                 double scaled = stratum.counts[p] * push[i];
@@ -267,16 +230,16 @@ final class ClusterSpread {
         for (int k = 0; k < lacking.length; k++) {
             double games = stratum.sums[3 * k];
             double points = stratum.sums[3 * k + 1];
-            if (!(games > 0) || Math.min(points, games - points) >= FEW_POINTS) {
+            if (!(told[k] > 0) || Math.min(points, games - points) >= FEW_POINTS) {
                 continue;
             }
             double found = 0;
             for (int p = 0; p < stratum.size; p++) {
                 double[] numbers = stratum.patterns[p];
-                double surplus = weights[k] * (numbers[3 * k + 1] - numbers[3 * k] * mean[2 * k]);
+                double surplus = weights[k] * (numbers[3 * k + 1] - numbers[3 * k] * mean[k]);
                 found += stratum.counts[p] * surplus * surplus;
             }
-            lacking[k] = Math.max(0, 1 - found / told[3 * k]);
+            lacking[k] = Math.max(0, 1 - found / told[k]);
         }
         return lacking;
     }

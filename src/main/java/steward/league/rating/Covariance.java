@@ -23,12 +23,8 @@ final class Covariance {
     Covariance(RatingFit fit) {
         this.fit = fit;
         double[][] inverse = fit.inverse();
-        double[] priors = fit.priors();
         ClusterSpread spread = fit.spread();
         double[][] middle = new double[inverse.length][inverse.length];
-        for (int i = 0; i < middle.length; i++) {
-            middle[i][i] = priors[i];
-        }
         spread.addTo(middle);
         matrix = product(inverse, product(middle, inverse));
         others = new double[fit.bots()];
@@ -68,7 +64,7 @@ final class Covariance {
         return product;
     }
 
-    /** The variance of the difference of two ratings, in natural units. */
+    /** The variance of the difference of two ratings of one component, in natural units. */
     double variance(int one, int other) {
         return matrix[one][one] + matrix[other][other] - 2 * matrix[one][other];
     }

@@ -24,6 +24,18 @@ public record Difference(double value, double variance, double freedom, double s
         this(value, variance, freedom, single, Double.NaN);
     }
 
+    /** Nothing is known. */
+    static final Difference NONE = new Difference(Double.NaN, Double.POSITIVE_INFINITY, 1, 1);
+
+    /** The difference of a rating to itself. */
+    static final Difference ZERO = new Difference(0, 0, RatingFit.CERTAIN, 1);
+
+    /** A difference of which a bound is all that can be told: infinite, with its sign. */
+    static Difference beyond(double end, boolean ahead) {
+        return new Difference(ahead ? Double.POSITIVE_INFINITY : Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY, 1,
+            1, end);
+    }
+
     /** A copy with a bar of one side. */
     Difference oneSided(double end) {
         return new Difference(value, variance, freedom, single, end);
@@ -46,7 +58,7 @@ public record Difference(double value, double variance, double freedom, double s
 
     /** True if a difference in Elo is within the bar, or on the right side of the bound. */
     public boolean holds(double elo) {
-        return isOneSided() ? value > 0 ? elo >= boundElo() : elo <= boundElo() : Math.abs(elo() - elo) <= bar();
+        return isOneSided() ? value > 0 ? elo >= boundElo() : elo <= boundElo() : !(Math.abs(elo() - elo) > bar());
     }
 
     /** In Elo; a bar of so much says that nothing is known. */
@@ -90,7 +102,7 @@ public record Difference(double value, double variance, double freedom, double s
 
     /** Returns the bar for another probability to be ever outside. */
     public double anytimeBar(double alpha) {
-        return Math.min(MOST_BAR, RatingFit.ELO * AnytimeBar.of(variance, freedom, alpha));
+        return variance == 0 ? 0 : Math.min(MOST_BAR, RatingFit.ELO * AnytimeBar.of(variance, freedom, alpha));
     }
 
     /** The likelihood of superiority: how probably the first is the better one, if nothing was known before. */

@@ -5,15 +5,36 @@ import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Collectors;
 
 /**
  * The table of a season: one row for each version of a bot, best first, and who beat whom.
  *
- * @param rows    by rating
- * @param results what they are computed from
- * @param ratings of all rows
+ * @param rows      by component, see {@link Components}, and rating
+ * @param results   what they are computed from
+ * @param ratings   of all rows
+ * @param reference what they are told against
  */
-public record LeagueTable(List<Row> rows, Results results, Ratings ratings) {
+public record LeagueTable(List<Row> rows, Results results, Ratings ratings, Reference reference) {
+
+    /**
+     * What ratings and differences are told against.
+     *
+     * @param anchor  version whose rating is given, or -1: then the mean of each component is 0
+     * @param elo     the rating of the anchor
+     * @param against version to which differences are told, or -1: then that is the anchor or, without one, the row
+     *                above
+     */
+    public record Reference(int anchor, double elo, int against) {
+
+        /** The mean, and the row above. */
+        public static final Reference NONE = new Reference(-1, 0, -1);
+
+        /** Returns the one version to which differences are told, or -1 if it is the row above. */
+        public int compared() {
+            return against >= 0 ? against : anchor;
+        }
+    }
 
     /**
      * A version of a bot that may have a row.
@@ -37,18 +58,22 @@ public record LeagueTable(List<Row> rows, Results results, Ratings ratings) {
      *
      * @param rank   from 1; equal ratings share one
      * @param best   the best rank that the games leave it, with 95%
-     * @param rating in Elo, 0 is the mean by games
+     * @param component number of the bots that can be compared with it, from 1
+     * @param rating in Elo; NaN if it can be compared with no other bot
      * @param bar    half the width of its 95% bar at a number of games that was fixed before
      * @param bound  where the bar has one side, since the bot has won or lost nearly everything: its end; otherwise NaN
      * @param anytime half the width of its 95% bar that holds at all looks at once
+     * @param to     version to which the difference is told, or -1
+     * @param difference to that version
      * @param points share of the points, 0..1; NaN without games
      * @param wins   games won, in whole games of two
      * @param draws  games drawn, likewise
      * @param losses games lost, likewise
      * @param sums   games, score, faults, answer times
      */
-    public record Row(int rank, int best, int worst, Entry entry, double rating, double bar, double bound,
-                      double anytime, double points, double wins, double draws, double losses, BotSums sums) {
+    public record Row(int rank, int best, int worst, Entry entry, int component, double rating, double bar,
+                      double bound, double anytime, int to, Difference difference, double points,
+                      double wins, double draws, double losses, BotSums sums) {
 
         /** True if the bar has two sides and says anything. */
         public boolean hasBar() {
@@ -62,31 +87,76 @@ public record LeagueTable(List<Row> rows, Results results, Ratings ratings) {
 
     /** Rates those entries that have games or play. */
     public static LeagueTable of(Results results, List<Entry> entries) {
-        List<Entry> shown = entries.stream()
-            .filter(entry -> entry.active() || results.of(entry.version()).games() > 0).toList();
-        Ratings ratings = Ratings.of(results, shown.stream().map(Entry::version).toList());
-        Map<Entry, Difference> found = new HashMap<>();
-        shown.forEach(entry -> found.put(entry, ratings.bounded(entry.version())));
-        List<Entry> order = shown.stream().sorted(Comparator.comparingDouble((Entry entry) -> -found.get(entry).elo())
-            .thenComparing(Entry::version)).toList();
+        return of(results, entries, Reference.NONE);
+    }
+
+    /** Rates them against a reference, whose versions are among them. */
+    public static LeagueTable of(Results results, List<Entry> entries, Reference reference) {
+        Map<Integer, Entry> shown = new HashMap<>();
+        entries.stream().filter(entry -> entry.active() || results.of(entry.version()).games() > 0)
+            .forEach(entry -> shown.put(entry.version(), entry));
+        Ratings ratings = Ratings.of(results, List.copyOf(shown.keySet()));
         List<RankRange> ranks = ratings.ranks();
         Map<Integer, double[]> met = results.sumsOver(ratings.versions());
         List<Row> rows = new ArrayList<>();
-        for (Entry entry : order) {
-            Row above = rows.isEmpty() ? null : rows.get(rows.size() - 1);
-            int rank = above != null && above.rating() == found.get(entry).elo() ? above.rank() : rows.size() + 1;
-            int place = ratings.versions().indexOf(entry.version());
-            rows.add(row(rank, entry, ranks.get(place), found.get(entry), results, met.get(entry.version())));
+        int component = 0;
+        for (List<Integer> comparable : ratings.components()) {
+            component++;
+            for (int version : comparable) {
+                boolean anchored = comparable.size() > 1 && comparable.contains(reference.anchor());
+                double zero = anchored ? reference.elo() : 0;
+                Difference rating = ratings.anchored(version, reference.anchor());
+                Row above = rows.isEmpty() ? null : rows.get(rows.size() - 1);
+                int rank = above != null && above.component() == component && above.rating() == zero + rating.elo()
+                    ? above.rank() : rows.size() + 1;
+                int to = reference.compared() >= 0 ? reference.compared() : above == null ? -1
+                    : above.entry().version();
+                double[] points = met.get(version);
+                RankRange range = ranks.get(ratings.versions().indexOf(version));
+                rows.add(new Row(rank, range.best(), range.worst(), shown.get(version), component,
+                    zero + rating.elo(), rating.bar(), zero + rating.boundElo(), rating.anytimeBar(),
+                    to == version ? -1 : to, to == version || to < 0 ? Difference.NONE : ratings.bounded(version, to),
+                    points[0] / points[1], points[2], points[3], points[1] - points[2] - points[3],
+                    results.of(version)));
+            }
         }
-        return new LeagueTable(rows, results, ratings);
+        return new LeagueTable(rows, results, ratings, reference);
     }
 
-    private static Row row(int rank, Entry entry, RankRange ranks, Difference rating, Results results,
-                           double... met) {
-        int version = entry.version();
-        return new Row(rank, ranks.best(), ranks.worst(), entry, rating.elo(), rating.bar(),
-            rating.boundElo(), rating.anytimeBar(),
-            met[0] / met[1], met[2], met[3], met[1] - met[2] - met[3], results.of(version));
+    /** Returns the name of a version that has a row. */
+    public String name(int version) {
+        return rows.stream().map(Row::entry).filter(entry -> entry.version() == version).findFirst().orElseThrow()
+            .name();
+    }
+
+    /**
+     * A bound between two components.
+     *
+     * @param upper rows of the bots that took every point
+     * @param lower rows of those that took none from them
+     * @param seeds in which they did
+     * @param difference of the last of the upper and the first of the lower ones
+     */
+    public record Apart(List<Row> upper, List<Row> lower, long seeds, Difference difference) { }
+
+    /** Returns by component, but for the first, how far it is behind the nearest one that took every point from it. */
+    public List<Apart> apart() {
+        Map<Integer, List<Row>> components = rows.stream().collect(Collectors.groupingBy(Row::component));
+        List<Apart> apart = new ArrayList<>();
+        for (int lower = 2; lower <= components.size(); lower++) {
+            Row first = components.get(lower).get(0);
+            for (int upper = lower - 1; upper > 0; upper--) {
+                List<Row> above = components.get(upper);
+                Row last = above.get(above.size() - 1);
+                long seeds = ratings.sweptSeeds(last.entry().version(), first.entry().version());
+                if (seeds > 0) {
+                    apart.add(new Apart(above, components.get(lower), seeds,
+                        ratings.bounded(last.entry().version(), first.entry().version())));
+                    break;
+                }
+            }
+        }
+        return apart;
     }
 
     /** Share of the points of the row's bot against the column's, by their places; NaN if they have not met. */
@@ -103,6 +173,11 @@ public record LeagueTable(List<Row> rows, Results results, Ratings ratings) {
 
     public Difference difference(int row, int column) {
         return ratings.difference(rows.get(row).entry().version(), rows.get(column).entry().version());
+    }
+
+    /** Likelihood of superiority of the bot of a row; NaN where nothing is known. */
+    public double superiority(int row, int column) {
+        return ratings.superiority(rows.get(row).entry().version(), rows.get(column).entry().version());
     }
 
     /** Difference with a bound in place of a bar where one has won or lost nearly everything, of up to 30 bots. */

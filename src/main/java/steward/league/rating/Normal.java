@@ -26,17 +26,29 @@ public final class Normal {
         return x > 0 ? 1 - tail(x) : tail(-x);
     }
 
+    /** The probability below x times e^exponent, also where the one would be 0 and the other infinite. */
+    public static double scaledBelow(double exponent, double x) {
+        if (x >= -FAR) {
+            return StrictMath.exp(exponent) * below(x);
+        }
+        return StrictMath.exp(exponent - x * x / 2) / (ROOT_OF_TWO_PI * fraction(-x));
+    }
+
+    private static double fraction(double x) {
+        double fraction = x;
+        for (int k = TERMS; k > 0; k--) {
+            fraction = x + k / fraction;
+        }
+        return fraction;
+    }
+
     /** The probability above x, for x of at least 0. */
     private static double tail(double x) {
         if (x > FARTHEST) {
             return 0;
         }
         if (x > FAR) {
-            double fraction = x;
-            for (int k = TERMS; k > 0; k--) {
-                fraction = x + k / fraction;
-            }
-            return density(x) / fraction;
+            return density(x) / fraction(x);
         }
         double term = x;
         double sum = x;

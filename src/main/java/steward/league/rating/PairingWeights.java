@@ -7,12 +7,13 @@ import java.util.Map;
 
 /**
  * Weights of games in the fit: pairings with {@link RatingFit#WHOLE} clusters or more all have the same total weight,
- * those with fewer a part of it, and all weights add up to the number of games.
+ * those with fewer a part of it, and all weights add up to the number of games. Then games between bots whose ratings
+ * cannot be compared have none.
  */
 final class PairingWeights {
 
     /** Returns the weight of a game, by stratum and pair; {@code pooled} as in {@link RatingFit#of}. */
-    static double[][] of(List<Stratum> strata, boolean pooled) {
+    static double[][] of(List<Stratum> strata, boolean pooled, Components components) {
         Map<List<Integer>, Integer> numbers = new HashMap<>();
         int[][] pairings = new int[strata.size()][];
         for (int q = 0; q < pairings.length; q++) {
@@ -42,6 +43,7 @@ final class PairingWeights {
             weights[q] = Arrays.stream(pairings[q]).mapToDouble(pairing ->
                 games[pairing] > 0 ? scale * share(clusters[pairing]) / games[pairing] : 0).toArray();
         }
+        Stratum.each(strata, (q, k, low, high) -> weights[q][k] *= components.together(low, high) ? 1 : 0);
         return weights;
     }
 

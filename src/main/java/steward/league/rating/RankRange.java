@@ -22,7 +22,8 @@ public record RankRange(int best, int worst) {
         for (int one = 0; one < bots; one++) {
             for (int other = 0; other < one; other++) {
                 if (isSure(fit, one, other, z)) {
-                    boolean better = fit.value(one) > fit.value(other);
+                    boolean better = fit.components().together(one, other) ? fit.value(one) > fit.value(other)
+                        : fit.components().of(one) < fit.components().of(other);
                     above[better ? other : one]++;
                     below[better ? one : other]++;
                 }
@@ -34,6 +35,9 @@ public record RankRange(int best, int worst) {
 
     /** True if a difference is beyond its bar. The bar itself is computed only where its bounds do not tell. */
     private static boolean isSure(RatingFit fit, int one, int other, double z) {
+        if (!fit.components().together(one, other)) {
+            return fit.sweeps().isOrdered(one, other, 2 * (1 - Normal.below(z)));
+        }
         Covariance all = fit.covariance();
         double deviations = Math.abs(fit.value(one) - fit.value(other)) / Math.sqrt(all.variance(one, other));
         if (deviations < z * (1 - ROUNDING)) {

@@ -4,14 +4,19 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * Ratings from all clusters together: the maximum of the posterior of {@link TieModel} with a weak normal prior, each
- * pairing with the same weight however often it was played, and a covariance from the spread of the clusters.
- * docs/rating.md has the formulas.
+ * Elo ratings from all clusters together: with a bot's expected points of a game {@code 1/(1 + exp(-d))}, d its rating
+ * less the other's in natural units, the surplus of points over expected ones, summed up over each bot's weighted
+ * games, is 0. A draw is half a point, however often games are drawn. Ratings are told within {@link Components}, where
+ * these equations have one solution; games between two of them tell a bound, see {@link Sweeps}. docs/rating.md has the
+ * formulas.
  *
  * <p><b>Weights.</b> Where results are not transitive no rating tells all of them, and a fit that weighs games depends
  * on who was paired how often. Here a pairing's games weigh what they would if all were played equally often: ratings
  * estimate the fit under uniform pairing. A pairing with n clusters, fewer than {@link #WHOLE},
  * has the n/8th part of a weight. In games of three and more the group is what is paired.
+ *
+ * <p><b>Zero.</b> That of a component is the mean of its ratings, each weighing the sum of p (1 - p) over its games, p
+ * the expected points: a bot that has just come, or loses nearly always, does not widen the bars of the others.
  *
  * <p><b>Covariance.</b> That of an M-estimate over clusters, the sandwich A^-1 B A^-1; {@link ClusterSpread} is B.
  * Degrees of freedom after Satterthwaite (Biometrics Bulletin 2, 1946).
@@ -22,13 +27,10 @@ public final class RatingFit {
     public static final double ELO = 173.7177927613007;
     /** Clusters from which a pairing has its whole weight, and its own mean. */
     static final int WHOLE = 8;
-    /** The prior's standard deviation, in Elo: strengths of 95% of all bots within about 3000. */
-    static final double PRIOR_ELO = 750;
-    static final double PRIOR = ELO * ELO / (PRIOR_ELO * PRIOR_ELO);
-    /** Prior of the logarithm of the weight of ties, whose standard deviation is 3: a factor of 20. */
-    static final double TIES_PRIOR = 1.0 / 9;
+    /** Variance of games that counts as played without ties: that of two even games. */
+    private static final double UNTIED = 0.5;
     private static final int MOST_STEPS = 100;
-    /** A longer step is shortened: far from the top the parabola is a poor guide. */
+    /** A longer step is shortened: far from the solution the tangent is a poor guide. */
     private static final double LONGEST_STEP = 2;
     private static final double CLOSE = 1e-10;
     /** Pull between two ratings that are held together, as a multiple of the games'. */
@@ -38,30 +40,36 @@ public final class RatingFit {
 
     private final int bots;
     private final List<Stratum> strata;
+    private final Components components;
     /** The weight of a game of each pair of each stratum. */
     final double[][] weights;
     private final double[] ratings;
-    /** Weighted points and games of each bot. */
+    /** Weighted points and games of each bot, within its component. */
     private final double[] points;
     private final double[] games;
-    private boolean tied;
-    private double logTies;
+    /** Sum of p (1 - p) over each bot's games within its component, without weights. */
+    private final double[] information;
+    private double dispersion;
     private double[][] inverse;
     private ClusterSpread spread;
     private Covariance covariance;
     private Residuals residuals;
-    /** The weighted mean that was asked for last, and its direction, multiplied by the inverse. */
-    private double[] meanWeights;
-    private double[] meanAlong;
-    private double meanValue;
+    private Sweeps sweeps;
+    /** By component: the mean of its ratings, and its direction multiplied by the inverse; as they are asked for. */
+    private final double[][] meanAlong;
+    private final double[] meanValue;
 
-    private RatingFit(int bots, List<Stratum> strata, double[]... weights) {
+    private RatingFit(int bots, List<Stratum> strata, Components components, double[]... weights) {
         this.bots = bots;
         this.strata = strata;
+        this.components = components;
         ratings = new double[bots];
         points = new double[bots];
         games = new double[bots];
+        information = new double[bots];
         this.weights = weights;
+        meanAlong = new double[components.count()][];
+        meanValue = new double[components.count()];
     }
 
     /**
@@ -77,48 +85,52 @@ public final class RatingFit {
 
     /** Fits, beginning at another fit of these bots, which is quicker where that is close; or {@code null}. */
     public static RatingFit of(int bots, List<Stratum> strata, boolean pooled, RatingFit near) {
-        RatingFit fit = new RatingFit(bots, strata, PairingWeights.of(strata, pooled));
-        fit.climb(near, null);
-        fit.spread = new ClusterSpread(strata, fit.weights, fit.ratings, fit.tied, fit.ties(), false, fit.inverse);
+        Components components = Components.of(bots, strata);
+        RatingFit fit = new RatingFit(bots, strata, components, PairingWeights.of(strata, pooled, components));
+        fit.solve(near, null);
+        fit.spread = new ClusterSpread(strata, fit.weights, fit.ratings, fit.dispersion, false, fit.inverse);
         return fit;
     }
 
-    // ---- the maximum -----------------------------------------------------------------------------
+    /** Expected points of a game. @param difference of the ratings, in natural units */
+    static double points(double difference) {
+        return 1 / (1 + StrictMath.exp(-difference));
+    }
+
+    // ---- the solution ----------------------------------------------------------------------------
 
     /**
-     * Newton's method: the logarithm of the posterior is concave.
+     * Newton's method: the surplus is the slope of a concave function, the logarithm of the likelihood of games without
+     * ties.
      *
      * @param held what is held, or {@code null}
      * @return the step that would come next; with something that is held, if it were let go
      */
-    private double[] climb(RatingFit near, Held held) {
+    private double[] solve(RatingFit near, Held held) {
         double[][] sums = new double[3][bots * bots];
+        double[] ties = new double[1];
         Stratum.each(strata, (q, k, low, high) -> {
             double[] own = strata.get(q).sums;
-            for (int what = 0; what < 3; what++) {
-                sums[what][low * bots + high] += weights[q][k] * own[3 * k + what];
-            }
+            sums[0][low * bots + high] += weights[q][k] * own[3 * k];
+            sums[1][low * bots + high] += weights[q][k] * own[3 * k + 1];
+            sums[2][low * bots + high] += components.together(low, high) ? own[3 * k] : 0;
+            ties[0] += components.together(low, high) ? own[3 * k + 2] : 0;
         });
-        double ties = 0;
-        for (int k = 0; k < sums[2].length; k++) {
-            ties += sums[2][k];
+        for (int k = 0; k < sums[0].length; k++) {
             games[k / bots] += sums[0][k];
             games[k % bots] += sums[0][k];
             points[k / bots] += sums[1][k];
             points[k % bots] += sums[0][k] - sums[1][k];
         }
-        tied = ties > 0;
         if (near != null) {
             System.arraycopy(near.ratings, 0, ratings, 0, bots);
-            logTies = near.logTies;
+            centre();
         }
-        int size = bots + (tied ? 1 : 0);
-        double[] slope = new double[size];
-        double[][] curvature = new double[size][size];
-        TieModel model = new TieModel();
+        double[] slope = new double[bots];
+        double[][] curvature = new double[bots][bots];
         Cholesky factor = null;
         for (int step = 0; step < MOST_STEPS; step++) {
-            derivatives(sums, model, slope, curvature);
+            derivatives(sums, slope, curvature);
             if (held != null) {
                 hold(slope, curvature, held);
             }
@@ -132,21 +144,33 @@ public final class RatingFit {
             for (int i = 0; i < bots; i++) {
                 ratings[i] += part * change[i];
             }
-            logTies += tied ? part * change[bots] : 0;
             if (longest < CLOSE) {
                 break;
             }
         }
         if (held != null) {
-            derivatives(sums, model, slope, curvature);
+            derivatives(sums, slope, curvature);
             factor = new Cholesky(curvature);
         }
         inverse = factor.inverse();
+        // A game's variance is p (1 - p) - t/4, t the chance of a tie; as a share of p (1 - p) the same for all games.
+        double untied = Arrays.stream(information).sum() / 2 + UNTIED;
+        dispersion = Math.max(UNTIED, untied - ties[0] / 4) / untied;
         return factor.solve(slope);
     }
 
+    private void centre() {
+        for (int number = 0; number < components.count(); number++) {
+            int[] own = components.members(number);
+            double mean = Arrays.stream(own).mapToDouble(bot -> ratings[bot]).sum() / own.length;
+            for (int bot : own) {
+                ratings[bot] -= mean;
+            }
+        }
+    }
+
     /**
-     * A sum of ratings that is held at a value.
+     * A sum of ratings of one component that is held at a value.
      *
      * @param contrast by bot, what the sum has of its rating; together 0
      * @param value    in natural units
@@ -162,14 +186,14 @@ public final class RatingFit {
     record HeldFit(RatingFit fit, double... step) { }
 
     /**
-     * Fits with a sum of ratings held.
+     * Fits with a sum of ratings of one component held.
      *
      * @param contrast by bot, what the sum has of its rating; together 0
      */
     HeldFit held(double[] contrast, double value) {
-        RatingFit fit = new RatingFit(bots, strata, weights);
-        double[] step = fit.climb(this, new Held(contrast, value));
-        fit.spread = new ClusterSpread(strata, weights, fit.ratings, fit.tied, fit.ties(), true, fit.inverse);
+        RatingFit fit = new RatingFit(bots, strata, components, weights);
+        double[] step = fit.solve(this, new Held(contrast, value));
+        fit.spread = new ClusterSpread(strata, weights, fit.ratings, 1, true, fit.inverse);
         return new HeldFit(fit, step);
     }
 
@@ -189,43 +213,51 @@ public final class RatingFit {
         }
     }
 
-    private void derivatives(double[][] sums, TieModel model, double[] slope, double[][] curvature) {
-        for (int i = 0; i < slope.length; i++) {
-            Arrays.fill(curvature[i], 0);
-            slope[i] = i == bots ? -TIES_PRIOR * logTies : -PRIOR * ratings[i];
-            curvature[i][i] = i == bots ? TIES_PRIOR : PRIOR;
+    private void derivatives(double[][] sums, double[] slope, double[][] curvature) {
+        Arrays.fill(slope, 0);
+        Arrays.fill(information, 0);
+        for (double[] row : curvature) {
+            Arrays.fill(row, 0);
         }
-        double ties = ties();
         for (int i = 0; i < bots; i++) {
             for (int j = i + 1; j < bots; j++) {
                 double games = sums[0][i * bots + j];
                 if (!(games > 0)) {
                     continue;
                 }
-                model.compute(ratings[i] - ratings[j], ties);
-                double surplus = sums[1][i * bots + j] - games * model.points;
-                double weight = games * model.pointsVariance;
+                double expected = points(ratings[i] - ratings[j]);
+                double surplus = sums[1][i * bots + j] - games * expected;
+                double weight = games * expected * (1 - expected);
                 slope[i] += surplus;
                 slope[j] -= surplus;
                 curvature[i][i] += weight;
                 curvature[j][j] += weight;
                 curvature[i][j] -= weight;
                 curvature[j][i] -= weight;
-                if (tied) {
-                    slope[bots] += sums[2][i * bots + j] - games * model.tie;
-                    curvature[bots][bots] += games * model.tieVariance;
-                    double mixed = games * model.covariance;
-                    curvature[bots][i] += mixed;
-                    curvature[i][bots] += mixed;
-                    curvature[bots][j] -= mixed;
-                    curvature[j][bots] -= mixed;
-                }
+                information[i] += sums[2][i * bots + j] * expected * (1 - expected);
+                information[j] += sums[2][i * bots + j] * expected * (1 - expected);
             }
+        }
+        for (int number = 0; number < components.count(); number++) {
+            pin(components.members(number), slope, curvature);
         }
     }
 
-    private double ties() {
-        return tied ? StrictMath.exp(logTies) : 0;
+    /** Keeps the sum of a component's ratings at 0, which no game tells; it changes nothing in their differences. */
+    private void pin(int[] own, double[] slope, double[]... curvature) {
+        double sum = 0;
+        double weight = 0;
+        for (int i : own) {
+            sum += ratings[i];
+            weight += curvature[i][i] / own.length / own.length;
+        }
+        weight = own.length == 1 ? 1 : weight;
+        for (int i : own) {
+            slope[i] -= weight * sum;
+            for (int j : own) {
+                curvature[i][j] += weight;
+            }
+        }
     }
 
     // ---- what can be asked -----------------------------------------------------------------------
@@ -238,21 +270,32 @@ public final class RatingFit {
         return bots;
     }
 
-    /** In Elo, from the prior's middle. */
+    /** Returns which bots can be compared. */
+    public Components components() {
+        return components;
+    }
+
+    /** In Elo, from the unweighted mean of its component. */
     public double rating(int bot) {
         return ELO * ratings[bot];
     }
 
-    /** The weight of ties in {@link TieModel}; 0 where there are none. */
-    public double tieWeight() {
-        return ties();
+    /** Variance of a game as a share of that of games without ties, 0..1. */
+    double dispersion() {
+        return dispersion;
     }
 
-    /** Expected points of one bot in a game against another. */
+    /** Expected points of one bot in a game against another of its component; otherwise NaN. */
     public double expected(int one, int other) {
-        TieModel model = new TieModel();
-        model.compute(ratings[one] - ratings[other], ties());
-        return model.points;
+        return components.together(one, other) ? points(ratings[one] - ratings[other]) : Double.NaN;
+    }
+
+    /** Bounds across components, from where they are asked for the first time. */
+    Sweeps sweeps() {
+        if (sweeps == null) {
+            sweeps = new Sweeps(this);
+        }
+        return sweeps;
     }
 
     /** Residuals of all pairs, from where they are asked for the first time. */
@@ -263,8 +306,10 @@ public final class RatingFit {
         return residuals;
     }
 
+    /** Returns the difference of two ratings; across components a bound or nothing. */
     public Difference difference(int one, int other) {
-        return of(along(one, other), ratings[one] - ratings[other]);
+        return components.together(one, other) ? of(along(one, other), ratings[one] - ratings[other])
+            : sweeps().difference(one, other);
     }
 
     /** Share of the weighted points of a bot; NaN without games. */
@@ -294,14 +339,6 @@ public final class RatingFit {
         return spread;
     }
 
-    /** By rating and, where there are ties, the logarithm of their weight: what the prior pushes by chance. */
-    double[] priors() {
-        double[] priors = new double[inverse.length];
-        Arrays.fill(priors, 0, bots, PRIOR);
-        Arrays.fill(priors, bots, priors.length, TIES_PRIOR);
-        return priors;
-    }
-
     double[][] inverse() {
         return inverse;
     }
@@ -309,7 +346,7 @@ public final class RatingFit {
     /**
      * Adds by stratum and group: its number of clusters times its part in the variance of a difference, as a share of
      * it. That is what one cluster more takes away, times the square of the number. Variances are those that the model
-     * tells.
+     * tells; across components all of a difference is with the games of its two bots.
      */
     void addParts(int one, int other, double[]... parts) {
         double[] along = along(one, other);
@@ -318,7 +355,8 @@ public final class RatingFit {
         for (int q = 0; q < parts.length; q++) {
             own[q] = new double[parts[q].length];
             for (int k = 0; spread.isAny(q) && k < strata.get(q).pairs(); k++) {
-                double part = spread.modelledPair(q, k, along);
+                double part = components.together(one, other) ? spread.modelledPair(q, k, along)
+                    : strata.get(q).isOf(k, one, other) ? strata.get(q).clusters : 0;
                 own[q][strata.get(q).group[k]] += part;
                 variance += part;
             }
@@ -339,47 +377,58 @@ public final class RatingFit {
         return along;
     }
 
-    /** The difference of a rating to the weighted mean of all; the weights have the sum 1. */
-    public Difference toMean(int bot, double... mean) {
-        if (!Arrays.equals(mean, meanWeights)) {
-            meanWeights = mean.clone();
-            meanAlong = new double[inverse.length];
-            meanValue = 0;
+    /** The weights of the mean that is the zero of a bot's component; the others' are 0. */
+    double[] meanWeights(int bot) {
+        double[] mean = new double[bots];
+        int[] own = components.members(components.of(bot));
+        double all = 0;
+        for (int each : own) {
+            all += information[each];
+        }
+        for (int each : own) {
+            mean[each] = all > 0 ? information[each] / all : 1.0 / own.length;
+        }
+        return mean;
+    }
+
+    /** The difference of a rating to the zero of its component; nothing for a bot that is alone. */
+    public Difference toMean(int bot) {
+        if (components.isAlone(bot)) {
+            return Difference.NONE;
+        }
+        int number = components.of(bot);
+        if (meanAlong[number] == null) {
+            double[] mean = meanWeights(bot);
+            meanAlong[number] = new double[bots];
             for (int i = 0; i < bots; i++) {
-                for (int k = 0; k < meanAlong.length; k++) {
-                    meanAlong[k] += mean[i] * inverse[i][k];
+                for (int k = 0; mean[i] > 0 && k < bots; k++) {
+                    meanAlong[number][k] += mean[i] * inverse[i][k];
                 }
-                meanValue += mean[i] * ratings[i];
+                meanValue[number] += mean[i] * ratings[i];
             }
         }
         double[] along = inverse[bot].clone();
         for (int k = 0; k < along.length; k++) {
-            along[k] -= meanAlong[k];
+            along[k] -= meanAlong[number][k];
         }
-        return of(along, ratings[bot] - meanValue);
+        return of(along, ratings[bot] - meanValue[number]);
     }
 
     /** The variance of a sum along a direction, which has been multiplied by the inverse. */
     Difference of(double[] along, double value) {
         double variance = 0;
-        for (int i = 0; i < bots; i++) {
-            variance += PRIOR * along[i] * along[i];
-        }
-        variance += tied ? TIES_PRIOR * along[bots] * along[bots] : 0;
-        double played = 0;
         double squares = 0;
         double byFreedom = 0;
         for (int q = 0; q < strata.size(); q++) {
             if (spread.isAny(q)) {
                 double part = spread.along(q, along);
-                played += part;
+                variance += part;
                 squares += part * part;
                 byFreedom += part * part / spread.freedom(q);
             }
         }
-        variance += played;
         return new Difference(value, variance,
             byFreedom > 0 ? Math.min(CERTAIN, variance * variance / byFreedom) : CERTAIN,
-            played > 0 ? squares / (played * played) : 1);
+            variance > 0 ? squares / (variance * variance) : 1);
     }
 }

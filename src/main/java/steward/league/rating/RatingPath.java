@@ -35,11 +35,13 @@ public record RatingPath(List<LeagueTable.Entry> entries, List<Point> points) {
     public static final class Collector {
 
         private final List<LeagueTable.Entry> entries;
+        private final LeagueTable.Reference reference;
         private final List<Point> points = new ArrayList<>();
 
         /** @param entries the versions to follow */
-        public Collector(List<LeagueTable.Entry> entries) {
+        public Collector(List<LeagueTable.Entry> entries, LeagueTable.Reference reference) {
             this.entries = List.copyOf(entries);
+            this.reference = reference;
         }
 
         /** Takes the results as they are now. */
@@ -51,9 +53,12 @@ public record RatingPath(List<LeagueTable.Entry> entries, List<Point> points) {
             double[] bars = new double[entries.size()];
             for (int k = 0; k < entries.size(); k++) {
                 boolean known = rated.contains(entries.get(k).version());
-                Difference rating = known ? table.rating(entries.get(k).version()) : null;
-                ratings[k] = known ? rating.elo() : Double.NaN;
-                bars[k] = known ? rating.bar() : Double.NaN;
+                Difference rating = known ? table.anchored(entries.get(k).version(), reference.anchor())
+                    : Difference.NONE;
+                boolean isAnchored = known && rated.contains(reference.anchor())
+                    && table.isComparable(entries.get(k).version(), reference.anchor());
+                ratings[k] = rating.elo() + (isAnchored ? reference.elo() : 0);
+                bars[k] = rating.isOneSided() ? Double.NaN : rating.bar();
             }
             points.add(new Point(results.games(), ratings, bars));
         }

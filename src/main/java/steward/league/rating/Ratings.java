@@ -2,58 +2,45 @@ package steward.league.rating;
 
 import java.util.Arrays;
 import java.util.Collections;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.IntStream;
 
 /**
  * The ratings of some versions of bots, from all games between them.
  *
  * @param versions ascending
  * @param fit      in which they have the numbers 0, 1, ...
- * @param weights  each version's share of the games; all the same where there are none. The mean with these weights is
- *                 0: a bot that has just come does not widen the bars of the others
  */
-public record Ratings(List<Integer> versions, RatingFit fit, double... weights) {
+public record Ratings(List<Integer> versions, RatingFit fit) {
 
     /** Copies. */
     public Ratings {
         versions = List.copyOf(versions);
-        weights = weights.clone();
     }
 
     public static Ratings of(Results results, List<Integer> versions) {
         List<Integer> sorted = versions.stream().sorted().toList();
         List<Stratum> strata = results.strata(sorted.stream().mapToInt(Integer::intValue).toArray());
-        return new Ratings(sorted, RatingFit.of(sorted.size(), strata, results.alone()),
-            weights(sorted.size(), strata));
+        return new Ratings(sorted, RatingFit.of(sorted.size(), strata, results.alone()));
     }
 
-    private static double[] weights(int bots, List<Stratum> strata) {
-        double[] weights = new double[bots];
-        double all = 0;
-        for (Stratum stratum : strata) {
-            for (int k = 0; k < stratum.pairs(); k++) {
-                double games = stratum.sums[3 * k];
-                weights[stratum.bots[stratum.low[k]]] += games;
-                weights[stratum.bots[stratum.high[k]]] += games;
-                all += 2 * games;
-            }
-        }
-        for (int i = 0; i < bots; i++) {
-            weights[i] = all > 0 ? weights[i] / all : 1.0 / bots;
-        }
-        return weights;
-    }
-
-    /** The rating of a version: its difference to the mean. */
+    /** The rating of a version: its difference to the zero of its component. */
     public Difference rating(int version) {
-        return fit.toMean(place(version), weights);
+        return fit.toMean(place(version));
     }
 
     /** Rating with a bound in place of a bar where the version has won or lost nearly everything. */
     public Difference bounded(int version) {
-        return new ScoreTest(fit).boundedToMean(place(version), weights);
+        return new ScoreTest(fit).boundedToMean(place(version));
+    }
+
+    /** The rating of a version: its difference to an anchor of its component, if there is one, or to the zero. */
+    public Difference anchored(int version, int anchor) {
+        return !versions.contains(anchor) || isAlone(anchor) || !isComparable(version, anchor) ? bounded(version)
+            : version == anchor ? Difference.ZERO : bounded(version, anchor);
     }
 
     /** The difference of two versions, with a bound in place of a bar where one has won or lost nearly everything. */
@@ -61,17 +48,67 @@ public record Ratings(List<Integer> versions, RatingFit fit, double... weights) 
         return new ScoreTest(fit).bounded(place(one), place(other));
     }
 
+    /** True if the ratings of two versions can be compared. */
+    public boolean isComparable(int one, int other) {
+        return fit.components().together(place(one), place(other));
+    }
+
+    /** True if the rating of a version can be compared with no other. */
+    public boolean isAlone(int version) {
+        return fit.components().isAlone(place(version));
+    }
+
+    /** True if a version has won or lost nearly everything within its component, so that it has a bound and no bar. */
+    public boolean isExtreme(int version) {
+        return new ScoreTest(fit).isExtreme(place(version));
+    }
+
+    /** Returns the components, the upper ones first, each from its highest rating. */
+    public List<List<Integer>> components() {
+        return IntStream.range(0, fit.components().count()).mapToObj(number ->
+            Arrays.stream(fit.components().members(number)).boxed()
+                .sorted(Comparator.comparingDouble((Integer bot) -> -fit.value(bot)).thenComparing(bot -> bot))
+                .map(versions::get).toList()).toList();
+    }
+
+    /** Returns the versions from the highest rating, the components one after another. */
+    public List<Integer> order() {
+        return components().stream().flatMap(List::stream).toList();
+    }
+
+    /** Returns the seeds in which the component of one version took every point from that of another. */
+    public long sweptSeeds(int one, int other) {
+        return fit.sweeps().seeds(fit.components().of(place(one)), fit.components().of(place(other)));
+    }
+
+    /** The likelihood of superiority of the first of two versions; NaN where nothing is known. */
+    public double superiority(int one, int other) {
+        return isComparable(one, other) ? difference(one, other).superiority()
+            : fit.sweeps().superiority(place(one), place(other));
+    }
+
+    /** Returns how many games a version has played with the others, in whole games of two. */
+    public double games(int version) {
+        double[] games = new double[1];
+        Stratum.each(fit.strata(), (q, k, low, high) ->
+            games[0] += low == place(version) || high == place(version) ? fit.strata().get(q).sums[3 * k] : 0);
+        return games[0];
+    }
+
     public Difference difference(int one, int other) {
         return fit.difference(place(one), place(other));
     }
 
     /**
-     * True if two versions of which one has won or lost nearly everything are surely not equal; the one with the higher
-     * rating is the better one then. May be asked at any time.
+     * True if two versions of which one has won or lost nearly everything are surely not equal; the one that comes
+     * first in {@link #order} is the better one then. May be asked at any time.
      *
      * @param alpha the probability with which this may ever be said wrongly
      */
     public boolean isUnequal(int one, int other, double alpha) {
+        if (!isComparable(one, other)) {
+            return fit.sweeps().isOrdered(place(one), place(other), alpha);
+        }
         ScoreTest test = new ScoreTest(fit);
         if (!test.isExtreme(place(one)) && !test.isExtreme(place(other))) {
             return false;
@@ -93,7 +130,7 @@ public record Ratings(List<Integer> versions, RatingFit fit, double... weights) 
 
     /**
      * By group: the number of its clusters times its part in the variance of a difference, as a share of it, summed up
-     * over some differences.
+     * over some differences. One across components depends on the games of its two bots alone.
      *
      * @param pairs of versions
      */

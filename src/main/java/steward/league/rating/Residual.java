@@ -4,7 +4,7 @@ package steward.league.rating;
  * Residual of the games between two bots beside their ratings.
  *
  * @param share    of the points of the first; NaN without games
- * @param expected as the ratings tell
+ * @param expected as the ratings tell; NaN where they cannot be compared
  * @param clusters in which they met
  * @param z        the difference of the two in standard deviations of the share, from the spread of its clusters; 0
  *                 where there are too few

@@ -34,7 +34,7 @@ final class Residuals {
         }
         double share = points / games;
         double expected = fit.expected(one, other);
-        if (clusters < RatingFit.WHOLE) {
+        if (clusters < RatingFit.WHOLE || Double.isNaN(expected)) {
             return new Residual(share, expected, clusters, 0);
         }
         double squares = 0;

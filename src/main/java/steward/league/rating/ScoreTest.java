@@ -47,19 +47,24 @@ public final class ScoreTest {
             RatingFit.CERTAIN, 1);
     }
 
-    /** The difference of two ratings; one-sided if one of them is extreme and there are not too many to be fitted. */
+    /**
+     * The difference of two ratings; one-sided if one of them is extreme and there are not too many to be fitted, or if
+     * they are of two components.
+     */
     public Difference bounded(int one, int other) {
         Difference found = fit.difference(one, other);
-        return fit.bots() <= MOST_FITTED && (isExtreme(one) || isExtreme(other))
+        return fit.components().together(one, other) && fit.bots() <= MOST_FITTED
+            && (isExtreme(one) || isExtreme(other))
             ? bounded(found, value -> asked(contrast(one, other), value)) : found;
     }
 
-    /** The difference of a rating to a weighted mean of all; one-sided if the bot is extreme. */
-    public Difference boundedToMean(int bot, double... mean) {
-        Difference found = fit.toMean(bot, mean);
-        if (!isExtreme(bot)) {
+    /** The difference of a rating to the zero of its component; one-sided if the bot is extreme. */
+    public Difference boundedToMean(int bot) {
+        Difference found = fit.toMean(bot);
+        if (fit.components().isAlone(bot) || !isExtreme(bot)) {
             return found;
         }
+        double[] mean = fit.meanWeights(bot);
         if (fit.bots() > MOST_FITTED) {
             double others = fit.value(bot) - found.value() / (1 - mean[bot]);
             return bounded(found, value -> asked(bot, others + value / (1 - mean[bot])));
@@ -138,24 +143,22 @@ public final class ScoreTest {
         double[] moved = IntStream.range(0, fit.bots()).mapToDouble(fit::value).toArray();
         moved[bot] = rating;
         List<Stratum> strata = fit.strata();
-        double ties = fit.tieWeight();
         List<Stratum> own = new ArrayList<>();
         List<double[]> weighted = new ArrayList<>();
         double[] surplus = new double[1];
-        TieModel model = new TieModel();
         Stratum.each(strata, (q, k, low, high) -> {
             if (low == bot || high == bot) {
                 if (own.isEmpty() || own.get(own.size() - 1) != strata.get(q)) {
                     own.add(strata.get(q));
                     weighted.add(fit.weights[q]);
                 }
-                model.compute(moved[low] - moved[high], ties);
+                double points = RatingFit.points(moved[low] - moved[high]);
                 double[] sums = strata.get(q).sums;
-                double pushed = fit.weights[q][k] * (sums[3 * k + 1] - sums[3 * k] * model.points);
+                double pushed = fit.weights[q][k] * (sums[3 * k + 1] - sums[3 * k] * points);
                 surplus[0] += low == bot ? pushed : -pushed;
             }
         });
-        ClusterSpread tested = new ClusterSpread(own, weighted.toArray(double[][]::new), moved, ties > 0, ties, true,
+        ClusterSpread tested = new ClusterSpread(own, weighted.toArray(double[][]::new), moved, 1, true,
             fit.inverse());
         double[] along = new double[fit.inverse().length];
         along[bot] = 1;

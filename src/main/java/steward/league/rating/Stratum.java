@@ -77,6 +77,11 @@ public final class Stratum {
         return low.length;
     }
 
+    /** True if a pair is of these two bots. */
+    boolean isOf(int pair, int one, int other) {
+        return bots[low[pair]] == Math.min(one, other) && bots[high[pair]] == Math.max(one, other);
+    }
+
     /**
      * Adds a way for a cluster to go.
      *

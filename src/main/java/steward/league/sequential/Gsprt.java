@@ -100,7 +100,7 @@ public record Gsprt(double elo0, double elo1, double alpha, double beta, Model m
 
     private double[] chances(ConstrainedFrequencies likely, double elo, int games) {
         return model == Model.NORMALIZED ? likely.ofDeviations(elo / NORMALIZED * Math.sqrt(games))
-            : likely.ofMean(1 / (1 + StrictMath.exp(-elo / LOGISTIC)));
+            : likely.ofMean(score(elo));
     }
 
     /** The greatest change of the logarithm by one more observation; a few more change hardly how great it is. */
@@ -117,21 +117,18 @@ public record Gsprt(double elo0, double elo1, double alpha, double beta, Model m
         return ratio >= upper() ? State.H1 : ratio <= lower() ? State.H0 : State.OPEN;
     }
 
-    /** The difference in Elo of this model that a mean score is. */
-    public double elo(double mean, ScoreCounts scores) {
-        return model == Model.NORMALIZED
-            ? (mean - 0.5) / Math.sqrt(scores.variance() * scores.games()) * NORMALIZED
-            : logistic(mean);
+    /** What is told of the difference in Elo of this model, corrected for stopping. Expects observations. */
+    public StoppedRange range(ScoreCounts scores) {
+        return StoppedRange.of(this, scores);
     }
 
-    /** The range of the difference in Elo of this model that holds at all looks. Expects observations. */
-    public SequentialBar range(ScoreCounts scores) {
-        return model == Model.NORMALIZED
-            ? SequentialBar.ofDeviations(scores).map(t -> t * NORMALIZED / Math.sqrt(scores.games()))
-            : SequentialBar.ofMean(scores).map(Gsprt::logistic);
+    /** The mean score of a difference in logistic Elo. */
+    static double score(double elo) {
+        return 1 / (1 + StrictMath.exp(-elo / LOGISTIC));
     }
 
-    private static double logistic(double mean) {
+    /** The difference in logistic Elo of a mean score. */
+    static double logistic(double mean) {
         return LOGISTIC * StrictMath.log(mean / (1 - mean));
     }
 }

@@ -316,8 +316,8 @@ public final class GameQueries {
     }
 
     /** Returns how the ratings of these versions went. */
-    public RatingPath path(List<LeagueTable.Entry> entries) {
-        RatingPath.Collector path = new RatingPath.Collector(entries);
+    public RatingPath path(List<LeagueTable.Entry> entries, LeagueTable.Reference reference) {
+        RatingPath.Collector path = new RatingPath.Collector(entries, reference);
         database.inSnapshot(() -> {
             long first = number("SELECT coalesce(min(id), 0) FROM game WHERE season = ?", season);
             long last = number("SELECT coalesce(max(id), 0) FROM game WHERE season = ?", season);

@@ -22,6 +22,7 @@ import steward.league.StoredGame;
 import steward.league.page.ErrorLines;
 import steward.league.page.LeaguePage;
 import steward.league.page.LeagueView;
+import steward.league.rating.LeagueTable;
 
 /** Pages of a league, from disk and live, name the line of a bot's stderr that says why it failed. */
 @Tag("process")
@@ -50,7 +51,8 @@ class ErrorLinesTest {
         assertEquals(2, count(page, "\"error\":null"), "the other bot's");
         try (LeagueOpening.Opened league = LeagueOpening.read(new LeagueFolder(folder.resolve("a")))) {
             List<StoredGame> games = league.games().last(10);
-            LeagueView view = new LeagueView(league.season(), league.table(), league.games().path(league.entries()),
+            LeagueView view = new LeagueView(league.season(), league.table(), league.games().path(league.entries(),
+                LeagueTable.Reference.NONE),
                 games, Double.NaN, List.of());
             Path replays = league.folder().replays();
             BiPredicate<StoredGame, Integer> nobody = (game, seat) -> false;

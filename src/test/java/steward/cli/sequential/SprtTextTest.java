@@ -38,6 +38,6 @@ class SprtTextTest {
         scores.add(1, 10_000);
         String text = new SprtText(new Gsprt(0, 10, 0.05, 0.05, Gsprt.Model.LOGISTIC), "one", "other")
             .lines(scores, new SprtText.Unused(0, 0, 0), Colour.NONE).get(4);
-        assertTrue(text.contains("), logistic Elo 0.0 (-"), text);
+        assertTrue(text.contains(", Elo 0.0 (-"), text);
     }
 }

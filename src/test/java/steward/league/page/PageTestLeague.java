@@ -34,7 +34,7 @@ public final class PageTestLeague {
         }
         Season season = Season.of("mad-pod-racing", "key", "limits", "rules", 2, false);
         Results results = new Results(season);
-        RatingPath.Collector path = new RatingPath.Collector(entries);
+        RatingPath.Collector path = new RatingPath.Collector(entries, LeagueTable.Reference.NONE);
         List<StoredGame> games = new ArrayList<>();
         int all = rounds * bots * (bots - 1) / 2;
         for (int round = 0; round < rounds; round++) {

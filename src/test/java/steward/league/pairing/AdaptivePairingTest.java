@@ -95,7 +95,7 @@ class AdaptivePairingTest {
             play.over(task);
         }
         assertTrue(games.size() < 20_000, "it has ended by itself");
-        List<Integer> order = StopRule.order(play.end.met());
+        List<Integer> order = play.end.met().order();
         assertEquals(List.of(1, 2, 3, 4, 5), order);
         assertTrue(!RULE.orders(play.end.met(), order).contains(StopRule.Order.OPEN));
         return games;

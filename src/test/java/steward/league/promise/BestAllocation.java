@@ -23,8 +23,7 @@ final class BestAllocation {
         int bots = league.bots();
         List<Stratum> strata = league.groups().stream().map(group -> group.inProportion(1L << 30)).toList();
         RatingFit fit = RatingFit.of(bots, strata, league.pooled(), league.truth());
-        Ratings ratings = new Ratings(IntStream.range(0, bots).boxed().toList(), fit,
-            IntStream.range(0, bots).mapToDouble(bot -> 1.0 / bots).toArray());
+        Ratings ratings = new Ratings(IntStream.range(0, bots).boxed().toList(), fit);
         double[][] parts = new double[bots - 1][];
         double inTurn = 0;
         for (int k = 0; k + 1 < bots; k++) {

@@ -152,6 +152,24 @@ record MadeUpGroup(double weight, int[][] groups, int[] bots, double[] chances, 
     }
 
     /**
+     * Two bots whose expected points are 1/(1 + exp(-apart)), whatever share of the games is drawn.
+     *
+     * @param share of the games drawn if both are even; of others 2 min(p, 1 - p) times as many, p the expected points
+     */
+    static MadeUpGroup drawn(double apart, double share, int... pair) {
+        double points = 1 / (1 + StrictMath.exp(-apart));
+        double tie = share * 2 * Math.min(points, 1 - points);
+        return of(1, (seat, shifts) -> {
+            Map<double[], Double> outcomes = map();
+            outcomes.put(new double[] {1, 1, 0}, points - tie / 2);
+            outcomes.put(new double[] {1, 0.5, 1}, tie);
+            outcomes.put(new double[] {1, 0, 0}, 1 - points - tie / 2);
+            outcomes.values().removeIf(chance -> chance == 0);
+            return outcomes;
+        }, 2, 0, pair);
+    }
+
+    /**
      * Any number of bots whose places are drawn one after the other, each with the odds of its strength among those
      * that are left (R. L. Plackett, "The analysis of permutations", Applied Statistics 24, 1975).
      *

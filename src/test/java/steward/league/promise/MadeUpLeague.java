@@ -3,6 +3,7 @@ package steward.league.promise;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.Predicate;
 import java.util.stream.IntStream;
 import steward.league.rating.RatingFit;
 import steward.league.rating.Stratum;
@@ -118,6 +119,29 @@ record MadeUpLeague(String name, int bots, boolean pooled, List<MadeUpGroup> gro
             sharing("4 bots, all on one list of seeds", 4,
                 new int[][] {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}})));
         return all;
+    }
+
+    /** Expected points follow from Elo: at five shares of draws, one bot far behind, two pairs that never meet. */
+    static List<MadeUpLeague> logistic() {
+        List<MadeUpLeague> all = new ArrayList<>();
+        for (int percent : new int[] {0, 20, 40, 60, 90}) {
+            all.add(drawn("4 bots, " + percent + "% drawn", percent / 100.0, spaced(4, 60), pair -> true));
+        }
+        all.add(drawn("3 bots, one 800 behind", 0.2, new double[] {70, 0, -800}, pair -> true));
+        all.add(drawn("4 bots, two pairs that never meet", 0.2, spaced(4, 60), pair -> pair[0] / 2 == pair[1] / 2));
+        return all;
+    }
+
+    private static MadeUpLeague drawn(String name, double share, double[] elo, Predicate<int[]> meet) {
+        List<MadeUpGroup> groups = new ArrayList<>();
+        for (int i = 0; i < elo.length; i++) {
+            for (int j = i + 1; j < elo.length; j++) {
+                if (meet.test(new int[] {i, j})) {
+                    groups.add(MadeUpGroup.drawn((elo[i] - elo[j]) / RatingFit.ELO, share, i, j));
+                }
+            }
+        }
+        return of(name, elo.length, false, groups, -1);
     }
 
     static MadeUpLeague trio() {

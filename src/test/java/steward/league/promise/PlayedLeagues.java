@@ -44,7 +44,6 @@ record PlayedLeagues(MadeUpLeague league, long leagues, long[] looks, long[] end
         private final List<Stratum> strata;
         private final SplitMix64 random;
         private final List<Integer> versions;
-        private final double[] weights;
         private final long[] looks;
         private final long[] end;
         private final long[] fixed;
@@ -57,8 +56,6 @@ record PlayedLeagues(MadeUpLeague league, long leagues, long[] looks, long[] end
             strata = league.strata();
             random = new SplitMix64(SEED + number);
             versions = IntStream.range(0, league.bots()).boxed().toList();
-            weights = new double[league.bots()];
-            Arrays.fill(weights, 1.0 / weights.length);
             looks = new long[league.pairs()];
             Arrays.fill(looks, 1);
             end = new long[looks.length];
@@ -83,11 +80,11 @@ record PlayedLeagues(MadeUpLeague league, long leagues, long[] looks, long[] end
                     Difference found = fit.difference(i, j);
                     double error = Math.abs(found.elo() - league.truth(i, j));
                     // An anytime bar is never below two standard deviations, which saves time.
-                    boolean in = error <= 2 * RatingFit.ELO * Math.sqrt(found.variance())
-                        || error <= found.anytimeBar();
+                    boolean in = found.isOneSided() ? found.holds(league.truth(i, j))
+                        : !(error > 2 * RatingFit.ELO * Math.sqrt(found.variance()) && error > found.anytimeBar());
                     end[pair] = in ? 1 : 0;
                     looks[pair] *= end[pair];
-                    fixed[pair] = error <= found.bar() ? 1 : 0;
+                    fixed[pair] = found.holds(league.truth(i, j)) ? 1 : 0;
                 }
             }
         }
@@ -169,13 +166,13 @@ record PlayedLeagues(MadeUpLeague league, long leagues, long[] looks, long[] end
                 }
                 fit();
             }
-            return new Ratings(versions, fit, weights);
+            return new Ratings(versions, fit);
         }
 
         /** True if all that was found of neighbours is true. */
         private boolean isRight(StopRule rule) {
-            Ratings found = new Ratings(versions, fit, weights);
-            List<Integer> order = StopRule.order(found);
+            Ratings found = new Ratings(versions, fit);
+            List<Integer> order = found.order();
             List<StopRule.Order> orders = new ArrayList<>(rule.orders(found, order));
             return IntStream.range(0, orders.size()).allMatch(k -> {
                 double truth = league.truth(order.get(k), order.get(k + 1));
@@ -232,7 +229,7 @@ record PlayedLeagues(MadeUpLeague league, long leagues, long[] looks, long[] end
                 double share = (double) held[pair] / leagues;
                 double score = league.truth().expected(i, j);
                 int at = score < 0.05 || score > 0.95 ? 2 : 0;
-                if (hero == null || hero == (i == league.hero() || j == league.hero())) {
+                if (!Double.isNaN(score) && (hero == null || hero == (i == league.hero() || j == league.hero()))) {
                     shares[at] = Double.isNaN(shares[at]) ? share : Math.min(shares[at], share);
                     shares[1] = at == 2 ? shares[1] : Double.isNaN(shares[1]) ? share : Math.max(shares[1], share);
                 }

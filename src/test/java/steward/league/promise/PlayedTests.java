@@ -5,7 +5,7 @@ import steward.league.rating.RatingFit;
 import steward.league.sequential.ExpectedLength;
 import steward.league.sequential.Gsprt;
 import steward.league.sequential.ScoreCounts;
-import steward.league.sequential.SequentialBar;
+import steward.league.sequential.StoppedRange;
 import steward.numerics.SplitMix64;
 
 /**
@@ -53,7 +53,7 @@ record PlayedTests(double accepted, double mean, double theory, double held) {
                 }
                 state = test.state(counted);
             }
-            SequentialBar range = test.range(counted);
+            StoppedRange range = test.range(counted);
             return new long[] {state == Gsprt.State.H1 ? 1 : 0, counted.observations(),
                 range.low() <= at && at <= range.high() ? 1 : 0};
         }).reduce((one, other) -> new long[] {one[0] + other[0], one[1] + other[1], one[2] + other[2]}).orElseThrow();

@@ -84,6 +84,7 @@ class RatingPromisesTest {
         };
         for (int clusters : new int[] {5, 10, 30, 100, 300}) {
             MadeUpLeague.small().forEach(league -> fixed(league, "" + clusters, even.apply(league, clusters)));
+            MadeUpLeague.logistic().forEach(league -> fixed(league, "" + clusters, even.apply(league, clusters)));
         }
         for (MadeUpLeague league : List.of(MadeUpLeague.trio(), MadeUpLeague.mixed(), MadeUpLeague.threes())) {
             SplitMix64 random = new SplitMix64(21);
@@ -111,7 +112,7 @@ class RatingPromisesTest {
             DoubleSummaryStatistics near = TwoBots.ours(clusters, 0, 300);
             DoubleSummaryStatistics far = TwoBots.ours(clusters, 300, 515);
             exact(clusters, "these", near, far, TwoBots.ours(clusters, 515, 1305).getMin());
-            assertTrue(near.getMin() > 0.942 && far.getMin() > 0.936 && far.getMax() < 0.975, lines::toString);
+            assertTrue(near.getMin() > 0.942 && far.getMin() > 0.936 && far.getMax() < 0.98, lines::toString);
         }
         for (int clusters : TestSize.isWhole() ? new int[] {30, 40, 60} : new int[] {30}) {
             int games = 2 * clusters;
@@ -301,7 +302,7 @@ class RatingPromisesTest {
     void theBestAllocationHasItsClosedForm() {
         MadeUpLeague league = MadeUpLeague.pairs("three", new double[] {10, 0, -600}, 0, 0, 0, 0);
         Ratings ratings = new Ratings(List.of(0, 1, 2), RatingFit.of(3, league.groups().stream()
-            .map(group -> group.inProportion(1 << 20)).toList(), false), 1, 0, 0);
+            .map(group -> group.inProportion(1 << 20)).toList(), false));
         double[] parts = ratings.parts(List.of(new int[] {0, 1})).values().stream().mapToDouble(part -> part).toArray();
         double roots = Arrays.stream(parts).map(Math::sqrt).sum();
         assertEquals(roots * roots / (3 * Arrays.stream(parts).sum()), BestAllocation.share(league), 1e-3);

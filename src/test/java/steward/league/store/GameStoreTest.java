@@ -173,7 +173,7 @@ class GameStoreTest {
             LeagueTable table = LeagueTable.of(queries.results(), entries);
             assertEquals(List.of("bot-1", "bot-2", "bot-3"), table.rows().stream().map(row -> row.entry().name())
                 .toList());
-            RatingPath path = queries.path(entries);
+            RatingPath path = queries.path(entries, LeagueTable.Reference.NONE);
             RatingPath.Point last = path.points().get(path.points().size() - 1);
             assertEquals(RatingPath.MOST, path.points().size());
             assertEquals(RatingPath.MOST, RatingPath.points(100));

@@ -92,7 +92,7 @@ class StoredClustersTest {
             assertEquals(LeagueTable.of(single, entries).rows().stream().map(LeagueTable.Row::bar).toList(),
                 table.rows().stream().map(LeagueTable.Row::bar).toList());
             assertTrue(single.clusters() < 40 + 150 + 10, () -> "found " + single.clusters() + " clusters");
-            RatingPath path = queries.path(entries);
+            RatingPath path = queries.path(entries, LeagueTable.Reference.NONE);
             assertEquals(table.rows().get(0).bar(), path.points().get(path.points().size() - 1).bars()[
                 table.rows().get(0).entry().version() - 1], 1e-9);
         }

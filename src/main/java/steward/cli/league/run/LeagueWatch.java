@@ -105,7 +105,8 @@ final class LeagueWatch implements AutoCloseable {
         try {
             if (System.nanoTime() - pathDue >= 0) {
                 long began = System.nanoTime();
-                path = games.path(table.rows().stream().map(LeagueTable.Row::entry).toList());
+                path = games.path(table.rows().stream().map(LeagueTable.Row::entry).toList(),
+                    table.reference());
                 pathDue = System.nanoTime() + REST * (System.nanoTime() - began);
             }
             server.show(LeaguePage.live(new LeagueView(season, table, path, games.last(LISTED), progress.rate(),

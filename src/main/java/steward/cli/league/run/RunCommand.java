@@ -230,6 +230,7 @@ public final class RunCommand extends ProgramCommand {
                 }
                 if (!quiet && !part) {
                     sayBegin(teller, contest, plan != null ? progress.planned() : length(settings, season, roster));
+                    sayNeeded(teller, progress, roster);
                 }
                 run.play();
             }
@@ -258,6 +259,11 @@ public final class RunCommand extends ProgramCommand {
     private static String length(LeagueSettings settings, Season season, Roster roster) {
         return RoundText.length(settings, roster.versions(), season.players(), settings.gauntlet() == null ? -1
             : roster.versionOf(settings.gauntlet()).orElse(-1), roster.meeting());
+    }
+
+    private void sayNeeded(Consumer<String> teller, LeagueProgress progress, Roster roster) {
+        UntilOptions.needed(until.rule(), Ratings.of(progress.table(roster.settings()).results(), roster.versions()),
+            roster).forEach(teller);
     }
 
     private static void sayBegin(Consumer<String> teller, Contest contest, String length) {
@@ -302,7 +308,7 @@ public final class RunCommand extends ProgramCommand {
         TableText.whole(table, season, machines == null ? List.of() : machines.workers(), streams.outColour())
             .forEach(streams.out()::println);
         (run.ended() != null ? UntilOptions.tell(run.ended(), run.roster())
-            : UntilOptions.missing(until.rule(), Ratings.of(table.results(), run.roster().versions())))
+            : UntilOptions.missing(until.rule(), Ratings.of(table.results(), run.roster().versions()), run.roster()))
             .forEach(streams.out()::println);
         RoundText.unfinished(table, run.roster().settings(), season.players()).ifPresent(streams.out()::println);
         if (run.isRepeated()) {

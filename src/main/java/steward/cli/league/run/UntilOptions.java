@@ -1,12 +1,17 @@
 package steward.cli.league.run;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.function.Function;
+import java.util.stream.Collectors;
 import picocli.CommandLine.Option;
 import steward.cli.options.CallCheck;
 import steward.cli.options.OptionSection;
+import steward.league.pairing.BarNeed;
 import steward.league.pairing.LeagueEnd;
 import steward.league.pairing.StopRule;
 import steward.league.play.Roster;
@@ -19,11 +24,13 @@ import steward.text.TextFormat;
 final class UntilOptions {
 
     private static final double MOST_ELO = 1000;
+    /** Bots that are named in a line. */
+    private static final int NAMED = 5;
 
     private final CallCheck check = CallCheck.withHelp();
 
-    @Option(names = "--until-bars", paramLabel = "ELO", description = "Ends when the anytime bar of every bot is at "
-        + "most so wide to each side.")
+    @Option(names = "--until-bars", paramLabel = "ELO", description = "Ends when the anytime bar of every bot that can "
+        + "have one is at most so wide to each side; says beforehand who needs how many games.")
     private Double bars;
 
     @Option(names = "--until-ranked", description = "Ends when the order of all bots is sure: "
@@ -49,9 +56,8 @@ final class UntilOptions {
         List<String> lines = new ArrayList<>();
         Ratings met = end.met();
         if (end.rule().ranked()) {
-            Map<Integer, String> names = new HashMap<>();
-            roster.members().forEach(member -> names.put(member.version().id(), member.version().display()));
-            List<Integer> order = StopRule.order(met);
+            Map<Integer, String> names = names(roster);
+            List<Integer> order = met.order();
             List<StopRule.Order> orders = end.rule().orders(met, order);
             StringBuilder line = new StringBuilder("Ranked: ");
             for (int k = 0; k < order.size(); k++) {
@@ -64,25 +70,71 @@ final class UntilOptions {
             }
         }
         if (!Double.isNaN(end.rule().bars())) {
-            lines.add("All anytime bars are at most " + TextFormat.number(end.rule().bars(), 2) + " Elo.");
+            List<BarNeed> needs = BarNeed.of(met, end.rule().bars());
+            boolean isAll = needs.stream().noneMatch(BarNeed::isBeyondReach);
+            if (!needs.stream().allMatch(BarNeed::isBeyondReach)) {
+                lines.add("All anytime bars" + (isAll ? "" : " of the others") + " are at most "
+                    + TextFormat.number(end.rule().bars(), 2) + " Elo.");
+            }
+            beyond(needs, names(roster)).ifPresent(lines::add);
         }
         return lines;
     }
 
-    /** Lists the open questions where a run ended before enough was known; nothing where little is. */
-    static List<String> missing(StopRule rule, Ratings found) {
+    private static Map<Integer, String> names(Roster roster) {
+        Map<Integer, String> names = new HashMap<>();
+        roster.members().forEach(member -> names.put(member.version().id(), member.version().display()));
+        return names;
+    }
+
+    private static Optional<String> beyond(List<BarNeed> needs, Map<Integer, String> names) {
+        List<BarNeed> beyond = needs.stream().filter(BarNeed::isBeyondReach).toList();
+        return beyond.isEmpty() ? Optional.empty() : Optional.of(TextFormat.plain(joined(beyond, names,
+            need -> "") + (beyond.size() == 1 ? " has" : " have") + " won or lost nearly everything, and "
+            + (beyond.size() == 1 ? "has a bound in place of a bar: not waited for."
+            : "have bounds in place of bars: not waited for.")));
+    }
+
+    private static String joined(List<BarNeed> needs, Map<Integer, String> names, Function<BarNeed, String> more) {
+        return needs.stream().limit(NAMED).map(need -> names.getOrDefault(need.version(), "?") + more.apply(need))
+            .collect(Collectors.joining(", ")) + (needs.size() > NAMED ? " and " + (needs.size() - NAMED) + " more"
+            : "");
+    }
+
+    /** Lists who needs how many games until the bars are narrow enough, and who is not waited for. */
+    static List<String> needed(StopRule rule, Ratings found, Roster roster) {
         List<String> lines = new ArrayList<>();
-        if (!Double.isNaN(rule.bars())) {
-            double widest = found.versions().stream().mapToDouble(version -> found.rating(version).anytimeBar()).max()
-                .orElse(0);
-            if (widest > rule.bars()) {
-                lines.add("Not yet at --until-bars " + TextFormat.number(rule.bars(), 2)
-                    + ": the widest anytime bar is "
-                    + (Difference.isKnown(widest) ? Math.round(widest) + " Elo." : "not known."));
+        if (!Double.isNaN(rule.bars()) && found.versions().size() > 1) {
+            Map<Integer, String> names = names(roster);
+            List<BarNeed> needs = BarNeed.of(found, rule.bars());
+            List<BarNeed> open = needs.stream().filter(BarNeed::isWaitedFor)
+                .sorted(Comparator.comparingDouble((BarNeed need) -> need.games() - need.needed())).toList();
+            String wanted = "--until-bars " + TextFormat.number(rule.bars(), 2);
+            if (!open.isEmpty() && open.stream().allMatch(need -> Double.isNaN(need.bar()))) {
+                lines.add(wanted + " takes about " + rounded(BarNeed.even(found.versions().size(), rule.bars()))
+                    + " games of each bot, if all are even and seldom draw; more of one that is far ahead or behind");
+            } else if (!open.isEmpty()) {
+                lines.add(TextFormat.plain(wanted + " needs more games of " + joined(open, names, need ->
+                    " (" + (Double.isNaN(need.bar()) || !Difference.isKnown(need.bar()) ? "no bar"
+                        : "± " + Math.round(need.bar())) + " after " + Math.round(need.games()) + ": about "
+                        + rounded(need.needed() - need.games()) + " more)")));
             }
+            beyond(needs, names).ifPresent(lines::add);
         }
+        return lines;
+    }
+
+    /** Two figures, since no more are known. */
+    private static String rounded(double games) {
+        double unit = Math.pow(10, Math.floor(Math.log10(Math.max(1, games))) - 1);
+        return TextFormat.number(Math.max(1, Math.ceil(games / Math.max(1, unit)) * Math.max(1, unit)), 0);
+    }
+
+    /** Lists the open questions where a run ended before enough was known; nothing where little is. */
+    static List<String> missing(StopRule rule, Ratings found, Roster roster) {
+        List<String> lines = needed(rule, found, roster);
         if (rule.ranked()) {
-            List<StopRule.Order> orders = rule.orders(found, StopRule.order(found));
+            List<StopRule.Order> orders = rule.orders(found, found.order());
             long open = orders.stream().filter(order -> order == StopRule.Order.OPEN).count();
             if (open > 0) {
                 lines.add("Not yet ranked: the order of " + open + " of " + TextFormat.count(orders.size(), "pair")

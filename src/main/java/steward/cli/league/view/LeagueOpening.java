@@ -24,7 +24,6 @@ import steward.league.LeagueSettings;
 import steward.league.Season;
 import steward.league.page.WorkerRow;
 import steward.league.rating.LeagueTable;
-import steward.league.rating.Results;
 import steward.league.store.GameQueries;
 import steward.league.store.GameStore;
 import steward.text.NearestName;
@@ -111,8 +110,12 @@ public final class LeagueOpening {
         }
 
         public LeagueTable table() {
-            Results results = games.results();
-            return LeagueTable.of(results, entries);
+            return table(LeagueTable.Reference.NONE);
+        }
+
+        /** The table against a reference. */
+        public LeagueTable table(LeagueTable.Reference reference) {
+            return LeagueTable.of(games.results(), entries, reference);
         }
 
         @Override

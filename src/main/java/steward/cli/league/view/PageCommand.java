@@ -23,6 +23,7 @@ import steward.league.page.EmbeddedReplays;
 import steward.league.page.LeaguePage;
 import steward.league.page.LeagueView;
 import steward.league.rating.LeagueTable;
+import steward.league.rating.RatingPath;
 import steward.text.TextFormat;
 
 /** {@code steward league page}: the league as one file for a browser. */
@@ -48,6 +49,9 @@ public final class PageCommand extends ProgramCommand {
     @Option(names = "--open", description = "Opens it in the browser.")
     private boolean open;
 
+    @Mixin
+    private final ReferenceOptions reference = new ReferenceOptions();
+
     @Override
     public Integer call() throws InterruptedException {
         CallCheck.withHelp().that(out != null || open, "found no --out and no --open, expected one");
@@ -59,7 +63,7 @@ public final class PageCommand extends ProgramCommand {
                     + "another name");
             }
             ByteArrayOutputStream html = new ByteArrayOutputStream();
-            int replays = write(opened, opened.table(), html);
+            int replays = write(opened, opened.table(reference.reference(opened.entries())), html);
             try {
                 OutputFiles.replace(path, html.toByteArray());
             } catch (IOException problem) {
@@ -80,8 +84,9 @@ public final class PageCommand extends ProgramCommand {
         Path folder = opened.folder().replays();
         EmbeddedReplays replays = EmbeddedReplays.of(games, folder, Games.types(), null);
         try {
-            LeaguePage.write(new LeagueView(opened.season(), table, opened.games().path(opened.entries()), games,
-                Double.NaN, opened.workers()), folder, replays, html, title(opened.folder().path()));
+            RatingPath path = opened.games().path(opened.entries(), table.reference());
+            LeaguePage.write(new LeagueView(opened.season(), table, path, games, Double.NaN, opened.workers()), folder,
+                replays, html, title(opened.folder().path()));
             return replays.replays().size();
         } catch (IOException problem) {
             throw new FailedException("the page cannot be written: " + problem.getMessage());

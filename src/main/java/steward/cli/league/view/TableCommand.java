@@ -2,6 +2,7 @@ package steward.cli.league.view;
 
 import java.io.ByteArrayOutputStream;
 import java.nio.charset.StandardCharsets;
+import java.util.List;
 import java.util.function.Consumer;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -19,7 +20,8 @@ import steward.text.TextFormat;
 
 /** {@code steward league table}: ratings and who beat whom. */
 @Command(name = "table", description = "Prints the table of a league: ratings with their bars, and who beat whom.",
-    footer = {"", "Examples:", "  steward league table night", "  steward league table night --csv > night.csv"})
+    footer = {"", "Examples:", "  steward league table night", "  steward league table night --csv > night.csv",
+        "  steward league table night --anchor old=1500 --against veteran"})
 public final class TableCommand extends ProgramCommand {
 
     private static final double NANOS_PER_MS = 1e6;
@@ -39,6 +41,9 @@ public final class TableCommand extends ProgramCommand {
     @Mixin
     private final PartOptions part = new PartOptions();
 
+    @Mixin
+    private final ReferenceOptions reference = new ReferenceOptions();
+
     @Option(names = "--values", description = "Also prints the games' own values by bot, means with their spread: "
         + "score, turns, and laps, water, goals or chips, as the game has them.")
     private boolean values;
@@ -50,7 +55,8 @@ public final class TableCommand extends ProgramCommand {
         check.that(!values || !html, "--values: expected text, --json or --csv with it");
         part.check();
         try (LeagueOpening.Opened opened = LeagueOpening.read(league.open())) {
-            LeagueTable table = part.isAny() ? partial(opened) : opened.table();
+            LeagueTable.Reference told = reference.reference(rows(opened));
+            LeagueTable table = part.isAny() ? partial(opened, told) : opened.table(told);
             OwnValues own = new OwnValues();
             if (values) {
                 each(opened, own::add);
@@ -92,22 +98,30 @@ public final class TableCommand extends ProgramCommand {
         }
     }
 
-    private LeagueTable partial(LeagueOpening.Opened opened) {
+    private List<LeagueTable.Entry> rows(LeagueOpening.Opened opened) {
+        return part.isAny() ? part.rows(opened.entries()) : opened.entries();
+    }
+
+    private LeagueTable partial(LeagueOpening.Opened opened, LeagueTable.Reference told) {
         Results results = new Results(opened.season());
         part.each(opened, results::add);
-        return LeagueTable.of(results, part.rows(opened.entries()));
+        return LeagueTable.of(results, rows(opened), told);
     }
 
     /** A line for each bot, below the heads of the columns; the games' own values are the last. */
     public static String csv(LeagueTable table, OwnValues own) {
         StringBuilder lines = new StringBuilder(new CsvRow().words("rank", "bot", "version", "active", "random",
-            "rating", "bar", "bound", "anytime", "best", "worst", "games", "points", "wins", "draws", "losses",
-            "faults", "allFailed", "score", "meanMs", "worstMs").words(own.heads()).line());
+            "group", "rating", "bar", "bound", "anytime", "to", "difference", "differenceBar", "differenceBound",
+            "differenceAnytime", "best", "worst", "games", "points", "wins", "draws", "losses", "faults",
+            "allFailed", "score", "meanMs", "worstMs").words(own.heads()).line());
         for (LeagueTable.Row row : table.rows()) {
             lines.append(new CsvRow().words(Integer.toString(row.rank()), row.entry().name(),
                 Integer.toString(row.entry().version()), Boolean.toString(row.entry().active()),
-                Boolean.toString(row.entry().random()), number(row.rating()),
+                Boolean.toString(row.entry().random()), Integer.toString(row.component()), number(row.rating()),
                 row.hasBar() ? number(row.bar()) : "", number(row.bound()), bar(row.anytime()),
+                row.to() < 0 ? "" : table.name(row.to()), finite(row.difference().elo()),
+                row.difference().isOneSided() ? "" : bar(row.difference().bar()), number(row.difference().boundElo()),
+                bar(row.difference().anytimeBar()),
                 Integer.toString(row.best()), Integer.toString(row.worst()),
                 Long.toString(row.sums().games()), number(row.points()), number(row.wins()), number(row.draws()),
                 number(row.losses()), Long.toString(row.sums().faults()), Long.toString(row.sums().allFailed()),
@@ -119,6 +133,10 @@ public final class TableCommand extends ProgramCommand {
 
     private static String bar(double bar) {
         return Difference.isKnown(bar) ? number(bar) : "";
+    }
+
+    private static String finite(double value) {
+        return number(Double.isInfinite(value) ? Double.NaN : value);
     }
 
     static String number(double value) {

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import steward.cli.streams.Colour;
 import steward.league.Season;
+import steward.league.page.ApartWords;
 import steward.league.page.WorkerRow;
 import steward.league.rating.Difference;
 import steward.league.rating.LeagueTable.Row;
@@ -19,6 +20,8 @@ public final class TableText {
     private static final double HUNDRED = 100;
     /** More bots make a crosstable that is wider than a terminal. */
     private static final int WIDEST = 12;
+    /** Width of the column of differences. */
+    private static final int TO = 15;
     /** More would be a page of its own; 'table --json' has all. */
     private static final int SURPRISES = 10;
 
@@ -39,7 +42,7 @@ public final class TableText {
                 lines.add("");
             }
             lines.addAll(matrix(table, "% better than",
-                (row, column) -> HUNDRED * table.difference(row, column).superiority()));
+                (row, column) -> HUNDRED * table.superiority(row, column)));
         }
         lines.add("");
         table.surprises().stream().limit(SURPRISES).forEach(each -> lines.add(surprise(table, each)));
@@ -47,15 +50,17 @@ public final class TableText {
             workers.forEach(worker -> lines.addAll(worker.lines()));
             lines.add("");
         }
-        lines.add("Rating: Elo by a joint fit of all games; 0 is the mean by games. bar: 95%, for a number of games");
-        lines.add("that was fixed before. anytime: 95%, however often one looks and whenever one stops. ranks: what");
-        lines.add("the games leave open, with 95%.");
-        if (table.rows().stream().anyMatch(row -> !Double.isNaN(row.bound()))) {
+        ApartWords.of(table).stream().limit(SURPRISES).map(TextFormat::plain).forEach(lines::add);
+        lines.add("Rating: Elo; 100 ahead takes 64 points of 100. " + zero(table) + " bar: 95%, for a number of games");
+        lines.add("that was fixed before. anytime: 95%, however often one looks and whenever one stops. " + to(table)
+            + ":");
+        lines.add("the difference with its bar. ranks: what the games leave open, with 95%.");
+        if (table.rows().stream().anyMatch(row -> !Double.isNaN(row.bound()) || row.difference().isOneSided())) {
             lines.add("> and <: who has won or lost nearly everything is more than that ahead or behind.");
         }
         if (table.rows().stream().anyMatch(row -> row.sums().games() > 0 && Double.isNaN(row.bound())
                 && !row.hasBar())) {
-            lines.add("-: too few games for a bar or a bound.");
+            lines.add("-: no rating, or too few games for a bar or a bound.");
         }
         if (season.players() == 1) {
             lines.add("Each bot plays alone; its score on a map is compared with the others' on the same map.");
@@ -82,6 +87,22 @@ public final class TableText {
             + (without > 0 ? ", " + without + " more without a result" : "");
     }
 
+    private static String zero(LeagueTable table) {
+        return table.reference().anchor() < 0 ? "0 is the mean."
+            : TextFormat.plain(table.name(table.reference().anchor())) + " is the anchor.";
+    }
+
+    /** Head of the column of differences. */
+    private static String to(LeagueTable table) {
+        int version = table.reference().compared();
+        return version < 0 ? "to above" : "to " + TextFormat.plain(TextFormat.shorten(table.name(version), TO - 5));
+    }
+
+    private static String difference(Difference difference) {
+        return difference.isOneSided() ? (difference.value() > 0 ? "> " : "< ") + Math.round(difference.boundElo())
+            : Difference.isKnown(difference.bar()) ? signed(difference.elo()) + " " + bar(difference.bar()) : "-";
+    }
+
     private static String name(Row row) {
         return TextFormat.plain(TextFormat.shorten(row.entry().name(), LONGEST_NAME))
             + (row.entry().random() ? "*" : "")
@@ -93,14 +114,16 @@ public final class TableText {
         int width = table.rows().stream().mapToInt(row -> name(row).length()).max().orElse(3);
         List<String> lines = new ArrayList<>();
         lines.add("  # " + TextFormat.left("bot", width)
-            + "  rating     bar anytime  ranks   games  points  faults  all failed  mean ms  worst ms  mean score");
+            + "  rating     bar anytime" + TextFormat.right(to(table), TO) 
+            + "  ranks   games  points  faults  all failed  mean ms  worst ms  mean score");
         for (Row row : table.rows()) {
             boolean played = row.sums().games() > 0;
             String faults = TextFormat.right(Long.toString(row.sums().faults()), 8);
             lines.add(TextFormat.right(Integer.toString(row.rank()), 3) + " " + TextFormat.left(name(row), width)
-                + colour.strong(TextFormat.right(played ? signed(row.rating()) : "-", 8))
+                + colour.strong(TextFormat.right(played && !Double.isNaN(row.rating()) ? signed(row.rating()) : "-", 8))
                 + TextFormat.right(!played ? "-" : Double.isNaN(row.bound()) ? bar(row.bar()) : bound(row), 8)
                 + TextFormat.right(played ? bar(row.anytime()) : "-", 8)
+                + TextFormat.right(played ? difference(row.difference()) : "-", TO)
                 + TextFormat.right(!played ? "-" : row.best() == row.worst() ? Integer.toString(row.best())
                     : row.best() + "-" + row.worst(), 7)
                 + TextFormat.right(Long.toString(row.sums().games()), 8)
@@ -131,7 +154,7 @@ public final class TableText {
 
     /** One end of a bar that has no other. */
     private static String bound(Row row) {
-        return (row.rating() > 0 ? "> " : "< ") + Math.round(row.bound());
+        return (row.bound() < row.rating() ? "> " : "< ") + Math.round(row.bound());
     }
 
     private static String signed(double rating) {

@@ -87,7 +87,7 @@ class FewGamesTest {
         for (Results results : beginnings()) {
             List<LeagueTable.Entry> entries = entries(5);
             LeagueTable table = LeagueTable.of(results, entries);
-            RatingPath.Collector path = new RatingPath.Collector(entries);
+            RatingPath.Collector path = new RatingPath.Collector(entries, LeagueTable.Reference.NONE);
             path.take(results);
             path.take(results);
             String text = String.join("\n", TableText.whole(table, SEASON, List.of(), Colour.NONE));
