@@ -63,8 +63,8 @@ class SeriesReportTest {
         assertTrue(out.matches("""
             (?s)4 games of duel, seeds 5 to 6, each with every order of sides; .*
             bot    wins   draws  losses  faults  points   95% interval    mean score
-            me        2       0       2       2   0\\.500   0\\.150 to 0\\.850  .*
-            far       2       0       2       0   0\\.500   .*
+            me        1       0       1       2   0\\.500   0\\.000 to 1\\.000  .*
+            far       1       0       1       0   0\\.500   .*
             bot answers   mean ms    p99 ms  worst ms  first ms   worst in
             me +\\d+ +[0-9.]+ +[0-9.]+ +[0-9.]+ +[0-9.]+   game \\d, turn \\d+
             far .*
@@ -140,7 +140,7 @@ class SeriesReportTest {
     @Test
     void theProgressSaysHowItStands() {
         Cli cli = Cli.run(true, "match", "--scene", "duel", "--bot", "me=true", "--bot", "false", "--games", "2");
-        assertTrue(cli.err().contains("me 0.500"), cli.err());
+        assertTrue(cli.err().contains("me -"), cli.err());
     }
 
     @ParameterizedTest
