@@ -38,7 +38,8 @@ record SoloTests(List<List<String>> tests, String criterion, boolean lowerIsBett
 
     /** Lines of the test of a seed: seed 1 plays the first, and after the last comes the first again. */
     List<String> lines(long seed) {
-        return tests.isEmpty() ? List.of("seed=" + seed) : tests.get((int) Math.floorMod(seed - 1, (long) tests.size()));
+        return tests.isEmpty() ? List.of("seed=" + seed)
+            : tests.get((int) Math.floorMod(seed - 1, (long) tests.size()));
     }
 
     /**

@@ -104,7 +104,8 @@ class GuestContestTest {
             Isolation::usual, told::add).json()).toString();
         assertEquals("players: [1], solo; the scene has 1", told.get(0));
         assertTrue(Files.readString(Path.of(solo)).replaceAll("\\s", "").contains(
-            "\"criterion\":\"points\",\"lowerIsBetter\":true,\"tests\":[{\"testIn\":[\"7\"]},{\"testIn\":[\"8\"]}]"), told::toString);
+            "\"criterion\":\"points\",\"lowerIsBetter\":true,\"tests\":[{\"testIn\":[\"7\"]},{\"testIn\":[\"8\"]}]"),
+            told::toString);
         // The stand-in's points are 100.5 less the sum of what the bot said: the better bot says more.
         String table = done("match", "--scene", solo, "--bot", bot("one", "1"), "--bot", bot("two", "2"), "--games",
             "4", "--threads", "1");

@@ -108,8 +108,8 @@ class GuestMatchTest {
         String check = Cli.run("check", "--scene", scene, "--time-factor", "20", "codingame:" + bot("high", 2, "2", 99,
             ":").substring("high=".length())).out();
         assertTrue(!check.contains("It is ready") && check.contains("no such cell"), check);
-        String sprt = Cli.run("sprt", "--scene", scene, "--bot", bot("a", 2, "1", 99, ":"), "--bot", bot("b", 2, "2", 99,
-            ":"), "--games", "4", "--time-factor", "20").out();
+        String sprt = Cli.run("sprt", "--scene", scene, "--bot", bot("a", 2, "1", 99, ":"), "--bot",
+            bot("b", 2, "2", 99, ":"), "--games", "4", "--time-factor", "20").out();
         assertTrue(sprt.contains("no such cell"), sprt);
     }
 

@@ -29,15 +29,16 @@ class ProjectBuildTest {
     void anEngineThatIsNotThereIsNamedWithTheRecipe(String said, String engine, String refusal) {
         InputException problem = ProjectBuild.refusal(Path.of("p"), BEGINNING + said + END, engine, false);
         assertEquals(refusal, problem.getMessage());
-        assertEquals(engine != null ? List.of() : List.of(new Remedied.Remedy("engine-source", "codingame-game-engine builds 9.9.9 from a clone of "
-            + "https://github.com/CodinGame/codingame-game-engine")), problem.remedies());
+        assertEquals(engine != null ? List.of() : List.of(new Remedied.Remedy("engine-source",
+            "codingame-game-engine builds 9.9.9 from a clone of https://github.com/CodinGame/codingame-game-engine")),
+            problem.remedies());
     }
 
     /** Another version is proposed only of a project that has been compiled with it. */
     @Test
     void anotherVersionIsProposedIfItCompiles() {
-        assertEquals(new Remedied.Remedy("engine", "4.3.0 compiles it too"), ProjectBuild.refusal(Path.of("p"), BEGINNING
-            + "Could not find artifact com.codingame.gameengine:core:jar:9.9.9 in central" + END, null, true)
+        assertEquals(new Remedied.Remedy("engine", "4.3.0 compiles it too"), ProjectBuild.refusal(Path.of("p"),
+            BEGINNING + "Could not find artifact com.codingame.gameengine:core:jar:9.9.9 in central" + END, null, true)
             .remedies().get(1));
     }
 
@@ -50,8 +51,8 @@ class ProjectBuildTest {
         """)
     void otherFailuresAreToldAsMavenSaysThem(String said, String first) {
         assertEquals("p: its Maven failed: " + (first.isEmpty() ? "" : first + " ")
-            + BEGINNING.substring(BEGINNING.indexOf('[', 8)) + said + " -> [Help 1] | [ERROR] To see the full stack trace, "
-            + "use -e.", ProjectBuild.refusal(Path.of("p"), BEGINNING + said + END, null, false).getMessage());
+            + BEGINNING.substring(BEGINNING.indexOf('[', 8)) + said
+            + " -> [Help 1] | [ERROR] To see the full stack trace, use -e.", ProjectBuild.refusal(Path.of("p"), BEGINNING + said + END, null, false).getMessage());
     }
 
     /** The tag of a version, else the next later one, else the newest; without tags, the newest commit. */
