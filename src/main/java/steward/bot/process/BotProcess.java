@@ -5,15 +5,12 @@ import java.io.OutputStream;
 import java.io.UncheckedIOException;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Set;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import steward.bot.Answer;
 import steward.bot.AnswerReader;
 import steward.bot.Burner;
@@ -63,16 +60,6 @@ public final class BotProcess implements Player {
     private static final long LAST_LINES_MS = 100;
 
     private static final String BROKEN_OFF = "asked again after its end";
-
-    /** Java's message about the system's refusal to start a program: its number, and the system's words. */
-    private static final Pattern SYSTEM_ERROR = Pattern.compile("error[=:] ?(\\d+)[ ,(]+([^)]*)");
-    /** The number of "No such file or directory". */
-    private static final String NO_ENTRY = "2";
-    /** ENOENT, ENOEXEC, EACCES, ENOTDIR, ETXTBSY, ELOOP: what the system says of a file that it does not execute. */
-    private static final Set<String> PROGRAM_ERRORS = Set.of(NO_ENTRY, "8", "13", "20", "26", "40");
-    /** The statuses with which a shell, env or setsid ends that cannot find or execute a program. */
-    private static final int NOT_FOUND = 127;
-    private static final int NOT_EXECUTABLE = 126;
 
     /** Bytes of a faulty answer that are shown. */
     private static final int SHOWN = 1024;
@@ -277,26 +264,12 @@ public final class BotProcess implements Player {
      */
     private String unstarted(IOException problem, Answer answer) {
         String message = String.valueOf(problem.getMessage());
-        int status = refusalStatus(message);
-        if (status == 0) {
+        StartRefusal refusal = StartRefusal.of(message);
+        if (refusal.status() == 0) {
             throw new UncheckedIOException(name + " could not be started: " + message, problem);
         }
-        Matcher system = SYSTEM_ERROR.matcher(message);
-        answer.setStderr("failed to execute " + launch.program().words().get(0)
-            + (system.find() ? ": " + system.group(2) : ""));
-        return FaultMessages.exited(status);
-    }
-
-    /**
-     * With what status a shell would end for a program that the JDK could not start; 0 if that is not the program's
-     * doing, such as when this machine has no more processes, memory or descriptors.
-     *
-     * @param message of the JDK, which has the number of the system's error in it
-     */
-    static int refusalStatus(String message) {
-        Matcher system = SYSTEM_ERROR.matcher(message);
-        return !system.find() || !PROGRAM_ERRORS.contains(system.group(1)) ? 0
-            : system.group(1).equals(NO_ENTRY) ? NOT_FOUND : NOT_EXECUTABLE;
+        answer.setStderr("failed to execute " + launch.program().words().get(0) + refusal.reason());
+        return FaultMessages.exited(refusal.status());
     }
 
     /** Writes the queued lines and the frame in one piece. */

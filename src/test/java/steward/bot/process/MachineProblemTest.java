@@ -61,7 +61,7 @@ class MachineProblemTest {
         "Cannot run program \"/a/b\": error=24, Too many open files | 0",
         "Too many open files | 0"})
     void onlyAProgramThatIsRefusedIsABotsFault(String message, int status) {
-        assertEquals(status, BotProcess.refusalStatus(message));
+        assertEquals(status, StartRefusal.of(message).status());
     }
 
     /** It was counted as both bots' fault, and a match without a result as a draw. */

@@ -52,7 +52,8 @@ class ProjectBuildTest {
     void otherFailuresAreToldAsMavenSaysThem(String said, String first) {
         assertEquals("p: its Maven failed: " + (first.isEmpty() ? "" : first + " ")
             + BEGINNING.substring(BEGINNING.indexOf('[', 8)) + said
-            + " -> [Help 1] | [ERROR] To see the full stack trace, use -e.", ProjectBuild.refusal(Path.of("p"), BEGINNING + said + END, null, false).getMessage());
+            + " -> [Help 1] | [ERROR] To see the full stack trace, use -e.",
+            ProjectBuild.refusal(Path.of("p"), BEGINNING + said + END, null, false).getMessage());
     }
 
     /** The tag of a version, else the next later one, else the newest; without tags, the newest commit. */
