@@ -99,12 +99,18 @@ public final class Oracle {
         return this;
     }
 
+    /** Stops where a heap of more than some bodies comes to rest: that takes minutes for a hundred. */
+    public Oracle withHeapsUpTo(int bodies) {
+        reaction.limitHeaps(bodies);
+        return this;
+    }
+
     /** True if the last turn stopped in the middle: at the limit on impacts, or as {@link #rested} says. */
     public boolean limited() {
         return limited;
     }
 
-    /** True if the last turn stopped where a body slides along a rim, or a heap has no way to rest. */
+    /** True if the last turn stopped where a body slides along a rim, or a heap has no way to rest or is too large. */
     public boolean rested() {
         return resting && limited;
     }

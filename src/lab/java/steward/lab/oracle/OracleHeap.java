@@ -37,6 +37,8 @@ final class OracleHeap {
     private static final int MOST_ROUNDS = 400;
     private static final BigDecimal HALF = new BigDecimal("0.5");
 
+    /** The most bodies of a heap that is computed: the effort grows with the third power. */
+    private int most = Integer.MAX_VALUE;
     private final List<Wall> walls;
     private final OracleRest rest;
     private final OracleContacts contacts;
@@ -65,10 +67,15 @@ final class OracleHeap {
         this.contacts = contacts;
     }
 
+    void limit(int bodiesAtMost) {
+        most = bodiesAtMost;
+    }
+
     /**
      * Lets the heap of an impact rest.
      *
-     * @return its impacts; {@code null} if this is an ordinary impact; empty if there is no way to rest
+     * @return its impacts; {@code null} if this is an ordinary impact; empty if there is no way to rest, or too many
+     *         bodies
      */
     List<OracleImpact> settle(List<OracleBody> all, int a, int b, BigDecimal time) {
         bodies = all;
@@ -83,6 +90,9 @@ final class OracleHeap {
         boolean forced = rest.forced();
         if (!forced && touching == 1 && rest.restitution(bodies, a, b).signum() == 0) {
             return null;
+        }
+        if (heap.size() > most) {
+            return List.of();
         }
         int low = b < 0 ? a : Math.min(a, b);
         int high = b < 0 ? b : Math.max(a, b);

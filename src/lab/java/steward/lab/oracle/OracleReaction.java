@@ -75,6 +75,10 @@ final class OracleReaction {
         }
     }
 
+    void limitHeaps(int bodies) {
+        heap.limit(bodies);
+    }
+
     /** True if the last contact slides or is rest that the oracle does not compute. */
     boolean stopped() {
         return stopped;

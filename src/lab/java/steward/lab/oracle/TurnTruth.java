@@ -26,6 +26,9 @@ public final class TurnTruth {
 
     private static final BigDecimal SNAP = new BigDecimal("1e-5");
 
+    /** The most bodies of a heap that the oracle brings to rest where many turns are compared. */
+    public static final int HEAP = 12;
+
     private final List<OracleBody> end;
     private final int size;
     private final int[] ids;
@@ -64,8 +67,8 @@ public final class TurnTruth {
     }
 
     /**
-     * Plays the turn; the bodies are not changed. If a body slides along a rim in it, it is played on {@code
-     * exact}.
+     * Plays the turn; the bodies are not changed. If a body slides along a rim in it, or a heap of more than
+     * {@value #HEAP} bodies comes to rest, it is played on {@code exact}.
      *
      * @param parts their law, walls, contacts and reaction are used; the arithmetic is not
      * @throws IllegalArgumentException if the reaction lets bodies bounce at a distance of their own
@@ -73,7 +76,7 @@ public final class TurnTruth {
     public static TurnTruth of(Bodies start, PhysicsParts parts) {
         List<OracleBody> bodies = OracleBody.of(start);
         OracleContacts contacts = parts.contacts().allBounce() ? null : new OracleContacts(parts, start);
-        Oracle oracle = new Oracle(parts.law(), parts.walls(), contacts, parts.forces());
+        Oracle oracle = new Oracle(parts.law(), parts.walls(), contacts, parts.forces()).withHeapsUpTo(HEAP);
         List<OracleImpact> impacts = oracle.turn(bodies);
         if (oracle.rested()) {
             return ofExact(start, parts);

@@ -26,7 +26,7 @@ final class TradeoffFreeRun {
      */
     static int[] turns(Bodies start, PhysicsParts parts, List<Advance> rungs, int bound) {
         List<OracleBody> truth = OracleBody.of(start);
-        Oracle oracle = Oracle.of(parts, start);
+        Oracle oracle = Oracle.of(parts, start).withHeapsUpTo(TurnTruth.HEAP);
         Advance exact = TurnTruth.exact(parts, start);
         Bodies resting = null;
         int[] turns = new int[rungs.size()];
