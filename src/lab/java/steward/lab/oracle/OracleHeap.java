@@ -184,7 +184,7 @@ final class OracleHeap {
         if (b >= 0) {
             enter(next, b);
         }
-        for (int k = 0; k < next.size(); k++) {
+        for (int k = 0; k < next.size() && heap.size() <= most; k++) {
             int i = next.get(k);
             for (int j = ~(walls.size() - 1); j < bodies.size(); j++) {
                 boolean isPair = i == a && j == b || i == b && j == a;
