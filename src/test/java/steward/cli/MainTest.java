@@ -121,14 +121,15 @@ class MainTest {
         "steward expl | explain", "steward help ma | match", "steward key n | new", "steward new p | python",
         "steward match --protocol c | codingame", "steward match --accuracy c | compensated",
         "steward match --accuracy = off | official", "steward match --bot bui | builtin:captain builtin:chaser "
-        + "builtin:contender builtin:driver builtin:gatherer builtin:glutton builtin:marauder builtin:nibbler "
-        + "builtin:planner builtin:racer builtin:regular builtin:veteran",
+        + "builtin:coaster builtin:contender builtin:driver builtin:gatherer builtin:glutton builtin:grazer "
+        + "builtin:harvester builtin:marauder builtin:nibbler builtin:planner builtin:racer builtin:regular "
+        + "builtin:striker builtin:veteran",
         "steward match --bot builtin : ve | veteran",
         "steward match --bot me = builtin : ra | racer", "steward match --scene w | walled-race",
         "steward match --keep f | failed", "steward match --threads a | auto", "steward stability --rung e | exact",
         "steward stability --case ro | rounding", "steward stability --case mi | mirror\\ images",
         "steward bench --only cr | crowds", "steward tradeoff --scene w | walled-race",
-        "steward tradeoff --scene hea | headings", "steward scene du | duel", "steward explain du | duel",
+        "steward scene du | duel", "steward explain du | duel",
         "steward demo --accuracy do | double", "steward play --json-league builtin : v | veteran",
         "steward referee -p1 builtin : v | veteran", "steward feed x --player 0 -- builtin : v | veteran",
         "steward feed x --protocol j | json", "steward replay x | "})

@@ -134,10 +134,10 @@ class OwnLimitsProcessTest {
         run("sprt --games 2 --into TMP/night --time-limit same=47000 --time-limit still=40000,50000 --scene " + scene,
             "--bot", driver.replace("still=", "same="), "--bot", driver).done();
         assertEquals(List.of("same 2 45000", "same#2 2 46000", "same#3 2 47000", "still 6 40000,50000"), versions());
-        run("league export TMP/night --out TMP/games.csv").done();
+        run("league export TMP/night --out TMP/games.jsonl").done();
         List<String> before = versions();
         Files.delete(folder.resolve("night/league.db"));
-        run("league import TMP/night TMP/games.csv").done();
+        run("league import TMP/night TMP/games.jsonl").done();
         assertEquals(before, versions());
     }
 

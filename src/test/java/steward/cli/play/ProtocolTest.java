@@ -182,7 +182,7 @@ class ProtocolTest {
             "--bot", "me=builtin:racer x");
         assertEquals(ExitStatus.UNUSABLE, cli.status());
         assertTrue(cli.err().startsWith("steward: bot 'me=builtin:racer x': found a bot of pod-race, expected one of "
-            + "mean-max; there are: gatherer, marauder"), cli.err());
+            + "mean-max; there are: gatherer, harvester, marauder"), cli.err());
     }
 
     /** A game that supports JSON only. */

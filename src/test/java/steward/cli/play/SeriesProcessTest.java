@@ -104,7 +104,7 @@ class SeriesProcessTest {
     void ctrlCPrintsTheTableAndNamesTheReplayThatWasCutOff() throws IOException, InterruptedException {
         String out = interrupted();
         assertTrue(out.startsWith("2 of 9 games of duel, seeds 5 to 13; "), out);
-        assertTrue(out.contains("\nnear          2       0       0       0   1.000   "), out);
+        assertTrue(out.contains("\nnear          1       0       0       0   1.000   "), out);
         Path cut = replays.resolve("game-0003.jsonl");
         assertEquals("steward: interrupted; 2 of 9 games were complete and count; replays that were cut off: " + cut
             + "\n", err());

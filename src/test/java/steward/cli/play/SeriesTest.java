@@ -59,9 +59,9 @@ class SeriesTest {
         assertEquals(4, json.get("games").intValue());
         JsonNode near = json.get("bots").get(0);
         assertEquals("near", near.get("name").stringValue());
-        assertEquals(4, near.get("wins").intValue());
+        assertEquals(2, near.get("wins").intValue(), "equal games of other seeds count once");
         assertEquals(1, near.get("points").doubleValue());
-        assertEquals(4, json.get("bots").get(1).get("losses").intValue());
+        assertEquals(2, json.get("bots").get(1).get("losses").intValue());
         String[] seeds = {"5", "5", "6", "6"};
         for (int k = 0; k < seeds.length; k++) {
             JsonNode game = json.get("list").get(k);
@@ -84,7 +84,7 @@ class SeriesTest {
         assertEquals(0, first.get("draws").intValue());
         assertEquals(3, first.get("allFailed").intValue());
         assertEquals(3, first.get("faults").intValue());
-        assertEquals(0.5, first.get("points").doubleValue());
+        assertTrue(first.get("points").isNull(), first::toString);
     }
 
     @Test
