@@ -138,8 +138,8 @@ class GuestContestTest {
         List<String> told = new ArrayList<>();
         String solo = Files.writeString(folder.resolve("solo.json"), Adoption.scene(folder, null, null, "solo",
             Isolation::usual, told::add).json()).toString();
-        assertTrue(told.contains("tests drawn at random: 2; their replays cannot be verified, those of the other 2 tests "
-            + "can"), told::toString);
+        assertTrue(told.contains("tests drawn at random: 2; their replays cannot be verified, those of the other 2 "
+            + "tests can"), told::toString);
         for (int test = 1; test <= 3; test++) {
             Path file = folder.resolve(test + ".jsonl");
             done("match", "--scene", solo, "--bot", bot("one", "1"), "--seed", "" + test, "--out", file.toString());
