@@ -42,7 +42,7 @@ public final class GameLog implements MatchListener {
     private final int[] answers;
     private final AnswerTimes[] times;
     private final int[] lastTurn;
-    /** Where the time of answers went that the referee counts as late: of one that may be so by chance, if there is. */
+    /** Time spent on an answer that the referee counts as late: of one that may be so by chance, if there is. */
     private final TimeSpent[] strikes;
     private final List<Failure> failures = new ArrayList<>();
     private final TranscriptDigest digest = new TranscriptDigest();

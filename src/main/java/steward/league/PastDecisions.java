@@ -33,9 +33,9 @@ public final class PastDecisions {
     private int[] groups = new int[0];
     /** By decision: a bit for each seat of the lowest version in a game that is over. */
     private short[] seats = new short[0];
-    /** Where each plays alone, instead of seats: who has played. */
+    /** Bots that have played, in place of seats, in games for one. */
     private final Map<Integer, TreeSet<Integer>> alone = new HashMap<>();
-    /** Where each plays alone: who was paused. */
+    /** Bots that were paused, in games for one. */
     private final Map<Integer, Set<Integer>> paused = new HashMap<>();
     private int next;
 

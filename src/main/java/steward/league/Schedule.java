@@ -33,9 +33,9 @@ public final class Schedule {
     private final Consumer<Integer> pauseListener;
     /** Decisions that lack games, by number. */
     private final TreeMap<Integer, Row> rows = new TreeMap<>();
-    /** Those of them with games that wait or are under way. */
+    /** Decisions with games that wait or are under way, by number. */
     private final TreeMap<Integer, Row> open = new TreeMap<>();
-    /** How often each group was decided on, but for decisions that were dropped before they had a game. */
+    /** Decisions by group, but for those that were dropped before they had a game. */
     private final Map<List<Integer>, Integer> made = new LinkedHashMap<>();
     private final List<Decision> news = new ArrayList<>();
     private final Map<Integer, Boolean> marks = new HashMap<>();
@@ -84,7 +84,7 @@ public final class Schedule {
         /** Games that are over or under way. */
         private int begun;
         private boolean dropped;
-        /** Whether it is among those that were made. */
+        /** True if it is counted in {@link Schedule#made}. */
         private boolean isCounted;
 
         Row(int number, List<Integer> group, int begun) {

@@ -36,7 +36,7 @@ class SoloTestsTest {
         assertEquals(score, TESTS.score(metadata, 1));
     }
 
-    /** Where less is better, a game without a value is worse than any with one, and a score still orders such games. */
+    /** A game without a value is worse than any with one, also if less is better; a score still orders such games. */
     @Test
     void aMissingValueIsNeverTheBetterOne() {
         SoloTests lower = new SoloTests(List.of(), "time", true);

@@ -30,7 +30,7 @@ public final class MemoryLeague {
         this(players, 1);
     }
 
-    /** What another schedule goes on from. */
+    /** Decisions and games from which another schedule goes on. */
     public PastDecisions past() {
         PastDecisions past = new PastDecisions(players, number -> decisions.get(number).seed());
         Map<List<Integer>, Integer> numbers = new HashMap<>();

@@ -9,7 +9,7 @@ import java.util.List;
  */
 public final class Striker extends FantasticBitsBot {
 
-    /** How far a snaffle rolls per speed: 1 / friction. */
+    /** Way that a snaffle rolls, per speed: 1 / friction. */
     static final double ROLL = 4;
     /** The part of the goal beside each post at which nothing is aimed, in u. */
     static final double POST_MARGIN = 500;

@@ -10,7 +10,7 @@ import java.io.IOException;
 public final class Harvester extends MeanMaxBot {
 
     static final double EFFECT_RADIUS = 1000;
-    /** How many turns ahead a moving target is aimed at. */
+    /** Turns ahead at which a moving target is aimed at. */
     static final double LEAD_TURNS = 1.5;
     /** About the speed at which a reaper travels, in u per turn. */
     private static final double REAPER_SPEED = 700;

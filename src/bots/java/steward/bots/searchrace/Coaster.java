@@ -8,7 +8,7 @@ import java.io.IOException;
  */
 public final class Coaster extends SearchRaceBot {
 
-    /** How many turns are predicted. */
+    /** Turns that are predicted. */
     private static final int TURNS = 6;
 
     private final Car trial = new Car();

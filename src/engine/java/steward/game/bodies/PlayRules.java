@@ -31,7 +31,7 @@ public record PlayRules(int maximumTurns, double restBelow, Forces forces, doubl
         return zones.stream().anyMatch(Zone::isPocket);
     }
 
-    /** What contacts mean under these rules. */
+    /** Meanings of contacts under these rules. */
     public Contacts contacts() {
         return hasPockets() ? Pockets.contacts() : new Contacts(1);
     }

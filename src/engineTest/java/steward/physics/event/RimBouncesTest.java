@@ -33,7 +33,7 @@ class RimBouncesTest {
         return List.of(new EventAdvance(parts), new QueueAdvance(parts));
     }
 
-    /** How far a body is from its place on the chords after a path of this length. */
+    /** Distance of a body from its place on the chords after a path of this length. */
     private static double off(Bodies bodies, double theta, double path) {
         double half = ROOM * Math.sin(theta);
         double chords = Math.floor((path + half) / (2 * half));

@@ -24,7 +24,7 @@ final class OracleProjection {
     private static final BigDecimal DEPENDENT = BigDecimal.ONE.movePointLeft(36);
     /** Share of the speeds up to which a condition counts as met. */
     private static final BigDecimal MET = BigDecimal.ONE.movePointLeft(44);
-    /** The same after all steps. */
+    /** Share of the speeds up to which a condition counts as met after all steps. */
     private static final BigDecimal CHECKED = BigDecimal.ONE.movePointLeft(38);
 
     /** A condition on the speed at which body a approaches b, another or {@code ~wall}. */

@@ -38,7 +38,7 @@ record TruePathPlot(List<StabilityRow> rows) implements Drawing {
     private static final Pattern FIGURES = Pattern.compile("(\\d+) discs: (\\d+) impacts, (\\d+) for each");
 
     /**
-     * How long the path of some discs is true.
+     * Turns for which the path of some discs is true.
      *
      * @param impacts of all discs together
      * @param each    of each disc

@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.concurrent.CompletableFuture;
+import steward.cli.options.DisplayOptions;
 import steward.cli.options.WatchOptions;
 import steward.cli.shared.FailedException;
 import steward.cli.shared.Games;

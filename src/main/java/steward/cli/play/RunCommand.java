@@ -10,6 +10,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import steward.bot.isolation.Isolation;
 import steward.cli.options.AccuracyOption;
+import steward.cli.options.DisplayOptions;
 import steward.cli.options.ProgramCommand;
 import steward.cli.options.SeedOption;
 import steward.cli.options.ShippedScenes;

@@ -38,7 +38,7 @@ public record SdkProject(List<String> classPath, String engine, int fewestPlayer
     /** Main class of a referee on the SDK. */
     public static final String MAIN = "com.codingame.gameengine.core.RefereeMain";
 
-    /** Where the SDK itself is developed. */
+    /** Repository in which the SDK itself is developed. */
     public static final String ENGINE_REPOSITORY = "https://github.com/CodinGame/codingame-game-engine";
 
     private static final String SDK_CLASS = MAIN.replace('.', '/') + ".class";

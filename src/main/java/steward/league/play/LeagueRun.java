@@ -84,7 +84,7 @@ public final class LeagueRun {
     public interface Planner extends BiFunction<Roster, Map<List<Integer>, Integer>, Schedule.Plan> { }
 
     /**
-     * What a run decides by.
+     * Rules by which a run decides.
      *
      * @param end        ends the run when enough is known
      * @param pauseAfter how many failed games in a row pause a bot; 0 for never

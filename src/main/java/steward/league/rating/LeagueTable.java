@@ -18,7 +18,7 @@ import java.util.stream.Collectors;
 public record LeagueTable(List<Row> rows, Results results, Ratings ratings, Reference reference) {
 
     /**
-     * What ratings and differences are told against.
+     * Bots against which ratings and differences are told.
      *
      * @param anchor  version whose rating is given, or -1: then the mean of each component is 0
      * @param elo     the rating of the anchor

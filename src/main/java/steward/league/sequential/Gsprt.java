@@ -117,7 +117,7 @@ public record Gsprt(double elo0, double elo1, double alpha, double beta, Model m
         return ratio >= upper() ? State.H1 : ratio <= lower() ? State.H0 : State.OPEN;
     }
 
-    /** What is told of the difference in Elo of this model, corrected for stopping. Expects observations. */
+    /** Range of the difference in Elo of this model, corrected for stopping. Expects observations. */
     public StoppedRange range(ScoreCounts scores) {
         return StoppedRange.of(this, scores);
     }

@@ -4,7 +4,7 @@ import java.util.function.DoubleUnaryOperator;
 import steward.league.rating.Normal;
 
 /**
- * What a test tells of the true difference, corrected for its stopping: the outcomes are ordered by stages, from a
+ * Range of the true difference after a test, corrected for its stopping: the outcomes are ordered by stages, from a
  * quick H0 over slow ones to a quick H1, and the range has all differences at which neither this outcome or a better
  * one comes with less than alpha nor this or a worse one with less than beta (D. Siegmund, "Estimation following
  * sequential tests", Biometrika 65, 1978; fishtest does so). Its level is 1 - alpha - beta. At elo0 H1 is accepted with

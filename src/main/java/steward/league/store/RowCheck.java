@@ -29,7 +29,7 @@ final class RowCheck {
         + "(?: -- (.+))?$");
     private static final Map<String, String> EXPECTED = Map.of("INTEGER", "a whole number", "REAL", "a finite number",
         "TEXT", "a text", "BLOB", "bytes");
-    /** What finds a row, by table; others have an id. */
+    /** Columns that find a row, by table; others have an id. */
     private static final Map<String, String> KEYS = Map.of("identity", "'hash = ' || quote(hash)", "decision",
         "'season = ' || quote(season) || ' AND number = ' || quote(number)", "seat", "'season = ' || quote(season) || "
         + "' AND version = ' || quote(version) || ' AND game = ' || quote(game) || ' AND seat = ' || quote(seat)");

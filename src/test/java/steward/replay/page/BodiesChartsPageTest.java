@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.nio.file.Path;
 import java.util.Map;
 import java.util.Set;
-import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -40,19 +40,13 @@ class BodiesChartsPageTest {
     @TempDir
     static Path folder;
 
+    @AutoClose
     private static PageTestBrowser browser;
 
     @BeforeAll
     static void start() {
         browser = PageTestBrowser.start();
         browser.prefer(true, true);
-    }
-
-    @AfterAll
-    static void quit() {
-        if (browser != null) {
-            browser.close();
-        }
     }
 
     /** Whole numbers above 100, at least two decimals below. */

@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Path;
 import java.util.List;
-import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -33,6 +33,7 @@ class CameraPageTest {
     @TempDir
     static Path folder;
 
+    @AutoClose
     private static PageTestBrowser browser;
 
     @BeforeAll
@@ -40,13 +41,6 @@ class CameraPageTest {
         browser = PageTestBrowser.start();
         browser.size(WIDTH, HEIGHT);
         browser.prefer(true, true);
-    }
-
-    @AfterAll
-    static void quit() {
-        if (browser != null) {
-            browser.close();
-        }
     }
 
     /** Bots that ram each other throw their pods out of the field; seen at moments in and between turns. */

@@ -7,7 +7,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
-import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -46,19 +46,13 @@ class EveryScenePageTest {
     @TempDir
     static Path folder;
 
+    @AutoClose
     private static PageTestBrowser browser;
 
     @BeforeAll
     static void start() {
         browser = PageTestBrowser.start();
         browser.prefer(true, true);
-    }
-
-    @AfterAll
-    static void quit() {
-        if (browser != null) {
-            browser.close();
-        }
     }
 
     static Stream<String> scenes() {

@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Set;
 import java.util.stream.IntStream;
-import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -43,6 +43,7 @@ class OneInstantPageTest {
     @TempDir
     static Path folder;
 
+    @AutoClose
     private static PageTestBrowser browser;
 
     private List<JsonNode> lines;
@@ -51,13 +52,6 @@ class OneInstantPageTest {
     static void start() {
         browser = PageTestBrowser.start();
         browser.prefer(true, true);
-    }
-
-    @AfterAll
-    static void quit() {
-        if (browser != null) {
-            browser.close();
-        }
     }
 
     @Test

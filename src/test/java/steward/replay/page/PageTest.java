@@ -8,7 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
-import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
@@ -37,6 +37,7 @@ class PageTest {
     @TempDir
     static Path folder;
 
+    @AutoClose
     private static PageTestBrowser browser;
     private static PageTestPages pages;
     private static byte[] replay;
@@ -50,13 +51,6 @@ class PageTest {
         replay = PageTestRaces.play(PageTestRaces.scene("walled-race"), 3);
         lines = PageTestRaces.lines(replay);
         page = pages.page(replay, "Walled race");
-    }
-
-    @AfterAll
-    static void quit() {
-        if (browser != null) {
-            browser.close();
-        }
     }
 
     @BeforeEach

@@ -8,7 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
-import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
@@ -29,6 +29,7 @@ class PageTestDebugging {
     @TempDir
     static Path folder;
 
+    @AutoClose
     private static PageTestBrowser browser;
     private static PageTestPages pages;
     private static Path page;
@@ -38,13 +39,6 @@ class PageTestDebugging {
         browser = PageTestBrowser.start();
         pages = new PageTestPages(folder);
         page = pages.page(PageTestRaces.play(PageTestRaces.scene("mad-pod-racing"), 3), "Race");
-    }
-
-    @AfterAll
-    static void quit() {
-        if (browser != null) {
-            browser.close();
-        }
     }
 
     @BeforeEach

@@ -7,7 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
-import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
@@ -37,6 +37,7 @@ class PageTestFaults {
     @TempDir
     static Path folder;
 
+    @AutoClose
     private static PageTestBrowser browser;
     private static PageTestPages pages;
     private static Path page;
@@ -53,13 +54,6 @@ class PageTestFaults {
         pages = new PageTestPages(folder);
         page = pages.page(failed.getBytes(StandardCharsets.UTF_8), "Failed",
             PageExtras.of(new GameTypes(List.of(new PodRaceType()))));
-    }
-
-    @AfterAll
-    static void quit() {
-        if (browser != null) {
-            browser.close();
-        }
     }
 
     @BeforeEach

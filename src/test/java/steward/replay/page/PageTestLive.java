@@ -17,7 +17,7 @@ import java.util.Map;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
-import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -35,18 +35,12 @@ class PageTestLive {
     @TempDir
     static Path folder;
 
+    @AutoClose
     private static PageTestBrowser browser;
 
     @BeforeAll
     static void start() {
         browser = PageTestBrowser.start();
-    }
-
-    @AfterAll
-    static void quit() {
-        if (browser != null) {
-            browser.close();
-        }
     }
 
     /** Half of the match, a wait, the other half: the page waits too, and goes on. */

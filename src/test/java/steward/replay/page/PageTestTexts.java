@@ -9,7 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
-import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -31,6 +31,7 @@ class PageTestTexts {
     @TempDir
     static Path folder;
 
+    @AutoClose
     private static PageTestBrowser browser;
     private static PageTestPages pages;
     private static byte[] replay;
@@ -40,13 +41,6 @@ class PageTestTexts {
         browser = PageTestBrowser.start();
         pages = new PageTestPages(folder);
         replay = PageTestRaces.play(PageTestRaces.scene("duel"), 5);
-    }
-
-    @AfterAll
-    static void quit() {
-        if (browser != null) {
-            browser.close();
-        }
     }
 
     private static void assertHarmless() {
