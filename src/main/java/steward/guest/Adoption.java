@@ -104,12 +104,14 @@ public final class Adoption {
     /** Chooses the level; one without a folder in which no game comes to its end is none. */
     private void chooseLevel() {
         LeagueLevels chosen = LeagueLevels.of(project);
+        boolean found = false;
         if (chosen.mayHaveMore()) {
             findPlayers(chosen.level());
-            chosen = bossesDiffer(chosen.level()) ? chosen.more() : chosen;
+            found = !bossesDiffer(chosen.level());
+            chosen = found ? chosen : chosen.more();
         }
         RefereeFault fault = null;
-        for (boolean found = false; !found;) {
+        while (!found) {
             try {
                 findPlayers(chosen.level());
                 found = true;
@@ -155,9 +157,11 @@ public final class Adoption {
             TrialGame first = TrialGame.between(boss, program(ofLevel, null), players, 1, isolation, TrialGame.ANY);
             List<TrialGame> games = IntStream.of(ofLevel, ofLevel + 1).mapToObj(each -> TrialGame.between(boss,
                 program(each, null), players, 1, isolation, first.questions())).toList();
+            Set<Name> again = first.differences(games.get(0));
             Set<Name> differing = first.differences(games.get(1));
-            differing.removeAll(first.differences(games.get(0)));
-            return !differing.isEmpty();
+            again.removeAll(GuestProgram.FOR_PEOPLE);
+            differing.removeAll(GuestProgram.FOR_PEOPLE);
+            return again.isEmpty() && !differing.isEmpty();
         } catch (RefereeFault none) {
             return false;
         }
@@ -196,14 +200,17 @@ public final class Adoption {
             told.accept("classes kept from game to game: not tried, since games take long; each game gets fresh ones");
             return;
         }
+        if (!others.isEmpty() || drawn) {
+            told.accept("classes kept from game to game: not tried, since games differ");
+            return;
+        }
         long[] few = LongStream.of(seeds).limit(SEEDS).toArray();
         series(program(level, "one level"), few);           // what it leaves in static fields shows in the next
         Set<Name> kept = TrialGame.differences(pick(first, all(few)), series(program(level, "one level"), few));
         kept.removeAll(undetermined);
-        reuse = kept.isEmpty() && others.isEmpty() && !drawn;
+        reuse = kept.isEmpty();
         told.accept("classes kept from game to game: " + (reuse ? "the same games, so the scene reuses them"
-            : kept.isEmpty() ? "not tried, since games differ" : names(kept) + " differ, so each game gets fresh "
-                + "ones"));
+            : names(kept) + " differ, so each game gets fresh ones"));
     }
 
     /** Seeds to play, as many as there is time for: referees take between some milliseconds and seconds for a game. */

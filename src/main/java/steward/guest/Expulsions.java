@@ -3,6 +3,7 @@ package steward.guest;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import steward.text.TextFormat;
@@ -25,7 +26,9 @@ final class Expulsions {
     /** Answers that others give after the last one of a player who takes no more part. */
     private static final int OTHERS = 2;
     private static final int LONGEST = 300;
-    private static final Pattern ERROR = Pattern.compile("\u00a4RED\u00a4(.*?)\u00a7RED\u00a7");
+    /** A line in red; the first player that it names is the one who was wrong. */
+    private static final Pattern ERROR =
+        Pattern.compile("\u00a4RED\u00a4[^$\u00a7]*\\$(\\d)(?!\\d).*\u00a7RED\u00a7");
     private static final Pattern COLOUR = Pattern.compile("[\u00a4\u00a7][A-Za-z_]+[\u00a4\u00a7]");
 
     /** Lines since the last answer of each player. */
@@ -45,7 +48,7 @@ final class Expulsions {
     }
 
     /**
-     * A player has answered.
+     * Counts an answer.
      *
      * @param ms       that it took, as the referee is told
      * @param strikeMs after which it is late; 0 where times do not count
@@ -65,17 +68,17 @@ final class Expulsions {
         }
     }
 
-    /** The referee has said lines of a summary. Many say what was wrong in the line before, and name nobody in it. */
+    /** Records the errors in lines of a summary. Many say what was wrong in the line before, and name nobody in it. */
     void said(List<String> lines) {
         String before = null;
         for (String line : lines) {
-            for (int player = 0; player < since.length && ERROR.matcher(line).find(); player++) {
-                if (line.contains("$" + player)) {
-                    if (before != null && !COLOUR.matcher(before).find() && before.indexOf('$') < 0) {
-                        errors.get(player).add(before);
-                    }
-                    errors.get(player).add(line);
+            Matcher error = ERROR.matcher(line.strip());
+            int player = error.matches() ? Integer.parseInt(error.group(1)) : since.length;
+            if (player < since.length) {
+                if (before != null && !COLOUR.matcher(before).find() && before.indexOf('$') < 0) {
+                    errors.get(player).add(before);
                 }
+                errors.get(player).add(line);
             }
             before = line;
         }

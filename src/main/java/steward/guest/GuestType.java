@@ -64,7 +64,7 @@ public final class GuestType implements GameType {
             throw scene.root().error("players", Integer.toString(scene.players()),
                 "1: the mode of its referee is " + GuestProgram.SOLO);
         }
-        if (!program.tests().criterion().isEmpty() && scene.players() != 1) {
+        if ((!program.tests().criterion().isEmpty() || program.tests().lowerIsBetter()) && scene.players() != 1) {
             throw scene.root().error("players", Integer.toString(scene.players()), "1: the criterion is of a game for "
                 + "one");
         }

@@ -43,14 +43,14 @@ record SoloTests(List<List<String>> tests, String criterion, boolean lowerIsBett
     }
 
     /**
-     * Returns the score of a game.
+     * Returns the score of a game: the criterion's value, unless the referee says that the test was failed.
      *
      * @param metadata the last block METADATA, or {@code null}
-     * @param score    what the block SCORES says
+     * @param score    in the block SCORES, more than 0 where the test was passed
      */
     double score(String metadata, double score) {
-        if (criterion.isEmpty()) {
-            return score;
+        if (criterion.isEmpty() || score <= 0) {
+            return lowerIsBetter && !criterion.isEmpty() ? WORST - score : score;
         }
         try {
             JsonNode value = JsonMapper.shared().readTree(metadata == null ? "{}" : metadata).path(criterion);

@@ -36,6 +36,16 @@ class ExpulsionsTest {
         assertNull(expulsions.of(1, -1));
     }
 
+    /** What comes first in red is the name of who was wrong; others are those it hit, or its own words. */
+    @Test
+    void whoIsOnlyMentionedIsNotBlamed() {
+        answers(0, 1);
+        expulsions.said(List.of(RED + "$0: expected MOVE, got '$1'" + END, RED + "fire" + END + " hits $1",
+            RED + "$12 is no player here" + END));
+        assertNull(expulsions.of(1, -1));
+        assertEquals("expected MOVE, got '$1'", expulsions.of(0, -1));
+    }
+
     /** A line before the last answer is a warning; once the other player has answered twice, this one is out. */
     @Test
     void whoIsNotAskedAnyMoreWhileOthersAreIsOut() {

@@ -45,4 +45,12 @@ class SoloTestsTest {
         assertEquals(1e12 + 1, lower.score("{}", -1));
         assertEquals(1, new SoloTests(List.of(), "", true).score("{\"time\":12}", 1));
     }
+
+    /** Referees state the criterion of a test that was failed, too. */
+    @Test
+    void aFailedTestHasNoValue() {
+        assertEquals(1e12, new SoloTests(List.of(), "time", true).score("{\"time\":3}", 0));
+        assertEquals(0, TESTS.score("{\"points\":30000}", 0));
+        assertEquals(-1, TESTS.score("{\"points\":30000}", -1));
+    }
 }

@@ -41,7 +41,7 @@ record EngineSource(Path repository, String text) {
     static EngineSource built(Path clone, String named, String wanted, Consumer<String> told)
             throws IOException, InterruptedException {
         String tag = tag(git(clone, "tag", "-l").lines().toList(), wanted);
-        String commit = git(clone, "rev-parse", tag + "^{commit}").strip();
+        String commit = git(clone, "rev-parse", (tag.equals("HEAD") ? tag : "refs/tags/" + tag) + "^{commit}").strip();
         if (!git(clone, "ls-tree", commit, "engine/core/pom.xml").contains("pom.xml")) {
             throw new InputException("engine-source", "found no engine/core/pom.xml in " + tag + " of " + clone
                 + ", expected a clone of " + SdkProject.ENGINE_REPOSITORY);

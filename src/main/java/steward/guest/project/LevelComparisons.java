@@ -21,7 +21,7 @@ import steward.guest.project.ClassFile.Method;
 /**
  * Numbers with which the class files of a contest compare the league level. The level is followed from the calls that
  * return it through variables, fields, parameters and results; where its way is not plain it is lost, so that a
- * comparison may be missed, but none is invented.
+ * comparison may be missed, but hardly one is invented.
  *
  * <p>An order such as {@code level > 4} or {@code level >= 5} changes at 5 and singles 5 out. An equality with 4, or a
  * case of a switch, singles 4 out and changes at 4 and 5.
@@ -61,7 +61,7 @@ final class LevelComparisons {
                 return new LevelComparisons(read(classes));
             }
             try (FileSystem jar = FileSystems.newFileSystem(classes)) {
-                return new LevelComparisons(read(jar.getPath("/com/codingame/game")));
+                return new LevelComparisons(read(jar.getPath("/com/codingame")));
             }
         } catch (IOException problem) {
             throw new InputException(classes + ": cannot be read: " + problem.getMessage());
@@ -71,7 +71,8 @@ final class LevelComparisons {
     private static List<ClassFile> read(Path folder) throws IOException {
         List<ClassFile> files = new ArrayList<>();
         try (Stream<Path> all = Files.isDirectory(folder) ? Files.walk(folder) : Stream.empty()) {
-            for (Path file : all.filter(each -> each.toString().endsWith(".class")).sorted().toList()) {
+            for (Path file : all.filter(each -> each.toString().endsWith(".class")
+                    && !each.toString().contains("/gameengine/")).sorted().toList()) {
                 try (InputStream in = Files.newInputStream(file)) {
                     files.add(ClassFile.read(in));
                 }
@@ -195,7 +196,7 @@ final class LevelComparisons {
         }
     }
 
-    /** A field is read from a class or an object, or written. */
+    /** Follows a field that is read or written. */
     private void field(Object member, int op) {
         boolean written = op == 179 || op == 181;
         if (written && pop() == LEVEL) {
@@ -226,7 +227,7 @@ final class LevelComparisons {
         }
         any |= !isStatic && pop() == LEVEL;
         if (!member.descriptor().endsWith(")V")) {
-            stack.push(member.name().equals(CALL) || known.contains(member) || any && member.owner().startsWith("java/")
+            stack.push(member.name().equals(CALL) || known.contains(member) || any && member.owner().startsWith("java/lang/")
                 ? LEVEL : OTHER);
         }
     }
@@ -249,7 +250,7 @@ final class LevelComparisons {
         return type == 'J' || type == 'D' ? 2 : 1;
     }
 
-    /** A comparison of integers: equal, not equal, less, not less, greater, not greater, from 159 on. */
+    /** Takes a comparison of integers: equal, not equal, less, not less, greater, not greater, from 159 on. */
     private void compare(int op, Object first, Object second) {
         boolean mirrored = second == LEVEL;
         if (first != LEVEL && !mirrored || !((mirrored ? first : second) instanceof Integer number)) {
@@ -269,7 +270,7 @@ final class LevelComparisons {
         lastChange = Math.max(lastChange, number + 1);
     }
 
-    /** A switch by a table or by pairs; cases of a table that go where the others go are none. */
+    /** Takes a switch by a table or by pairs; cases of a table that go where the others go are none. */
     private void select(ByteBuffer code, boolean table, boolean ofLevel) {
         code.position((code.position() + 3) / 4 * 4);
         int otherwise = code.getInt();

@@ -6,6 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.OptionalInt;
 import java.util.function.Consumer;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -126,11 +127,15 @@ record ProjectBuild(List<Path> classPath, String engine) {
 
     static Said run(List<String> words) throws IOException, InterruptedException {
         Path said = Files.createTempFile("steward-adopt", ".txt");
+        Path errors = Files.createTempFile("steward-adopt", ".txt");
         try {
-            boolean done = ProgramRun.of(Launch.plain(words), said, said, PATIENCE_MS).orElse(-1) == 0;
-            return new Said(done, Files.readString(said));
+            OptionalInt status = ProgramRun.of(Launch.plain(words), said, errors, PATIENCE_MS);
+            boolean done = status.orElse(-1) == 0;
+            return new Said(done, Files.readString(said) + (done ? "" : Files.readString(errors))
+                + (status.isPresent() ? "" : "it was ended after " + PATIENCE_MS / 60_000 + " minutes"));
         } finally {
             Files.delete(said);
+            Files.delete(errors);
         }
     }
 
