@@ -285,7 +285,7 @@ public final class Schedule {
     /** True if it has ended since all groups only repeat games. */
     public boolean isRepeated() {
         return ended && plan == null && (players == 1 ? repeated.isRepeated()
-            : pairing.choose(this::isWanted) == null);
+            : pairing != null && pairing.choose(this::isWanted) == null);
     }
 
     /** Ends it before the first decision of which this is true; each is asked about when it is due. */

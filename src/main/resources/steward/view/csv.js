@@ -1,4 +1,4 @@
-// The match as CSV, in the columns of `steward run --csv`; states have the further fields of the game behind them.
+// The match as CSV, as far as a replay has it: normals, velocities at impacts and radii are in `steward run --csv`.
 
 const OF_STATES = ['x', 'y', 'vx', 'vy'];
 const OF_IMPACTS = ['time', 'a', 'b', 'wall', 'ax', 'ay', 'bx', 'by', 'impulse', 'energy'];

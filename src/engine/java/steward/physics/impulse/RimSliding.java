@@ -40,7 +40,7 @@ final class RimSliding {
 
     /** Chords in a turn: leaves some of 256 for contacts at which a slide begins. */
     static final int CHORDS = 250;
-    /** Bounces of an elastic body in a turn, at most; half of the least bound on the impacts of a turn. */
+    /** Bounces of an elastic body in a turn, at most; half of the least default bound on the impacts of a turn. */
     static final int MOST_BOUNCES = 5000;
     /**
      * Chords of an elastic slide, as a share of the others. It is no simple number, so that a flight is taken for such

@@ -1,6 +1,6 @@
 package steward.cli.play;
 
-import java.util.List;
+import java.util.stream.Stream;
 import steward.physics.Arena;
 import steward.physics.HalfPlane;
 import steward.physics.Segment;
@@ -13,8 +13,8 @@ import steward.scene.Field;
  *
  * @param length of all that holds bodies, in u: sides of the field that are walls, arenas, both sides of segments,
  *               bumpers; NaN if a straight wall without end is none of the field's sides
- * @param area   of the field between four walls, or of the smallest arena, less the bumpers, in u^2; NaN if the scene
- *               has neither
+ * @param area   of the field between four walls, or of the smallest arena, less the bumpers, in u^2, and not less what
+ *               other straight walls cut off; NaN if the scene has neither
  */
 record Enclosure(double length, double area) {
 
@@ -35,8 +35,8 @@ record Enclosure(double length, double area) {
                 length += side((HalfPlane) wall, field);
             }
         }
-        if (Double.isNaN(area) && field.walls().containsAll(List.of(Wall.box(field.x(), field.y(), field.width(),
-            field.height(), field.walls().isEmpty() ? 1 : field.walls().get(0).restitution())))) {
+        if (Double.isNaN(area) && Stream.of(Wall.box(field.x(), field.y(), field.width(), field.height(), 1))
+                .allMatch(side -> field.walls().stream().anyMatch(wall -> isSide((HalfPlane) side, wall)))) {
             area = field.width() * field.height();
         }
         for (Bumper bumper : field.bumpers()) {
@@ -44,6 +44,11 @@ record Enclosure(double length, double area) {
             area -= Math.PI * bumper.radius() * bumper.radius();
         }
         return new Enclosure(length > 0 ? length : Double.NaN, area);
+    }
+
+    private static boolean isSide(HalfPlane side, Wall wall) {
+        return wall instanceof HalfPlane other && side.x() == other.x() && side.y() == other.y()
+            && side.insideX() == other.insideX() && side.insideY() == other.insideY();
     }
 
     /** The length of a side of the field, or NaN for another straight wall. */

@@ -13,9 +13,9 @@ import steward.league.rating.Normal;
  *
  * <p>The logarithm of the ratio is taken for a Brownian motion without overshoot: with d the distance of elo1 and elo0
  * in standard deviations of an observation, n observations are the time n d^2, in which it drifts by the true
- * difference's distance from the middle of both, as a share of d. A ratio that is farther beyond its bound than one
- * observation or a small batch takes it did not stop the test: then the number of observations was
- * fixed, and the range is the normal one.
+ * difference's distance from the middle of both, as a share of d. Normalized Elo has the deviation in its denominator:
+ * far from 0 its range is widened by that. A ratio that is farther beyond its bound than one observation or a small
+ * batch takes it did not stop the test: then the number of observations was fixed, and the range is the normal one.
  *
  * @param low         in the test's Elo; -infinity where any is possible
  * @param elo         the estimate that is as probably too low as too high
@@ -28,6 +28,8 @@ public record StoppedRange(double low, double elo, double high, double scoreLow,
                            double superiority) {
 
     private static final int HALVINGS = 60;
+    /** Drift at elo1, and less than 0 at elo0. */
+    private static final double HALF = 0.5;
     /** Share of a bound by which games that come in batches pass it; fishtest's tests do. */
     private static final double BATCH = 0.03;
     /** Normal deviations of a drift that is surely too far. */
@@ -64,8 +66,14 @@ public record StoppedRange(double low, double elo, double high, double scoreLow,
         double span = FARTHEST / Math.sqrt(reached) + FARTHEST / reached + Math.abs(seen);
         DoubleUnaryOperator least = state == Gsprt.State.OPEN ? lost : worse;
         DoubleUnaryOperator most = state == Gsprt.State.OPEN ? notWon : worse;
-        double lowest = root(least, 1 - test.alpha(), span);
-        double highest = root(most, test.beta(), span);
+        double low0 = root(least, 1 - test.alpha(), span);
+        double high0 = root(most, test.beta(), span);
+        double wider = !isNormalized || state == Gsprt.State.OPEN ? 1
+            : Math.max(1, Math.sqrt(spread(scores) * reached / time));
+        double widened = seen + wider * (low0 - seen);
+        double lowest = state == Gsprt.State.H1 && widened <= -HALF ? low0 : widened;
+        double raised = seen + wider * (high0 - seen);
+        double highest = state == Gsprt.State.H0 && raised >= HALF ? high0 : raised;
         DoubleUnaryOperator score = drift -> {
             double value = (low + high) / 2 + drift * (high - low);
             return Math.max(0, Math.min(1, isNormalized ? 0.5 + value * Math.sqrt(scores.variance()) : value));
@@ -73,6 +81,29 @@ public record StoppedRange(double low, double elo, double high, double scoreLow,
         return new StoppedRange(elo.applyAsDouble(lowest), elo.applyAsDouble(root(worse, 0.5, span)),
             elo.applyAsDouble(highest), score.applyAsDouble(lowest), score.applyAsDouble(highest),
             worse.applyAsDouble((even - (low + high) / 2) / (high - low)));
+    }
+
+    /**
+     * Variance of the mean score's distance from 1/2 in standard deviations, t, times the observations, by the delta
+     * method: 1 - t g + t^2 (k - 1)/4 with the skewness g and the kurtosis k of the scores.
+     */
+    private static double spread(ScoreCounts scores) {
+        double[] shares = scores.frequencies();
+        double[] moments = new double[5];
+        double mean = 0;
+        for (int cell = 0; cell < shares.length; cell++) {
+            mean += shares[cell] * scores.values()[cell];
+        }
+        for (int cell = 0; cell < shares.length; cell++) {
+            double power = shares[cell];
+            for (int order = 1; order < moments.length; order++) {
+                power *= scores.values()[cell] - mean;
+                moments[order] += power;
+            }
+        }
+        double deviation = Math.sqrt(moments[2]);
+        double t = (mean - 0.5) / deviation;
+        return 1 - t * moments[3] / (moments[2] * deviation) + t * t * (moments[4] / (moments[2] * moments[2]) - 1) / 4;
     }
 
     /** The drift at which a probability, which falls with it, has a value. */

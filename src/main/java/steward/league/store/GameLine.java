@@ -28,6 +28,10 @@ public final class GameLine {
 
     private static final String TRANSCRIPT = "transcript";
     private static final String VALUES = "values";
+    /** Highest number of a decision: all below it are kept in memory. */
+    private static final int LAST_DECISION = 99_999_999;
+    /** Rank of the last of 16 players, as the database has it. */
+    private static final int WORST_RANK = 15;
 
     /** The fields of the game itself. */
     public static final List<String> GAME = List.of("name", "sceneKey", "limits", "rules", "decision", "seed",
@@ -124,7 +128,7 @@ public final class GameLine {
                 known ? version(place, seat).id() : checked(place, seat))));
             String problem = inOneLine(game.getOrDefault("problem", ""));
             return new StoredGame(0, name, game.getOrDefault("decision", "").isEmpty() ? -1
-                : (int) number(place, game, "decision", 0, Integer.MAX_VALUE), seed, attempt,
+                : (int) number(place, game, "decision", 0, LAST_DECISION), seed, attempt,
                 flag(place, game, "counts") && problem.isEmpty(),
                 (int) number(place, game, "turns", 0, Integer.MAX_VALUE), problem.isEmpty() ? null : problem,
                 number(place, game, "played", 0, Long.MAX_VALUE), line(place, game, "machine"), null,
@@ -162,7 +166,7 @@ public final class GameLine {
 
         private static StoredSeat seat(String place, Map<String, String> seat, int version) {
             String fault = inOneLine(seat.getOrDefault("fault", ""));
-            return new StoredSeat(version, (int) number(place, seat, "rank", 0, Integer.MAX_VALUE),
+            return new StoredSeat(version, (int) number(place, seat, "rank", 0, WORST_RANK),
                 score(place, seat), fault.isEmpty() ? null : fault,
                 (int) number(place, seat, "answers", 0, Integer.MAX_VALUE),
                 number(place, seat, "meanNanos", 0, Long.MAX_VALUE),

@@ -236,8 +236,8 @@ class RatingPromisesTest {
             + " seeds even"), Math.round(at), number("%.4f", found.accepted()), Math.round(found.mean()),
             Math.round(found.theory()), number("%.3f", found.mean() / found.theory()));
         within(0.95, 1, at >= elo1 ? found.accepted() : 1 - found.accepted());
-        if (Math.abs(at) <= Math.max(Math.abs(elo0), Math.abs(elo1))) {      // a test far beyond is over too soon
-            within(0.9, 1, found.held());
+        if (found.mean() >= 30) {                     // the range is that of many observations
+            within(0.87, 1, found.held());
         }
         assertEquals(1, found.mean() / found.theory(), 0.06 + 4 / Math.sqrt(LEAGUES), () -> lines.toString());
     }

@@ -26,7 +26,7 @@ import steward.scene.json.SourcePosition;
  */
 final class CsvRows {
 
-    /** Also {@code .5}, {@code 100.} and {@code +1}, which JSON has not. */
+    /** Number, also as {@code .5}, {@code 100.} and {@code +1}, which JSON has not. */
     private static final Pattern NUMBER = Pattern.compile(
         "([+-]?)0*(?=\\.?[0-9])([0-9]*)(?:\\.([0-9]*))?([eE][+-]?[0-9]+)?");
     private static final Pattern UNIT = Pattern.compile("\\s*\\[[^\\]]*]$");
@@ -81,7 +81,8 @@ final class CsvRows {
     /** Names what is written otherwise than here: comments, quotes, and other separators. */
     private void refuseOtherForms(String line, int number, String what) {
         String start = line.stripLeading();
-        String found = start.startsWith("#") || start.startsWith("//") ? "a comment"
+        boolean isText = !names.isEmpty() && TEXTS.contains(names.get(0));
+        String found = !isText && (start.startsWith("#") || start.startsWith("//")) ? "a comment"
             : line.indexOf('"') >= 0 ? "quotes" : line.indexOf(',') >= 0 ? null
             : line.indexOf(';') >= 0 ? "semicolons" : line.strip().indexOf('\t') >= 0 ? "tabs" : null;
         if (found != null) {

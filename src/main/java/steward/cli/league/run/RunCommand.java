@@ -262,6 +262,9 @@ public final class RunCommand extends ProgramCommand {
     }
 
     private void sayNeeded(Consumer<String> teller, LeagueProgress progress, Roster roster) {
+        if (Double.isNaN(until.rule().bars())) {
+            return;
+        }
         UntilOptions.needed(until.rule(), Ratings.of(progress.table(roster.settings()).results(), roster.versions()),
             roster).forEach(teller);
     }
