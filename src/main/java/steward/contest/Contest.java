@@ -390,7 +390,7 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
     }
 
     /** True if lower scores are better in this game. */
-    boolean lowerScoreIsBetter() {
+    public boolean lowerScoreIsBetter() {
         return setup.create(0).lowerScoreIsBetter();
     }
 

@@ -61,7 +61,7 @@ public final class PastDecisions {
     }
 
     /**
-     * None yet.
+     * Decisions of a season, none yet.
      *
      * @param players of a game
      * @param seeds   tells the seed of a decision that is there

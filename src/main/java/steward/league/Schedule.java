@@ -40,7 +40,7 @@ public final class Schedule {
     private final List<Decision> news = new ArrayList<>();
     private final Map<Integer, Boolean> marks = new HashMap<>();
 
-    /** All that may play, those that are paused among them. */
+    /** Versions that may play, paused ones included. */
     private Collection<Integer> roster;
     private Function<List<Integer>, Pairing> make;
     private Set<Integer> paused = Set.of();
@@ -123,7 +123,7 @@ public final class Schedule {
     }
 
     /**
-     * Who plays from now on. Games that were decided on and not begun are held while one of theirs plays no more.
+     * Sets the versions that play from now on. Games that were decided on and not begun are held while one of theirs plays no more.
      *
      * @param versions in any order
      * @param maker    makes a pairing of them

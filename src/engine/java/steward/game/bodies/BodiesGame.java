@@ -24,7 +24,7 @@ public final class BodiesGame extends AbstractGame {
     private final PlayRules rules;
     private final Plan plan;
     private final List<Body> discs;
-    /** Of the rules, as an array: the iterator of a list is allocated. */
+    /** Zones of the rules, as an array: the iterator of a list is allocated. */
     private final Zone[] zones;
     /** Zones that bodies reach on their way, and what enters them; {@code null} if there are none. */
     private final ZonePassings passings;

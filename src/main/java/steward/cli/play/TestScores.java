@@ -42,7 +42,7 @@ final class TestScores {
         StringBuilder head = new StringBuilder("test");
         contest.entrants().forEach(entrant -> head.append(TextFormat.right(TextFormat.shorten(entrant.name(),
             WIDTH - 2), WIDTH)));
-        out.println(TextFormat.plain(head.toString()) + (contest.setup().create(0).lowerScoreIsBetter()
+        out.println(TextFormat.plain(head.toString()) + (contest.lowerScoreIsBetter()
             ? "   (a lower score is better)" : ""));
         double[] all = new double[bots];
         sums.forEach((test, sum) -> {

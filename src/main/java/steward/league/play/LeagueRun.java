@@ -470,7 +470,10 @@ public final class LeagueRun {
         return underWay;
     }
 
-    /** Returns how many decisions the schedule is ahead of its first game that is not over; its lag is the most. */
+    /**
+     * Returns how many decisions the schedule is ahead of its first game that is not over: its lag at most, but for
+     * games of old decisions that are played late.
+     */
     public synchronized int ahead() {
         return schedule.ahead();
     }

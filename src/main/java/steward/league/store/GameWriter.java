@@ -127,7 +127,7 @@ public final class GameWriter implements AutoCloseable {
         return stored;
     }
 
-    /** In how many transactions. */
+    /** Returns the number of transactions. */
     public synchronized long transactions() {
         return transactions;
     }
