@@ -123,7 +123,8 @@ public final class Schedule {
     }
 
     /**
-     * Sets the versions that play from now on. Games that were decided on and not begun are held while one of theirs plays no more.
+     * Sets the versions that play from now on. Games that were decided on and not begun are held while one of theirs
+     * plays no more.
      *
      * @param versions in any order
      * @param maker    makes a pairing of them

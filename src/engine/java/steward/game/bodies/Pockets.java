@@ -14,8 +14,8 @@ import steward.physics.TurnSink;
  * same bits up to that entry, and from the last impact before it on the disc is of another kind, LEAVING, which asks at
  * each contact. The first that it comes to makes it GONE: it meets nothing any more, and all is predicted anew. A later
  * entry is found in the turn as it then is. So a turn is played once more for each disc that is taken out in it, and
- * once where none is. A disc that is leaving belongs to no heap that comes to rest before its entry; and if another zone
- * ends the game first, it is still there at the end of the turn, and may overlap.
+ * once where none is. A disc that is leaving belongs to no heap that comes to rest before its entry. If another zone
+ * ends the game first, the disc is still there at the end of the turn, and may overlap.
  */
 
 /**

@@ -227,8 +227,8 @@ final class LevelComparisons {
         }
         any |= !isStatic && pop() == LEVEL;
         if (!member.descriptor().endsWith(")V")) {
-            stack.push(member.name().equals(CALL) || known.contains(member) || any && member.owner().startsWith("java/lang/")
-                ? LEVEL : OTHER);
+            any &= member.owner().startsWith("java/lang/");
+            stack.push(any || member.name().equals(CALL) || known.contains(member) ? LEVEL : OTHER);
         }
     }
 
