@@ -126,6 +126,31 @@ class GuestContestTest {
 
     @Test
     @Tag("campaign")
+    void aTestThatDrawsAtRandomLeavesTheOthersVerifiable() throws IOException {
+        Path referee = Files.writeString(folder.resolve("Referee.java"),
+            Files.readString(Path.of("src/test/resources/referees/sdk/Referee.java"))
+                .replace("remembered++;",
+                    "System.setProperty(\"seen\", \" \" + (seed == 8 ? System.nanoTime() : 0));"));
+        StandInProject.compiled(folder, referee);
+        Files.writeString(folder.resolve("config/config.ini"), "type=opti\ncriteria=points\nsorting_order=desc");
+        for (int test = 1; test <= 3; test++) {
+            Files.writeString(folder.resolve("config/test" + test + ".json"), "{\"testIn\": \"" + (6 + test) + "\"}");
+        }
+        List<String> told = new ArrayList<>();
+        String solo = Files.writeString(folder.resolve("solo.json"), Adoption.scene(folder, null, null, "solo",
+            Isolation::usual, told::add).json()).toString();
+        assertTrue(told.contains("tests drawn at random: 2; their replays cannot be verified, those of the other 2 "
+            + "tests can"), told::toString);
+        for (int test = 1; test <= 3; test++) {
+            Path file = folder.resolve(test + ".jsonl");
+            done("match", "--scene", solo, "--bot", bot("one", "1"), "--seed", "" + test, "--out", file.toString());
+            String said = Cli.run("replay", file.toString(), "--verify", "--run-referee").out();
+            assertEquals(test != 2, said.startsWith("verified"), said);
+        }
+    }
+
+    @Test
+    @Tag("campaign")
     void aTestEndsWhenTheBetterBotIsFound() throws IOException {
         String said = done("sprt", "--scene", scene, "--bot", bot("new", "3"), "--bot", bot("old", "1"), "--seed",
             "1", "--elo1", "200", "--games", "60", "--quiet");

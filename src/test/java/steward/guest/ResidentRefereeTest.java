@@ -214,7 +214,8 @@ class ResidentRefereeTest {
                 public static String turn(int turn, long seed, int games) {
                     String text = System.getProperty("league.level");
                     double level = Double.valueOf(text);           // so that its way is not plain
-                    return "rules " + (RULE);
+                    System.setProperty("seen", " " + (RULE));
+                    return "rules";
                 }
             }
             """.replace("RULE", rule)));

@@ -9,8 +9,8 @@ import java.util.Scanner;
 
 /**
  * A stand-in for the SDK: it speaks its blocks and calls a class Referee of the project, loaded beside it. Scores are
- * the numbers that bots say, and chance that follows from the seed; the value "points" of a game for one is what is
- * left of them to 100.5.
+ * the numbers that bots say, and chance that follows from the seed. Bots are told the property "seen", if the
+ * referee sets it. The value "points" of a game for one is what is left of them to 100.5.
  */
 public class RefereeMain {
 
@@ -33,7 +33,7 @@ public class RefereeMain {
                     Long.parseLong(seed), games);
                 say(out, "VIEW", "KEY_FRAME " + turn);
                 say(out, "SUMMARY", said, "level " + System.getProperty("league.level"), "\u00e4 " + inProduction);
-                say(out, "NEXT_PLAYER_INPUT", "turn " + turn);
+                say(out, "NEXT_PLAYER_INPUT", "turn " + turn + System.getProperty("seen", ""));
                 say(out, "NEXT_PLAYER_INFO", "" + player, "1", "1000");
                 out.flush();
                 List<String> answer = hear(in);
