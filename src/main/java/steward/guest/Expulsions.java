@@ -29,7 +29,7 @@ final class Expulsions {
     /** A line in red; the first player that it names is the one who was wrong. */
     private static final Pattern ERROR =
         Pattern.compile("\u00a4RED\u00a4[^$\u00a7]*\\$(\\d)(?!\\d).*\u00a7RED\u00a7");
-    private static final Pattern COLOUR = Pattern.compile("[\u00a4\u00a7][A-Za-z_]+[\u00a4\u00a7]");
+    static final Pattern COLOUR = Pattern.compile("[\u00a4\u00a7][A-Za-z_]+[\u00a4\u00a7]");
 
     /** Lines since the last answer of each player. */
     private final List<List<String>> errors = new ArrayList<>();

@@ -39,7 +39,6 @@ final class GuestGame extends AbstractGame {
     /** Lines for people of a block, and characters of each, that become events. */
     private static final int MOST_LINES_SHOWN = 20;
     private static final int SHOWN = 300;
-    private static final Pattern COLOUR = Pattern.compile("[\u00a4\u00a7][A-Za-z_]+[\u00a4\u00a7]");
     /** Characters at which readers of some languages end a line. */
     private static final Pattern ENDS = Pattern.compile("[\\n\\r\\x0b\\x0c\\x1c-\\x1e\\x85\\u2028\\u2029]");
     private static final Pattern PLAYER = Pattern.compile("\\$(\\d)");
@@ -192,7 +191,7 @@ final class GuestGame extends AbstractGame {
 
     /** Makes a line for people an event, without colours, and with players by number: the program knows no names. */
     private void show(String line) {
-        String text = PLAYER.matcher(COLOUR.matcher(line).replaceAll("")).replaceAll("player $1").strip();
+        String text = PLAYER.matcher(Expulsions.COLOUR.matcher(line).replaceAll("")).replaceAll("player $1").strip();
         if (!text.isEmpty()) {
             events.add(TurnEvent.Kind.MARK, 1, -1, WIDTH / 2.0, HEIGHT / 2.0,
                 TextFormat.beginning(text, SHOWN), false);

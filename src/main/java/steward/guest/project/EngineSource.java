@@ -1,10 +1,13 @@
 package steward.guest.project;
 
 import java.io.IOException;
+import java.nio.file.DirectoryStream;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
+import java.time.Duration;
+import java.time.Instant;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
@@ -30,17 +33,27 @@ record EngineSource(Path repository, String text) {
     /** Version in every pom.xml of the engine's repository; its own release replaces it. */
     private static final String UNRELEASED = "master-SNAPSHOT";
     private static final int COMMIT_SHOWN = 12;
+    /** Word of Maven for the newest version. */
+    private static final String NEWEST = "LATEST";
+    /** Name of the folder of a build that is under way; after a day, of one that was killed. */
+    private static final String MAKING = "making";
+    private static final Duration KILLED = Duration.ofDays(1);
 
     /**
      * Builds the engine, or finds it built.
      *
      * @param clone  of the engine's repository
      * @param named  version that the project names
-     * @param wanted version to build in its place, usually the same
+     * @param engine version to build in its place, or {@code null}
      */
-    static EngineSource built(Path clone, String named, String wanted, Consumer<String> told)
+    static EngineSource built(Path clone, String named, String engine, Consumer<String> told)
             throws IOException, InterruptedException {
-        String tag = tag(git(clone, "tag", "-l").lines().toList(), wanted);
+        List<String> tags = git(clone, "tag", "-l").lines().toList();
+        String tag = tag(tags, engine == null ? named : engine);
+        if (engine != null && !tag.equals("v" + engine)) {
+            throw new InputException("engine", "found " + engine + ", of which " + clone + " has no tag; its newest is "
+                + tag(tags, NEWEST));
+        }
         String commit = git(clone, "rev-parse", (tag.equals("HEAD") ? tag : "refs/tags/" + tag) + "^{commit}").strip();
         if (!git(clone, "ls-tree", commit, "engine/core/pom.xml").contains("pom.xml")) {
             throw new InputException("engine-source", "found no engine/core/pom.xml in " + tag + " of " + clone
@@ -49,7 +62,7 @@ record EngineSource(Path repository, String text) {
         String text = (tag.equals("HEAD") ? "the newest commit" : tag) + ", commit "
             + commit.substring(0, Math.min(COMMIT_SHOWN, commit.length()))
             + (tag.equals("v" + named) ? "" : ", in place of " + named
-                + (wanted.equals(named) ? ", which has no tag" : ""));
+                + (engine == null ? ", which has no tag" : ""));
         Path folder = UserFolders.cache().resolve("engines").resolve(tag + "-" + commit + "-as-" + named);
         told.accept("engine: " + text);
         if (!Files.isDirectory(folder)) {
@@ -58,11 +71,15 @@ record EngineSource(Path repository, String text) {
         return new EngineSource(folder.resolve("repository"), text);
     }
 
-    /** Returns the tag of a version, else the next later one, else the newest; without tags, the newest commit. */
+    /**
+     * Returns the tag of a version, else the next later one, else the newest, which a version without a number is, too;
+     * without tags, the newest commit.
+     */
     static String tag(List<String> tags, String version) {
         List<String> sorted = tags.stream().filter(tag -> TAG.matcher(tag).matches())
             .sorted(Comparator.comparing(EngineSource::order)).toList();
-        return sorted.stream().filter(tag -> order(tag).compareTo(order("v" + version)) >= 0).findFirst()
+        String order = order(version);
+        return sorted.stream().filter(tag -> !order.isEmpty() && order(tag).compareTo(order) >= 0).findFirst()
             .orElse(sorted.isEmpty() ? "HEAD" : sorted.get(sorted.size() - 1));
     }
 
@@ -78,7 +95,14 @@ record EngineSource(Path repository, String text) {
     private static void build(Path clone, String commit, String named, Path folder, Consumer<String> told)
             throws IOException, InterruptedException {
         Files.createDirectories(folder.getParent());
-        Path making = Files.createTempDirectory(folder.getParent(), "making");
+        try (DirectoryStream<Path> begun = Files.newDirectoryStream(folder.getParent(), MAKING + "*")) {
+            for (Path each : begun) {
+                if (Files.getLastModifiedTime(each).toInstant().isBefore(Instant.now().minus(KILLED))) {
+                    Folders.delete(each);
+                }
+            }
+        }
+        Path making = Files.createTempDirectory(folder.getParent(), MAKING);
         try {
             Path source = making.resolve("source");
             git(clone, "clone", "-q", "-n", clone.toAbsolutePath().toString(), source.toString());

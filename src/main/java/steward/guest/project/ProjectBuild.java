@@ -59,7 +59,7 @@ record ProjectBuild(List<Path> classPath, String engine) {
                 return new ProjectBuild(compiled(project, engine, told), null);
             }
             String named = named(project);
-            EngineSource built = EngineSource.built(source, named, engine == null ? named : engine, told);
+            EngineSource built = EngineSource.built(source, named, engine, told);
             List<Path> classPath = new ArrayList<>();
             String problem = compile(project, List.of("-Dmaven.repo.local=" + built.repository()), classPath, told);
             if (problem != null) {

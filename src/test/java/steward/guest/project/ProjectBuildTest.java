@@ -58,7 +58,7 @@ class ProjectBuildTest {
 
     /** The tag of a version, else the next later one, else the newest; without tags, the newest commit. */
     @ParameterizedTest
-    @CsvSource({"4.5.0, v4.5.0", "4.6.0, v4.7.2", "4.7.8, v4.10.0", "5.0, v4.10.0", "3, v4.5.0"})
+    @CsvSource({"4.5.0, v4.5.0", "4.6.0, v4.7.2", "4.7.8, v4.10.0", "5.0, v4.10.0", "3, v4.5.0", "LATEST, v4.10.0"})
     void theTagOfAVersionIsChosen(String version, String tag) {
         assertEquals(tag, EngineSource.tag(List.of("v4.10.0", "v4.7.2", "v4.5.0", "v4.7.7-rc1", "latest"), version));
         assertEquals("HEAD", EngineSource.tag(List.of("latest"), version));
