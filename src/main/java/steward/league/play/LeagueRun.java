@@ -331,12 +331,16 @@ public final class LeagueRun {
         boolean isStoring = schedule.waiting(limits.games()).stream().anyMatch(task ->
             !writer.isDecided(task.decision()));
         if (isStoring) {
-            ahead = Math.min(2 * ahead, roster.settings().lag() * Math.max(1, season.season().players()));
+            ahead = Math.min(2 * ahead, mostAhead());
         } else if (elsewhere != null && underWay > 0) {
             elsewhere.hurry();
         }
         lookWhetherAnyoneCanPlay();
         wait(isStoring ? 1 : WAIT_MS);
+    }
+
+    private int mostAhead() {
+        return roster.settings().lag() * Math.max(1, season.season().players());
     }
 
     private List<Member> members(Schedule.Task task) {
@@ -375,6 +379,10 @@ public final class LeagueRun {
     private void lookWhetherAnyoneCanPlay() {
         if (underWay > 0 || watch.isPaused() || isAtEnd()) {
             standstill.moves();
+            return;
+        }
+        if (ahead < mostAhead()) {
+            ahead = mostAhead();                       // decisions to come may be of bots that can play
             return;
         }
         standstill.look(schedule.waiting(limits.games()).stream().map(this::members).toList(), elsewhere,
