@@ -3,7 +3,6 @@ package steward.game;
 import java.util.Collections;
 import java.util.List;
 import java.util.SortedMap;
-import steward.Internal;
 import steward.physics.Bodies;
 import steward.physics.TurnLog;
 
@@ -135,15 +134,4 @@ public interface Game {
 
     /** A 64-bit hash of the full state: two games with the same hash continue alike under the same commands. */
     long hash();
-
-    /**
-     * The turn that is about to be played, with every sine and cosine in it a unit in the last place off; its commands
-     * are read already. It stays valid after the turn has been played.
-     *
-     * @return {@code null} where no turn depends on a sine or cosine
-     */
-    @Internal
-    default AngleVariants angleVariants() {
-        return null;
-    }
 }

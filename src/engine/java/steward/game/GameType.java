@@ -58,8 +58,7 @@ public interface GameType {
         return null;
     }
 
-    /** Returns how the site's server shows this game in its recordings; without, none of them can be imported this way.
-     */
+    /** Finds how a game began in recordings of the site's server; without, none of them can be imported this way. */
     @Internal
     default Optional<ServerView> serverView() {
         return Optional.empty();

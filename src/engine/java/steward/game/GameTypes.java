@@ -126,12 +126,6 @@ public record GameTypes(List<GameType> types, GameType hosted) {
         return text.equals(scene.json()) ? setup : open(text, scene.root().source());
     }
 
-    /** Returns how the site's server shows a game; empty also for an unknown one. */
-    @Internal
-    public Optional<ServerView> serverView(String gameId) {
-        return of(gameId).flatMap(GameType::serverView);
-    }
-
     /** A new writer of what the site's server would show; empty also for an unknown game. */
     @Internal
     public Optional<ViewWriter> viewWriter(String gameId) {

@@ -5,11 +5,11 @@ import steward.scene.Scene;
 
 /**
  * The views and summaries that the site's server would have shown of a game of ours, frame by frame. Verification
- * compares them word by word with what was recorded; {@link ServerView} reads the same views.
+ * compares them word by word with what was recorded.
  *
  * <p>In a line the word {@link #ANY} stands for one word that is not compared, and {@link #REST} for all words from
- * there to the end of the line; as the last line it stands for any lines. Line 0 of a view holds its number, which the
- * import has checked.
+ * there to the end of the line; as the last line it stands for any lines. A word that begins with {@link #NEAR} is a
+ * number that need only be near to the recorded one. Line 0 of a view holds its number, which the import has checked.
  *
  * <p>Calls: {@link #observed}, {@link #begin}, {@link #start}, then for each turn {@link #before} and {@link #after}.
  */
@@ -19,6 +19,8 @@ public interface ViewWriter {
     String ANY = "*";
     /** Words, or none, that are not compared, up to the end of the line. */
     String REST = "**";
+    /** Beginning of a word that is a number within 1e-9 of the recorded one, relative to it. */
+    String NEAR = "~=";
 
     /**
      * A frame that ends a turn.
@@ -67,12 +69,20 @@ public interface ViewWriter {
      */
     Frame after(String[] messages, List<String> shown);
 
+    /** The view of a frame behind the end of the game, in which nobody is asked. */
+    default List<String> declared() {
+        return List.of(ANY + " " + REST, REST);
+    }
+
     /** True if a source may leave out all lines of a view from this one on. */
     default boolean mayEndAt(int line) {
         return false;
     }
 
-    /** The final score of each player as the server tells it; {@code null} where that is the game's own. */
+    /**
+     * The final score of each player as the server tells it; {@code null} where that is the game's own, empty where it
+     * is not known what the server's says.
+     */
     default double[] scores() {
         return null;
     }

@@ -103,20 +103,6 @@ public final class ViewLines {
         return (int) value;
     }
 
-    /**
-     * A word as a whole number of either sign, at most 1e15.
-     *
-     * @param line for errors
-     * @throws IllegalArgumentException if it is none
-     */
-    public long whole(String word, int line) {
-        double value = number(word, line);
-        if (value != Math.rint(value) || Math.abs(value) > 1e15) {
-            throw wrongWord(word, line, "a whole number");
-        }
-        return (long) value;
-    }
-
     /** The error about a word. */
     public IllegalArgumentException wrongWord(String word, int line, String expected) {
         return wrong(line, quote(word), expected);

@@ -13,12 +13,13 @@ enum LineFields {
     /** The first line. */
     HEADER(List.of("type", "format", LineFields.LAW, "angles", "game",
         LineFields.JAR, "seed", "players", "timeFactor", "signer",
-        "imported", "scene", "drawing", "start", LineFields.HEADER_HASH, LineFields.TIMES)),
+        LineFields.IMPORTED, LineFields.SERVER, "scene", "drawing", "start", LineFields.HEADER_HASH, LineFields.TIMES)),
     /** A turn. */
-    TURN(List.of("type", "turn", "commands", "faults", "outcome", "messages", "stderr", LineFields.TURN_HASH,
-        LineFields.TIMES)),
+    TURN(List.of("type", "turn", "commands", "faults", "outcome", "messages", "stderr", LineFields.SERVER,
+        LineFields.TURN_HASH, LineFields.TIMES)),
     /** The last line, or the last but the signature. */
-    RESULT(List.of("type", "turns", "ending", "standing", "players", "data", LineFields.RESULT_HASH, LineFields.TIMES)),
+    RESULT(List.of("type", "turns", "ending", "standing", "players", "data", LineFields.SERVER,
+        LineFields.RESULT_HASH, LineFields.TIMES)),
     /** Behind the result of a replay that is signed. */
     SIGNATURE(List.of("type", "isolation", "signature"));
 
@@ -30,6 +31,12 @@ enum LineFields {
     static final String TIME = "time";
     static final String FIRST_ANSWER = "firstAnswerMs";
     static final String ANSWER = "answerMs";
+    /** True in imports of earlier versions, whose outcomes are those that a server showed. */
+    static final String IMPORTED = "imported";
+    /** What the site's server has recorded of an imported match. */
+    static final String SERVER = "server";
+    /** Type of the line of the result. */
+    static final String RESULT_TYPE = "result";
     static final String HEADER_HASH = "headerHash";
     static final String TURN_HASH = "turnHash";
     static final String RESULT_HASH = "resultHash";

@@ -2,7 +2,6 @@ package steward.replay;
 
 import java.util.Map;
 import java.util.TreeMap;
-import java.util.function.Consumer;
 import steward.bot.LineBuffer;
 import steward.game.FrameCodec;
 import steward.game.Game;
@@ -37,17 +36,17 @@ public final class ReplayLines {
     private static final SerializedString TURN = new SerializedString("turn");
 
     private final ReplayHeader header;
-    private final Observations observations;
+    private final ServerRecording server;
     private final LineBuffer line = new LineBuffer();
     /** Stays open across lines; opening one per line would cost time. */
     private final JsonGenerator out = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(), line);
     private final StateHash hash = new StateHash();
     private final OutcomeJson outcome = new OutcomeJson();
 
-    /** @param observations what another referee saw, kept in place of our outcomes; or {@code null} */
-    public ReplayLines(ReplayHeader header, Observations observations) {
+    /** @param server what the site's server has recorded of the match, or {@code null} */
+    public ReplayLines(ReplayHeader header, ServerRecording server) {
         this.header = header;
-        this.observations = observations;
+        this.server = server;
     }
 
     /** The line as far as it is written; reused from line to line. */
@@ -100,43 +99,22 @@ public final class ReplayLines {
         if (header.signer() != null) {
             out.writeStringProperty("signer", header.signer());
         }
-        if (observations != null) {
-            out.writeBooleanProperty("imported", true);
+        if (server != null) {
+            server.write(out, 0);
         }
         out.writeName("scene");
         out.writeRawValue(header.scene());
-        if (observations == null || !observations.hasStart()) {
-            writeOpening(out, game, codec);
-        } else {
-            writeShownOpening(out, codec, observations::writeStart);
-        }
+        writeOpening(out, game, codec);
         writeHash(new SerializedString(LineFields.HEADER_HASH));
-    }
-
-    /**
-     * Writes as {@link #writeOpening} does, of a match that a server played. @param state writes the fields that it
-     * shows
-     */
-    public static void writeShownOpening(JsonGenerator out, FrameCodec codec, Consumer<JsonGenerator> state) {
-        writeDrawing(out, codec);
-        out.writeObjectPropertyStart("start");
-        out.writeObjectPropertyStart("state");
-        state.accept(out);
-        out.writeEndObject();
-        out.writeEndObject();
     }
 
     /** The fields {@code drawing} and {@code start}: what follows from scene and seed alone. */
     public static void writeOpening(JsonGenerator out, Game game, FrameCodec codec) {
-        writeDrawing(out, codec);
-        out.writeObjectPropertyStart("start");
-        OutcomeJson.writeState(out, game, codec);
-        out.writeEndObject();
-    }
-
-    private static void writeDrawing(JsonGenerator out, FrameCodec codec) {
         out.writeObjectPropertyStart("drawing");
         codec.drawing().write(out);
+        out.writeEndObject();
+        out.writeObjectPropertyStart("start");
+        OutcomeJson.writeState(out, game, codec);
         out.writeEndObject();
     }
 
@@ -151,37 +129,30 @@ public final class ReplayLines {
 
     /** The rest of the turn, which has been played. */
     public void played(Turn turn, Game game, FrameCodec codec) {
-        outcome(turn, game, codec);
+        outcome(game, codec);
         texts(turn);
     }
 
-    public void outcome(Turn turn, Game game, FrameCodec codec) {
+    public void outcome(Game game, FrameCodec codec) {
         out.writeName(Name.OUTCOME);
-        if (observations == null) {
-            outcome.write(out, game, codec);
-        } else {
-            out.writeStartObject();
-            observations.writeOutcome(out, turn.number());
-            out.writeEndObject();
-        }
+        outcome.write(out, game, codec);
     }
 
     /** Writes the texts that the players said and wrote, and the hash. */
     public void texts(Turn turn) {
         writeTexts(Text.MESSAGE, turn);
         writeTexts(Text.STDERR, turn);
+        if (server != null) {
+            server.write(out, turn.number());
+        }
         writeHash(Name.TURN_HASH);
     }
 
     public void result(Game game, MatchResult result) {
-        open("result");
+        open(LineFields.RESULT_TYPE);
         out.writeNumberProperty("turns", result.turns());
         out.writeStringProperty("ending", result.ending());
-        if (observations == null) {
-            writeStanding(out, game);
-        } else {
-            writeObservedStanding(game);
-        }
+        writeStanding(out, game);
         JsonObject.writeAll(out, "players", result.players(), player -> {
             out.writeStringProperty("name", player.name());
             if (player.fault() != null) {
@@ -190,6 +161,9 @@ public final class ReplayLines {
             writeData(player.data());
         });
         writeData(result.data());
+        if (server != null) {
+            server.writeEnd(out);
+        }
         writeHash(new SerializedString(LineFields.RESULT_HASH));
     }
 
@@ -200,21 +174,6 @@ public final class ReplayLines {
             new TreeMap<>(data).forEach(out::writeStringProperty);
             out.writeEndObject();
         }
-    }
-
-    private void writeObservedStanding(Game game) {
-        int[] ranks = game.ranks();
-        double[] scores = game.scores();
-        out.writeArrayPropertyStart("standing");
-        for (int player = 0; player < ranks.length; player++) {
-            int observed = observations.rank(player);
-            out.writeStartObject();
-            out.writeNumberProperty("rank", observed < 0 ? ranks[player] : observed);
-            double score = observations.score(player);
-            JsonNumbers.write(out, "score", Double.isFinite(score) ? score : scores[player]);
-            out.writeEndObject();
-        }
-        out.writeEndArray();
     }
 
     /** The field {@code standing}: what the game itself says of each player at the end. */

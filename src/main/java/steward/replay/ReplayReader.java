@@ -248,9 +248,14 @@ public final class ReplayReader implements AutoCloseable {
         return header;
     }
 
-    /** True if another referee played the match, and only what was observed of it is recorded; only with a header. */
+    /** True if the answers are those of a match of the site's server, whose frames stand beside; only with a header. */
     public boolean imported() {
-        return headerLine.flag("imported");
+        return headerLine.has(LineFields.SERVER);
+    }
+
+    /** True for an import of an earlier version, whose states are what a server showed; only with a header. */
+    public boolean importedEarlier() {
+        return headerLine.flag(LineFields.IMPORTED);
     }
 
     /** Returns the shapes to draw, as JSON, see {@link steward.game.Drawing}; only with a header. */
@@ -305,7 +310,7 @@ public final class ReplayReader implements AutoCloseable {
                 lastTurn = turn.number();
                 return turn;
             }
-            case "result" -> {
+            case LineFields.RESULT_TYPE -> {
                 LineFields.RESULT.check(line);
                 result = line;
                 readSignature();

@@ -46,10 +46,10 @@ public final class ReplayWriter implements MatchListener, AutoCloseable {
         this(file, header, null, null);
     }
 
-    /** For a match that another referee has played: what was observed is kept in place of the computed outcomes. */
+    /** For a match that the site's server has played: what it has recorded is kept beside. */
     @Internal
-    public ReplayWriter(OutputStream file, ReplayHeader header, Observations observations) {
-        this(file, header, observations, null, null);
+    public ReplayWriter(OutputStream file, ReplayHeader header, ServerRecording server) {
+        this(file, header, server, null, null);
     }
 
     /** @param key to sign with, or {@code null} */
@@ -67,13 +67,13 @@ public final class ReplayWriter implements MatchListener, AutoCloseable {
         this(file, header, null, key, isolation);
     }
 
-    private ReplayWriter(OutputStream file, ReplayHeader header, Observations observations, SigningKey key,
+    private ReplayWriter(OutputStream file, ReplayHeader header, ServerRecording server, SigningKey key,
                          String isolation) {
         this.file = file;
         this.key = key;
         this.isolation = isolation;
         sandbox = header.sandbox();
-        lines = new ReplayLines(header.signedBy(key == null ? null : key.publicKey().text()), observations);
+        lines = new ReplayLines(header.signedBy(key == null ? null : key.publicKey().text()), server);
         out = lines.out();
         digest = key == null ? null : new LinesDigest();
     }

@@ -52,6 +52,7 @@ export class Page {
   #isAsked = false;
   #wasPlaying = false;
   #grown = false;
+  differsFrom = NaN;              // the first turn in which a server has shown another game
   look; series; stage; timeline; charts; scores; cards; bodies; happened; table; ending; isLinkKept; onFrame;
 
   /** Takes one line of a replay: from the page itself or as it is played. */
@@ -212,6 +213,7 @@ export class Page {
     this.#shownTurn = shown;
     find('turn-shown').textContent = moment.turn === 0 ? 'Start' : `Turn ${moment.turn}`;
     this.cards.update(moment.turn, this.mine);
+    find('differs').hidden = !(moment.turn >= this.differsFrom);
   }
 
   /** What there is to go to, and whose events. */
@@ -282,6 +284,8 @@ async function showEmbedded(page, source) {
   lines.forEach(line => page.addLine(line));
   page.isLinkKept = false;
   page.say(source.dataset.warning ?? '');
+  page.differsFrom = Number(source.dataset.differsFrom ?? NaN);
+  find('differs').textContent = source.dataset.differs ?? '';
   if (!page.followLink() && page.match.lastTurn && !page.theme.isCalm) page.playback.play();
 }
 

@@ -1,6 +1,6 @@
 // Ways of bodies within a turn: corners [t, x, y] in the order of time, straight flight between them.
 
-/** The corners of bodies' ways where only impacts are told, as in an imported turn. */
+/** The corners of bodies' ways where only impacts are told, as in imports of earlier versions. */
 export function cornersOf(impacts) {
   const corners = new Map();
   const add = (id, corner) => corners.set(id, [...corners.get(id) ?? [], corner]);

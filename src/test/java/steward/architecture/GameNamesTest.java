@@ -80,7 +80,7 @@ class GameNamesTest {
 
     @Test
     void theFirstGameIsFoundWhereItIsNamed() throws IOException {
-        assertTrue(filesThatName(FIRST).contains("java/steward/codingame/recording/ObservedGame.java"),
+        assertTrue(filesThatName(FIRST).contains("java/steward/codingame/recording/RecordingImport.java"),
             "it can find something");
     }
 }

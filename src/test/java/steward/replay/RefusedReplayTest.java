@@ -107,7 +107,7 @@ class RefusedReplayTest {
         "\"turn\":5 | \"turn\":99999999999 | turn: found 99999999999, expected a whole number below 2^31",
         "\"commands\":[ | \"commands\":0,\"faults\":[ | commands: found 0, expected an array",
         "\"commands\":[ | \"commands\":0,\"comands\":[ | comands: unknown field, expected one of type, turn, commands, "
-            + "faults, outcome, messages, stderr, turnHash, times; did you mean commands?",
+            + "faults, outcome, messages, stderr, server, turnHash, times; did you mean commands?",
         "\"outcome\":{ | \"stderr\":[null,null],\"outcome\":{ | outcome: found behind stderr, expected before it",
         "\"turnHash\":\" | \"stderr\":\" | turnHash: found nothing, expected a string",
         "\"outcome\":{ | \"messages\":{ | outcome: found nothing, expected an object",

@@ -15,8 +15,8 @@ import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import steward.bot.Bot;
-import steward.codingame.recording.GameRecordingImport;
 import steward.codingame.recording.OfficialGame;
+import steward.codingame.recording.RecordingImport;
 import steward.game.GameSetup;
 import steward.match.SeededBot;
 import steward.match.TestScenes;
@@ -98,9 +98,9 @@ class TrafficTest {
         OfficialGame game = OfficialGame.play(12);
         for (String recording : List.of(game.json(), game.sketch(20))) {
             ByteArrayOutputStream replay = new ByteArrayOutputStream();
-            GameRecordingImport.of(recording, "game.json", TestScenes.TYPES).write(replay);
+            RecordingImport.of(recording, "game.json", TestScenes.TYPES).write(replay);
             List<String> lines = replay.toString(StandardCharsets.UTF_8).lines().toList();
-            assertTrue(lines.size() > 20 && lines.get(0).contains("\"imported\":true"));
+            assertTrue(lines.size() > 20 && lines.get(0).contains("\"server\":["));
             for (String line : lines) {
                 assertEquals(List.of(), Schemas.problems(REPLAY, line), line);
             }

@@ -7,7 +7,6 @@ import java.util.function.IntFunction;
 import java.util.stream.IntStream;
 import steward.Internal;
 import steward.game.AbstractGame;
-import steward.game.AngleVariants;
 import steward.game.TurnEvent;
 import steward.numerics.SineCosine;
 import steward.numerics.SplitMix64;
@@ -23,9 +22,7 @@ import steward.scene.Scene;
 /**
  * The rules of the pod race, free of JSON. Pods are the bodies 0..pods-1 in the order of players; bumpers follow.
  * Sources: the published official referee and official recordings of 2016 and 2026; with the official law and
- * arithmetic, positions, speeds, headings, impact times and impulses agree with them to the last bit. A recorded
- * impact of a game that is imported may also lie within what a unit in the last place of that turn's sines and cosines
- * makes.
+ * arithmetic, positions, speeds, headings, impact times and impulses agree with them to the last bit.
  *
  * <p>The pods of an eliminated player stay on the field: they get no commands, drift, and can be hit; a pod whose
  * shield was raised stays heavy. Commands that stand in a faulty answer before the fault take effect in that turn.
@@ -125,9 +122,9 @@ public final class PodRace extends AbstractGame {
     }
 
     /** A copy of a race between two turns, with a way to advance of its own. */
-    private PodRace(PodRace other, Advance advance, boolean general) {
+    private PodRace(PodRace other, Advance advance) {
         super(other);
-        kernel = general || other.kernel == null ? null : other.kernel.copy(advance, log);
+        kernel = other.kernel == null ? null : other.kernel.copy(advance, log);
         settings = other.settings;
         plan = other.plan;
         reachOfPath = other.reachOfPath;
@@ -155,7 +152,7 @@ public final class PodRace extends AbstractGame {
 
     @Override
     public PodRace copy() {
-        return new PodRace(this, plan.advance(null), false);
+        return new PodRace(this, plan.advance(null));
     }
 
     private void placePods(double drag) {
@@ -214,7 +211,7 @@ public final class PodRace extends AbstractGame {
      *
      * @return the thrust that acts along the heading
      */
-    int steer(int pod, int command) {
+    private int steer(int pod, int command) {
         shieldTimer[pod] = command == SHIELD ? PodRaceSettings.SHIELD_TURNS : Math.max(0, shieldTimer[pod] - 1);
         if (command != NO_COMMAND) {
             bodies.setMass(pod, command == SHIELD ? PodRaceSettings.SHIELD_MASS_FACTOR * settings.mass()
@@ -335,12 +332,6 @@ public final class PodRace extends AbstractGame {
     @Override
     public Bodies bodies() {
         return bodies;
-    }
-
-    @Override
-    @Internal
-    public AngleVariants angleVariants() {
-        return new PodAngleVariants(new PodRace(this, advance, true));
     }
 
     /**

@@ -48,7 +48,7 @@ import steward.text.NearestName;
         "(angles in radians); with --impacts: turns (turn, impacts); with --verify:",
         "verified, reason (why not, or null), turns, difference (turn, field, recorded,",
         "found) or null, isolation as signed or null, warning; of an imported game also",
-        "values, how many agree, and notCompared.",
+        "values, how many agree, near, how many only to 1e-9, and notCompared.",
         "", "Examples:",
         "  steward replay match.jsonl --from 10 --to 20",
         "  steward replay match.jsonl --turn 57",

@@ -148,6 +148,7 @@ record ReplayJson(Streams streams, ReplayReader replay) {
             }
             if (!verification.views().notCompared().isEmpty()) {
                 out.writeNumberProperty("values", verification.views().values());
+                out.writeNumberProperty("near", verification.views().nearInAll());
                 JsonObject.writeTexts(out, "notCompared", verification.views().notCompared());
             }
             out.writeStringProperty("olderLaw", verification.olderLaw());

@@ -8,7 +8,7 @@ import steward.cli.shared.ExitStatus;
 import steward.cli.streams.Colour;
 import steward.replay.ReplayReader;
 import steward.replay.sign.SignerKey;
-import steward.replay.verify.ImpactCounts;
+import steward.replay.verify.Difference;
 import steward.replay.verify.SignatureCheck;
 import steward.replay.verify.Verification;
 import steward.replay.verify.ViewCounts;
@@ -31,6 +31,12 @@ record VerifyReport(PrintStream out, Colour colour, boolean partial, Path file, 
         String wrong = wrong(replay, verification);
         if (wrong != null) {
             out.println(TextFormat.plain(wrong).replaceFirst("^differs:|^not verified:", colour.bad("$0")));
+            Difference difference = verification.difference();
+            if (difference != null && difference.lines() != null) {
+                out.println("  server: " + TextFormat.plain(difference.lines().server()));
+                out.println("  here:   " + TextFormat.plain(difference.lines().ours()));
+            }
+            shown(verification.views());
             return status(wrong, verification);
         }
         boolean verified = verification.verified();
@@ -39,12 +45,7 @@ record VerifyReport(PrintStream out, Colour colour, boolean partial, Path file, 
             out.println((verified ? colour.good("verified:") : colour.warning("verified up to the cut:")) + " "
                 + (start ? "only the start, since no turn was recorded" : compared(replay, verification))
                 + (verification.whole() ? " and the result" : ""));
-            if (replay.imported()) {
-                if (!verification.impacts().equals(ImpactCounts.NONE) || verification.views().notCompared().isEmpty()) {
-                    out.println(impacts(verification.impacts()));
-                }
-                shown(verification.views());
-            }
+            shown(verification.views());
             SignatureCheck signature = verification.signature();
             if (signature.verdict() == SignatureCheck.Verdict.RIGHT) {
                 out.println("signed by " + signature.signer()
@@ -105,17 +106,11 @@ record VerifyReport(PrintStream out, Colour colour, boolean partial, Path file, 
             && each.word().equals(level)) ? null : "the signature says that bots were kept apart at level " + level;
     }
 
-    private static String impacts(ImpactCounts impacts) {
-        if (impacts.shown() > 0) {
-            return "impacts: " + impacts.shown() + " equal in all that the server shows of them";
-        }
-        return "impacts: " + impacts.equal() + " equal to the last bit, " + impacts.within()
-            + " within what a unit in the last place of sines and cosines makes, " + impacts.outside() + " outside";
-    }
-
     private void shown(ViewCounts views) {
         if (!views.notCompared().isEmpty()) {
-            out.println("views: " + views.values() + " numbers and words equal");
+            out.println("views: " + views.values() + " numbers and words equal"
+                + (views.nearInAll() == 0 ? "" : ", " + views.nearInAll() + " within 1e-9 of ours:"));
+            views.near().forEach(near -> out.println("  " + near));
             out.println("not compared: " + String.join("; ", views.notCompared()));
         }
     }

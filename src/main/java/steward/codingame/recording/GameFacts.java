@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import steward.game.ShownSeed;
 import tools.jackson.databind.JsonNode;
 
 /**
@@ -12,13 +11,10 @@ import tools.jackson.databind.JsonNode;
  *
  * @param names   per player who it was: {@code agents[].codingamer.pseudo}, of a boss its nickname; {@code player N}
  *                where that is not recorded
- * @param seed    from {@code refereeInput}; 0 where it has none
  * @param data    of the game: its number; empty if not recorded
  * @param players per player: the number of the agent, and the league, as far as recorded
- * @param scores  per player, as they stand there; empty if not recorded
  */
-record GameFacts(List<String> names, long seed, Map<String, String> data, List<Map<String, String>> players,
-                 double[] scores) {
+record GameFacts(List<String> names, Map<String, String> data, List<Map<String, String>> players) {
 
     private static final int LONGEST_NAME = 60;
 
@@ -44,8 +40,7 @@ record GameFacts(List<String> names, long seed, Map<String, String> data, List<M
         }
         Map<String, String> game = new TreeMap<>();
         put(game, "game", result.path("gameId"));
-        return new GameFacts(names, ShownSeed.of(result.path("refereeInput").asString("")).orElse(0), game, data,
-            result.path("scores").valueStream().filter(JsonNode::isNumber).mapToDouble(JsonNode::asDouble).toArray());
+        return new GameFacts(names, game, data);
     }
 
     private static void put(Map<String, String> data, String name, JsonNode value) {

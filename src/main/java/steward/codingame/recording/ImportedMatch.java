@@ -19,25 +19,32 @@ import steward.match.TimeControl;
 import steward.match.Turn;
 import steward.replay.ReplayHeader;
 import steward.replay.ReplayWriter;
+import steward.replay.ServerRecording;
 
 /**
  * Makes a replay of ours of a recorded match: the recorded lines are played by our referee as if bots had just said
- * them, and what the server saw is kept in place of our own outcomes, so that verifying the replay compares our rules
- * and physics with the server's.
+ * them, and the frames of the server are kept beside, so that verifying the replay compares our rules and physics with
+ * the server's.
  */
 final class ImportedMatch {
 
     private final GameSetup setup;
     private final long seed;
-    private final ServerObservations observed;
+    private final List<List<ServerRecording.Frame>> frames;
+    private final ServerRecording.End end;
     private final GameFacts facts;
     private final List<Player> players;
 
-    ImportedMatch(GameSetup setup, long seed, ServerObservations observed, GameFacts facts,
-                  List<? extends Player> players) {
+    /**
+     * @param frames of the start, then of each turn
+     * @param end    what the server says of the whole game; without ranks it goes on
+     */
+    ImportedMatch(GameSetup setup, long seed, List<List<ServerRecording.Frame>> frames, ServerRecording.End end,
+                  GameFacts facts, List<? extends Player> players) {
         this.setup = setup;
         this.seed = seed;
-        this.observed = observed;
+        this.frames = frames;
+        this.end = end;
         this.facts = facts;
         this.players = List.copyOf(players);
     }
@@ -48,33 +55,20 @@ final class ImportedMatch {
         ReplayHeader header = new ReplayHeader(setup.scene().gameId(), setup.scene().json(), seed, names,
             Collections.nCopies(names.size(), "recorded"), Collections.nCopies(names.size(), Protocol.CODINGAME),
             Double.POSITIVE_INFINITY).ofLaw(setup.plan().lawVersion());
-        Recorder recorder = new Recorder(new ReplayWriter(out, header, observed).untimed());
+        ServerRecording server = new ServerRecording();
+        frames.forEach(server::add);
+        Recorder recorder = new Recorder(new ReplayWriter(out, header, server).untimed(), server);
         try {
             MatchResult result = Referee.of(setup, seed, seats, TimeControl.UNLIMITED, recorder).play();
             return new Imported(recorder.turns, result.ending());
-        } catch (RecordingEnds end) {
-            if (observed.isOver()) {
-                recorder.writer.end(over(names));
+        } catch (RecordingEnds recordingEnds) {
+            if (end.ranks() != null) {        // by our rules it goes on: verification will say so
+                recorder.end(new MatchResult(recorder.turns, recordingEnds.getMessage(), IntStream.range(0,
+                    names.size()).mapToObj(player -> new MatchResult.PlayerResult(names.get(player), 0, 0, null, null,
+                        0, 0, 0, 0, 0)).toList()));
             }
             return new Imported(recorder.turns, null);
         }
-    }
-
-    /** The result of a game that the server has ended, but our rules have not: verification will say so. */
-    private MatchResult over(List<String> names) {
-        return told(observed.turns(), "the recording ends", IntStream.range(0, names.size()).mapToObj(player ->
-            new MatchResult.PlayerResult(names.get(player), observed.rank(player), 0, null, null, 0, 0, 0, 0, 0))
-            .toList());
-    }
-
-    /** With what the site tells of game and players. */
-    private MatchResult told(int turns, String ending, List<MatchResult.PlayerResult> results) {
-        List<MatchResult.PlayerResult> players = new ArrayList<>();
-        for (MatchResult.PlayerResult of : results) {
-            players.add(new MatchResult.PlayerResult(of.name(), of.rank(), of.score(), of.fault(), of.out(),
-                of.answers(), 0, 0, 0, of.earlyTurns(), facts.players().get(players.size())));
-        }
-        return new MatchResult(turns, ending, players, facts.data());
     }
 
     /** The recording has no more turns, but by our rules the game goes on. */
@@ -89,21 +83,22 @@ final class ImportedMatch {
     private final class Recorder implements MatchListener {
 
         private final ReplayWriter writer;
+        private final ServerRecording server;
         private int turns;
 
-        Recorder(ReplayWriter writer) {
+        Recorder(ReplayWriter writer, ServerRecording server) {
             this.writer = writer;
+            this.server = server;
         }
 
         @Override
         public void start(Game game, FrameCodec codec) {
-            observed.start(game);
             writer.start(game, codec);
         }
 
         @Override
         public void commands(Turn turn) {
-            if (turn.number() > observed.turns()) {
+            if (turn.number() >= frames.size()) {
                 throw new RecordingEnds();
             }
             writer.commands(turn);
@@ -115,14 +110,19 @@ final class ImportedMatch {
             turns++;
         }
 
-        /** The result counts the turns that the server played after the end by our rules. */
+        /** Adds what the site tells of game and players, and what the server has shown behind the end by our rules. */
         @Override
         public void end(MatchResult result) {
-            int all = observed.turns();
-            while (all > turns && observed.isSilent(all)) {
-                all--;
+            List<MatchResult.PlayerResult> told = new ArrayList<>();
+            for (MatchResult.PlayerResult of : result.players()) {
+                told.add(new MatchResult.PlayerResult(of.name(), of.rank(), of.score(), of.fault(), of.out(),
+                    of.answers(), 0, 0, 0, of.earlyTurns(), facts.players().get(told.size())));
             }
-            writer.end(told(all, result.ending(), result.players()));
+            List<ServerRecording.Frame> behind = frames.subList(turns + 1, frames.size()).stream()
+                .flatMap(List::stream).toList();
+            int played = Math.max(end.turns(), Math.min(turns, frames.size() - 1));
+            server.end(new ServerRecording.End(played, behind, end.ranks(), end.scores()));
+            writer.end(new MatchResult(result.turns(), result.ending(), told, facts.data()));
         }
     }
 }

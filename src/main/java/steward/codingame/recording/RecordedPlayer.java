@@ -4,27 +4,24 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import steward.bot.Answer;
 import steward.bot.Player;
+import steward.game.ServerView;
 
 /** A player that gives the recorded answers of a player, in CodinGame's protocol. */
 final class RecordedPlayer implements Player {
 
     private final String name;
     private final List<List<String>> turns;
-    private final Idle idle;
+    private final ServerView view;
     private int turn;
 
-    /** The answer of a player that was not asked any more: one without effect. */
-    interface Idle {
-
-        /** @param frame what our referee has sent */
-        List<String> lines(String frame, int answerLines);
-    }
-
-    /** @param turns its lines in every turn, possibly none or too few; null where it was not asked any more */
-    RecordedPlayer(String name, List<List<String>> turns, Idle idle) {
+    /**
+     * @param turns its lines in every turn, possibly none or too few; null where it was not asked any more
+     * @param view  says what has no effect then
+     */
+    RecordedPlayer(String name, List<List<String>> turns, ServerView view) {
         this.name = name;
         this.turns = turns;
-        this.idle = idle;
+        this.view = view;
     }
 
     @Override
@@ -42,7 +39,7 @@ final class RecordedPlayer implements Player {
                 : "answered " + said.size() + " of " + answerLines + " lines in the recording");
             return Ending.FAULT;
         }
-        List<String> lines = said == null ? idle.lines(new String(frame, 0, length, StandardCharsets.UTF_8),
+        List<String> lines = said == null ? view.idle(new String(frame, 0, length, StandardCharsets.UTF_8),
             answerLines)
             : said.subList(0, answerLines);
         byte[] bytes = String.join("\n", lines).getBytes(StandardCharsets.UTF_8);

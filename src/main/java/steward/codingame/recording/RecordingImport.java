@@ -54,14 +54,13 @@ public interface RecordingImport {
         } catch (JacksonException problem) {
             // said below, with its place
         }
-        RecordingImport other = read != null && read.has("stdin") && read.has("stdout")
-            ? LineRecordingImport.of(read, source, types)
-            : ServerGameImport.of(GameRecordingFile.gameResult(json, source), source, types);
-        if (other != null && rules != null) {
+        if (read == null || !read.has("stdin") || !read.has("stdout")) {
+            return ServerGameImport.of(GameRecordingFile.gameResult(json, source), source, types, rules);
+        }
+        if (rules != null) {
             throw new IllegalArgumentException(source + ": found another game, expected a pod race where rules are "
                 + "named");
         }
-        return other != null ? other
-            : GameRecordingImport.of(json, source, types, rules == null ? RulesEdition.LIVE : rules);
+        return LineRecordingImport.of(read, source, types);
     }
 }

@@ -4,14 +4,16 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
+import steward.replay.ServerRecording;
 import steward.text.TextFormat;
 import steward.text.ViewLines;
 import tools.jackson.databind.JsonNode;
 
 /**
- * Reads what the frames of CodinGame's JSON have in common in all games: frame 0 is the start; from then on, each frame
- * is one player's answer, in the order of their numbers, and the key frame ends the turn. A player without a frame was
- * not asked. Errors name the frame.
+ * Reads the frames of CodinGame's JSON, alike in all games: frame 0 is the start; from then on, each frame is one
+ * player's answer, in the order of their numbers, and the key frame ends the turn. A player without a frame was not
+ * asked. Where a source leaves out whose frame it is, or whether it ends the turn, all players answer in each turn.
+ * Errors name the frame.
  */
 final class ServerFrames {
 
@@ -27,10 +29,9 @@ final class ServerFrames {
      * One turn.
      *
      * @param said   per player its lines, possibly none; {@code null} for a player that was not asked
-     * @param view   of the frame that ends it
      * @param frames the texts of all its frames
      */
-    record Turn(List<List<String>> said, ViewLines view, List<ShownFrame> frames) {
+    record Turn(List<List<String>> said, List<ServerRecording.Frame> frames) {
 
         boolean isSilent() {
             return said.stream().allMatch(lines -> lines == null || lines.isEmpty());
@@ -44,24 +45,29 @@ final class ServerFrames {
         frames = result.get("frames");
     }
 
-    /** The view of frame 0; without lines if it has none. */
+    /** The view of frame 0. */
     ViewLines first() {
+        JsonNode view = frame(0).get("view");
+        if (view == null || view.isNull()) {
+            throw wrong(0, "view", view == null ? "nothing" : "null", "a text");
+        }
         return view(0);
     }
 
     /** Checks that frame 0 is the referee's, and shows the start. */
     void requireStart() {
-        if (agent(0) != -1) {
-            throw wrong(0, "agentId", Integer.toString(agent(0)), "-1: the first frame is the referee's");
+        if (agent(0, -1) != -1) {
+            throw wrong(0, "agentId", Integer.toString(agent(0, -1)), "-1: the first frame is the referee's");
         }
-        if (!endsTurn(0)) {
+        if (!endsTurn(0, true)) {
             throw wrong(0, "keyframe", "false", "true: the first frame shows the start");
         }
     }
 
-    /** The texts of frame 0. */
-    ShownFrame firstShown() {
-        return ShownFrame.of(frame(0));
+    /** The texts of a frame; anything but a text counts as none. */
+    ServerRecording.Frame shown(int frame) {
+        return new ServerRecording.Frame(frame(frame).path("view").asString(null),
+            frame(frame).path("summary").asString(null));
     }
 
     GameFacts facts(int players) {
@@ -74,21 +80,25 @@ final class ServerFrames {
         return input != null && input.isString() ? input.stringValue() : "";
     }
 
-    /** As many as have answered in any frame. */
+    /** As many as have answered in any frame that says whose it is. */
     int players() {
-        return IntStream.range(0, frames.size()).map(this::agent).max().orElse(-1) + 1;
+        return IntStream.range(0, frames.size()).map(frame -> agent(frame, -1)).max().orElse(-1) + 1;
     }
 
-    /** All turns; what is behind the last key frame is left out. */
-    List<Turn> turns(int players) {
+    /**
+     * All turns. Answers behind the last key frame are a turn if the game ended in it, by a fault or as the server
+     * says.
+     *
+     * @param over true if the server has ended the game
+     */
+    List<Turn> turns(int players, boolean over) {
         List<Turn> turns = new ArrayList<>();
         List<String>[] said = none(players);
-        List<ShownFrame> shown = new ArrayList<>();
+        List<ServerRecording.Frame> shown = new ArrayList<>();
         int next = 0;
         for (int k = 1; k < frames.size(); k++) {
-            int agent = agent(k);
-            ViewLines view = view(k);
-            shown.add(ShownFrame.of(frame(k)));
+            int agent = agent(k, next);
+            view(k);                              // its number is checked
             if (agent < 0 && !said(k).isEmpty()) {
                 throw wrong(k, "agentId", "-1", "the number of the player whose answer the frame has");
             }
@@ -100,16 +110,22 @@ final class ServerFrames {
                 said[agent] = said(k);
                 next = agent + 1;
             }
-            boolean ends = endsTurn(k);
+            boolean ends = endsTurn(k, next == players);
             if (!ends && agent == players - 1) {
                 throw wrong(k, "keyframe", "false", "true, because all players have answered");
             }
+            if (ends || agent >= 0) {
+                shown.add(shown(k));
+            }
             if (ends) {
-                turns.add(new Turn(Arrays.asList(said), view, List.copyOf(shown)));
+                turns.add(new Turn(Arrays.asList(said), List.copyOf(shown)));
                 shown.clear();
                 said = none(players);
                 next = 0;
             }
+        }
+        if (next > 0 && (over || said[next - 1].isEmpty())) {
+            turns.add(new Turn(Arrays.asList(said), List.of()));
         }
         return turns;
     }
@@ -126,12 +142,15 @@ final class ServerFrames {
 
     /**
      * The rank per player, 0 for the best; empty if not recorded. The server lists the players from the best to the
-     * worst, and does not say who has tied: equal scores have.
+     * worst, and does not say who has tied: equal scores have. Two zeros are the ranks of two who have tied.
      */
     int[] ranks(int players) {
         double[] order = numbers("ranks", players, "the numbers of the players, from the best to the worst");
         double[] scores = scores(players);
         int[] ranks = new int[order.length];
+        if (order.length == 2 && order[0] == 0 && order[1] == 0) {
+            return ranks;
+        }
         Arrays.fill(ranks, -1);
         for (int place = 0; place < order.length; place++) {
             int player = (int) order[place];
@@ -164,22 +183,26 @@ final class ServerFrames {
         return numbers;
     }
 
-    /** The player of a frame, or -1 for the referee. */
-    private int agent(int frame) {
+    /** The player of a frame, or -1 for the referee. @param silent where the frame does not say it */
+    private int agent(int frame, int silent) {
         JsonNode agent = frame(frame).get("agentId");
-        if (agent == null || !agent.isInt() || agent.intValue() < -1 || agent.intValue() >= MOST_PLAYERS) {
-            throw wrong(frame, "agentId", agent == null ? "nothing" : agent.toString(),
-                "the number of a player 0.." + (MOST_PLAYERS - 1) + ", or -1");
+        if (agent == null || agent.isNull()) {
+            return silent;
+        }
+        if (!agent.isInt() || agent.intValue() < -1 || agent.intValue() >= MOST_PLAYERS) {
+            throw wrong(frame, "agentId", agent.toString(), "the number of a player 0.." + (MOST_PLAYERS - 1)
+                + ", or -1");
         }
         return agent.intValue();
     }
 
-    private boolean endsTurn(int frame) {
+    /** @param silent where the frame does not say it */
+    private boolean endsTurn(int frame, boolean silent) {
         JsonNode key = frame(frame).get("keyframe");
-        if (key == null || !key.isBoolean()) {
-            throw wrong(frame, "keyframe", key == null ? "nothing" : key.toString(), "true or false");
+        if (key != null && !key.isBoolean()) {
+            throw wrong(frame, "keyframe", key.toString(), "true or false");
         }
-        return key.booleanValue();
+        return key == null ? silent : key.booleanValue();
     }
 
     List<String> said(int frame) {

@@ -2,130 +2,106 @@ package steward.codingame.recording;
 
 import java.io.OutputStream;
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
-import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import steward.game.GameSetup;
 import steward.game.GameType;
 import steward.game.GameTypes;
 import steward.game.ServerView;
+import steward.game.podrace.RulesEdition;
+import steward.replay.ServerRecording;
 import steward.text.ViewLines;
-import tools.jackson.core.JsonGenerator;
 import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
+import tools.jackson.databind.node.ObjectNode;
 
 /** CodinGame's own JSON of any game that says how its views are read. */
 final class ServerGameImport implements RecordingImport {
 
-    private static final String POD_RACE = "CodersStrikeBack";
-    private static final Pattern TITLE = Pattern.compile("[A-Za-z][A-Za-z0-9 _'-]{2,60}");
+    private static final String WITH_RULES = "pod-race";
 
     private final List<ServerFrames.Turn> turns;
-    private final ServerView.Shown shown;
+    private final ServerView view;
+    private final long seed;
     private final GameSetup setup;
-    private final int[] ranks;
-    private final double[] scores;
+    private final ServerRecording.End end;
     private final GameFacts facts;
-    private final ShownFrame first;
+    private final List<ServerRecording.Frame> first;
 
-    private ServerGameImport(ServerFrames frames, ServerView view, String source, GameTypes types) {
+    private ServerGameImport(ServerFrames frames, GameType type, String source, GameTypes types, RulesEdition rules) {
         frames.requireStart();
-        int players = frames.players();
-        shown = view.open(frames.first(), frames.input(), players);
-        setup = types.open(shown.scene(), source + " (scene)");
-        if (setup.scene().players() != players) {
-            throw new IllegalArgumentException(source + ": found answers of " + players + " players, expected "
-                + setup.scene().players() + " of " + setup.scene().gameId());
+        if (rules != null && !type.id().equals(WITH_RULES)) {
+            throw new IllegalArgumentException(source + ": found another game, expected a pod race where rules are "
+                + "named");
         }
-        turns = frames.turns(players);
-        turns.forEach(turn -> shown.add(turn.view()));
-        ranks = frames.ranks(players);
-        scores = frames.scores(players);
+        view = type.serverView().orElseThrow();
+        ServerView.Start start = view.open(frames.first(), frames.input());
+        seed = start.seed();
+        setup = types.open(rules == null ? start.scene() : byRules(start.scene(), rules), source + " (scene)");
+        int players = setup.scene().players();
+        if (frames.players() > players) {
+            throw new IllegalArgumentException(source + ": found answers of " + frames.players()
+                + " players, expected " + players + " of " + setup.scene().gameId());
+        }
+        double[] scores = frames.scores(players);
+        int[] ranks = frames.ranks(players);
+        turns = frames.turns(players, ranks.length > 0);
+        int played = turns.size();
+        while (played > 0 && turns.get(played - 1).isSilent()) {
+            played--;
+        }
+        end = new ServerRecording.End(played, List.of(), words(IntStream.of(ranks).mapToObj(Integer::toString)),
+            words(DoubleStream.of(scores).mapToObj(Double::toString)));
         facts = frames.facts(players);
-        first = frames.firstShown();
+        first = List.of(frames.shown(0));
+    }
+
+    private static String words(Stream<String> numbers) {
+        String words = numbers.collect(Collectors.joining(" "));
+        return words.isEmpty() ? null : words;
+    }
+
+    private static String byRules(String scene, RulesEdition rules) {
+        ObjectNode root = (ObjectNode) JsonMapper.shared().readTree(scene);
+        ((ObjectNode) root.get("race")).put("rules", rules.word());
+        return root.toString();
     }
 
     /**
-     * @return {@code null} if this is a recording of the pod race, or none at all
+     * Reads a recording.
+     *
+     * @param rules edition of the rules by which a pod race was played; {@code null} for those of today
      * @throws IllegalArgumentException if it is of a game that is not known, or wrong
      */
-    static ServerGameImport of(JsonNode gameResult, String source, GameTypes types) {
-        JsonNode start = gameResult.get("frames").get(0);
-        if (!start.isObject() || !start.path("view").isString()) {
-            return null;
-        }
+    static ServerGameImport of(JsonNode gameResult, String source, GameTypes types, RulesEdition rules) {
         ServerFrames frames = new ServerFrames(gameResult, source);
         ViewLines first = frames.first();
-        String title = first.line(1).strip();
-        List<String> known = new ArrayList<>(List.of(POD_RACE));
+        List<String> known = new ArrayList<>();
         for (GameType type : types.types()) {
             ServerView view = type.serverView().orElse(null);
             if (view != null && view.isOf(first)) {
-                return new ServerGameImport(frames, view, source, types);
+                return new ServerGameImport(frames, type, source, types, rules);
             }
             known.addAll(view == null ? List.of() : List.of(view.title()));
         }
-        if ((title.startsWith("{") || TITLE.matcher(title).matches()) && !title.equals(POD_RACE)) {
-            throw first.wrong(1, "the name of a game that is known: " + String.join(", ", known));
-        }
-        return null;
+        throw first.wrong(1, "the name of a game that is known: " + String.join(", ", known));
     }
 
     @Override
     public Imported write(OutputStream out) throws InterruptedException {
         List<RecordedPlayer> players = new ArrayList<>();
         for (int player = 0; player < setup.scene().players(); player++) {
-            int number = player;
             List<List<String>> said = new ArrayList<>();
-            turns.forEach(turn -> said.add(turn.said().get(number)));
-            players.add(new RecordedPlayer(facts.names().get(player), said,
-                (frame, answerLines) -> Collections.nCopies(answerLines, shown.idle())));
+            for (ServerFrames.Turn turn : turns) {
+                said.add(turn.said().get(player));
+            }
+            players.add(new RecordedPlayer(facts.names().get(player), said, view));
         }
-        return new ImportedMatch(setup, shown.seed(), new Seen(), facts, players).write(out);
-    }
-
-    /** Observations that the server has shown. */
-    private final class Seen implements ServerObservations {
-
-        @Override
-        public int turns() {
-            return turns.size();
-        }
-
-        @Override
-        public boolean isSilent(int turn) {
-            return turns.get(turn - 1).isSilent();
-        }
-
-        @Override
-        public boolean isOver() {
-            return ranks.length > 0;
-        }
-
-        @Override
-        public boolean hasStart() {
-            return true;
-        }
-
-        @Override
-        public void writeStart(JsonGenerator out) {
-            shown.writeStart(out);
-            ShownFrame.write(out, List.of(first));
-        }
-
-        @Override
-        public void writeOutcome(JsonGenerator out, int turn) {
-            shown.writeOutcome(out, turn);
-            ShownFrame.write(out, turns.get(turn - 1).frames());
-        }
-
-        @Override
-        public int rank(int player) {
-            return ranks.length == 0 ? -1 : ranks[player];
-        }
-
-        @Override
-        public double score(int player) {
-            return shown.score(player, scores);
-        }
+        List<List<ServerRecording.Frame>> frames = new ArrayList<>(List.of(first));
+        turns.forEach(turn -> frames.add(turn.frames()));
+        return new ImportedMatch(setup, seed, frames, end, facts, players).write(out);
     }
 }

@@ -18,6 +18,8 @@ import steward.replay.JsonLine;
 import steward.replay.RecordedTurn;
 import steward.replay.ReplayException;
 import steward.replay.ReplayReader;
+import steward.replay.verify.Difference;
+import steward.replay.verify.Verification;
 import tools.jackson.core.JacksonException;
 
 /**
@@ -52,7 +54,8 @@ public final class ReplayPage {
         page.put("details", embedded(PageDetails.of(whole, source, extras.types())));
         page.put("policy", page.policy("'none'"));
         page.put("save", "");
-        page.put("source", warning == null ? "" : "data-warning=\"" + PageTemplate.escape(warning) + "\"");
+        page.put("source", (warning == null ? "" : "data-warning=\"" + PageTemplate.escape(warning) + "\"")
+            + differs(whole, source, extras.types()));
         page.write(html, out -> embed(whole, out));
     }
 
@@ -126,6 +129,23 @@ public final class ReplayPage {
             throw new UncheckedIOException(inMemory);
         }
         return text.toString(StandardCharsets.US_ASCII);
+    }
+
+    /** Attributes that tell from which turn on a server has shown another match, and in which line; or none. */
+    private static String differs(byte[] replay, String source, GameTypes types) {
+        try (ReplayReader reader = new ReplayReader(new ByteArrayInputStream(replay), source)) {
+            Difference found = types == null || !reader.imported() ? null : Verification.of(reader, types).difference();
+            if (found == null) {
+                return "";
+            }
+            Difference.Lines lines = found.lines() != null ? found.lines()
+                : new Difference.Lines(found.recorded(), found.found());
+            return " data-differs-from=\"" + found.turn() + "\" data-differs=\"" + PageTemplate.escape(
+                "The server's game differs from here on: turn " + found.turn() + ", " + found.field() + "\nserver: "
+                    + lines.server() + "\nhere:   " + lines.ours()) + "\"";
+        } catch (RuntimeException cannotBePlayedAgain) {
+            return "";
+        }
     }
 
     private static String gameOf(byte[] replay, String source) {

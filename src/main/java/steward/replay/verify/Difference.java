@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
 import steward.json.JsonNumbers;
 import steward.text.TextFormat;
 import tools.jackson.core.JsonParser;
@@ -18,10 +17,19 @@ import tools.jackson.core.ObjectReadContext;
  * @param field    path of the field, such as {@code state.bodies[2].x}
  * @param recorded what the replay says
  * @param found    what the re-simulation gives
+ * @param lines    of a server's text and of ours in which they stand, or {@code null}
  */
-public record Difference(int turn, String field, String recorded, String found) {
+public record Difference(int turn, String field, String recorded, String found, Lines lines) {
 
     private static final int SHOWN = 100;
+
+    /** Lines of a server's text and of ours in which a word differs. */
+    public record Lines(String server, String ours) { }
+
+    /** A difference that is in no text of a server. */
+    public Difference(int turn, String field, String recorded, String found) {
+        this(turn, field, recorded, found, null);
+    }
 
     @Override
     public String toString() {
@@ -35,47 +43,31 @@ public record Difference(int turn, String field, String recorded, String found) 
      */
     static Difference between(int turn, byte[] recorded, byte[] found) {
         List<Difference> differences = new ArrayList<>();
-        new Comparer(turn, false, 1, differences).compare("", read(recorded), read(found));
+        new Comparer(turn, 1, differences).compare("", read(recorded), read(found));
         return !differences.isEmpty() ? differences.get(0)
             : new Difference(turn, "spelling", "other blanks, escapes or order", "the spelling of a fresh recording");
-    }
-
-    /**
-     * Returns the first difference to a record of another referee's observations: fields that it does not have are
-     * passed over, and an array that it says is empty may be left out. {@code null} if all that was recorded agrees.
-     */
-    static Difference fromObserved(int turn, byte[] recorded, byte[] found) {
-        List<Difference> differences = new ArrayList<>();
-        new Comparer(turn, true, 1, differences).compare("", read(recorded), read(found));
-        return differences.isEmpty() ? null : differences.get(0);
     }
 
     /** All differences between two JSON values, whose path begins with {@code name}. */
     public static List<Difference> all(int turn, String name, byte[] recorded, byte[] found) {
         List<Difference> differences = new ArrayList<>();
-        new Comparer(turn, false, Integer.MAX_VALUE, differences).compare(name, read(recorded), read(found));
+        new Comparer(turn, Integer.MAX_VALUE, differences).compare(name, read(recorded), read(found));
         return differences;
     }
 
     /**
      * Walks two values side by side.
      *
-     * @param observed whether fields that were not recorded are passed over
-     * @param most     how many differences are collected
+     * @param most how many differences are collected
      */
-    private record Comparer(int turn, boolean observed, int most, List<Difference> into) {
+    private record Comparer(int turn, int most, List<Difference> into) {
 
         void compare(String path, Object recorded, Object found) {
-            if (into.size() >= most || observed && path.endsWith(ViewComparison.FRAMES)) {
-                return;                                       // the texts of frames are compared word by word
+            if (into.size() >= most) {
+                return;
             }
             if (recorded instanceof Map<?, ?> recordedFields && found instanceof Map<?, ?> foundFields) {
-                if (observed && !isInOrder(recordedFields.keySet(), foundFields.keySet())) {
-                    into.add(new Difference(turn, path.isEmpty() ? "order" : path, "the fields "
-                        + recordedFields.keySet(), "the order " + foundFields.keySet()));
-                    return;
-                }
-                Map<Object, Object> all = new LinkedHashMap<>(observed ? recordedFields : foundFields);
+                Map<Object, Object> all = new LinkedHashMap<>(foundFields);
                 recordedFields.forEach(all::putIfAbsent);
                 for (Object name : all.keySet()) {
                     compare(path.isEmpty() ? name.toString() : path + "." + name, recordedFields.get(name),
@@ -86,24 +78,9 @@ public record Difference(int turn, String field, String recorded, String found) 
                     compare(path + "[" + k + "]", k < recordedValues.size() ? recordedValues.get(k) : null,
                         k < foundValues.size() ? foundValues.get(k) : null);
                 }
-            } else if (!isLeftOut(path, recorded, found) && (recorded == null || !recorded.equals(found))) {
+            } else if (recorded == null || !recorded.equals(found)) {
                 into.add(new Difference(turn, path, shown(recorded), shown(found)));
             }
-        }
-
-        /** Another referee may record an empty array of impacts where this program leaves the field out. */
-        private boolean isLeftOut(String path, Object recorded, Object found) {
-            return observed && found == null && path.equals("impacts") && recorded instanceof List<?> none
-                && none.isEmpty();
-        }
-
-        /** True if the fields that both have are in the same order. */
-        private static boolean isInOrder(Set<?> recorded, Set<?> found) {
-            List<Object> common = new ArrayList<>(found);
-            common.retainAll(recorded);
-            List<Object> seen = new ArrayList<>(recorded);
-            seen.retainAll(found);
-            return common.equals(seen);
         }
     }
 

@@ -7,9 +7,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import steward.bot.LineBuffer;
-import steward.game.AngleVariants;
 import steward.game.Game;
-import steward.json.JsonNumbers;
 import steward.match.MatchResult;
 import steward.match.Turn;
 import steward.replay.JsonLine;
@@ -17,8 +15,7 @@ import steward.replay.RecordedTurn;
 import steward.replay.ReplayHeader;
 import steward.replay.ReplayLines;
 import steward.replay.ReplayReader;
-import tools.jackson.core.JsonGenerator;
-import tools.jackson.core.ObjectWriteContext;
+import steward.replay.ServerRecording;
 
 /**
  * Comparison of recorded lines with a match that is played again. Every line is written again, from what is recorded of
@@ -34,8 +31,8 @@ final class LineCheck {
     private final Resimulation again;
     private final Game game;
     private final SignedLines signed;
-    private final RecordedObservations observed;
-    private final ImpactComparison impacts = new ImpactComparison();
+    /** What a server has recorded of an imported match, as far as it is read; otherwise {@code null}. */
+    private final ServerRecording server;
     private final ViewComparison views;
     private final ReplayLines lines;
     /** The turn that {@link #isSame} has played, or {@code null}; and whether its line is written to its end. */
@@ -49,32 +46,40 @@ final class LineCheck {
         this.again = again;
         this.signed = signed;
         game = again.game();
-        observed = replay.imported() ? new RecordedObservations(replay) : null;
-        views = again.views() == null ? null : new ViewComparison(again.views());
+        server = replay.imported() ? new ServerRecording() : null;
+        views = again.views() == null ? null : new ViewComparison(again.views(), game);
         ReplayHeader header = replay.header();
         lines = new ReplayLines(new ReplayHeader(header.game(), again.setup().scene().json(), header.seed(),
             header.names(), header.bots(), header.protocols(), header.timeFactor(), header.law(),
-            header.signer()).ofJar(header.jar()).ofLimits(header.limits()), observed);
+            header.signer()).ofJar(header.jar()).ofLimits(header.limits()), server);
     }
 
     public Difference header() {
+        read(replay.headerLine());
         lines.header(game, again.codec());
         boolean agrees = agrees(replay.headerLine().json());
-        Difference difference = agrees && observed == null ? null : RecordedJson.compareOpening(replay, again);
-        if (difference == null && views != null) {
-            difference = views.start(replay);
-        }
+        Difference difference = agrees ? null : RecordedJson.compareOpening(replay, again);
         if (difference == null && !agrees) {
             difference = lineDiffers(0, "headerHash", replay.headerLine());
+        }
+        if (difference == null && views != null) {
+            views.start(server.frames(0));
         }
         lines.end();
         return difference;
     }
 
+    /** Takes what a server has recorded in a line. */
+    private void read(JsonLine line) {
+        if (server != null) {
+            server.read(line);
+        }
+    }
+
     public boolean isSame(byte[] line) {
         played = null;
         int number = game.turn() + 1;
-        int at = observed != null || game.isOver() ? -1 : LineScanner.commands(line, number);
+        int at = server != null || game.isOver() ? -1 : LineScanner.commands(line, number);
         int rest = at < 0 ? -1 : again.readCommands(line, at, line.length);
         if (rest < 0 || LineScanner.outcome(line, line.length - rest) < 0) {
             return false;
@@ -103,11 +108,14 @@ final class LineCheck {
         lines.commands(turn, again.codec());
         outcomeFrom = lines.line().size() + OUTCOME_NAME;
         game.play();
-        lines.outcome(turn, game, again.codec());
+        lines.outcome(game, again.codec());
         outcomeTo = lines.line().size();
     }
 
     public Difference turn(byte[] line, RecordedTurn recorded) {
+        if (server != null) {
+            read(new JsonLine(recorded.where(), line));
+        }
         if (played == null) {
             Turn turn = Turn.of(recorded.number(), game.players());
             for (int player = 0; player < game.players(); player++) {
@@ -119,19 +127,10 @@ final class LineCheck {
             if (wrong != null) {
                 return wrong;
             }
-            if (observed != null) {
-                observed.next(recorded.outcome(), recorded.where());
-                AngleVariants variants = game.angleVariants();
-                if (views != null) {
-                    again.views().before();
-                }
-                play(turn);
-                if (again.serverView() == null) {
-                    impacts.add(recorded.outcome(), game, variants);
-                }
-            } else {
-                play(turn);
+            if (views != null) {
+                again.views().before();
             }
+            play(turn);
             lines.texts(turn);
         } else if (!finished) {
             for (int player = 0; player < game.players(); player++) {
@@ -142,16 +141,13 @@ final class LineCheck {
             lines.texts(played);
         }
         boolean agrees = agrees(line);
-        Difference difference = agrees && observed == null ? null
-            : RecordedJson.compare(recorded.number(), recorded.outcome(), outcome(), observed != null);
-        if (difference == null && views != null) {
-            difference = views.turn(recorded, game.isOver());
-        }
+        Difference difference = agrees ? null : RecordedJson.compare(recorded.number(), recorded.outcome(),
+            Arrays.copyOfRange(lines.line().bytes(), outcomeFrom, outcomeTo));
         if (difference == null && !agrees) {
             difference = lineDiffers(recorded.number(), "turnHash", new JsonLine(recorded.where(), line));
         }
-        if (difference == null && observed != null && again.serverView() != null) {
-            impacts.addShown(recorded.outcome());
+        if (difference == null && views != null) {
+            views.turn(recorded, server.frames(recorded.number()));
         }
         lines.end();
         return difference;
@@ -166,34 +162,14 @@ final class LineCheck {
         }
     }
 
-    /** The outcome of the turn last played. */
-    private byte[] outcome() {
-        if (observed == null) {
-            return Arrays.copyOfRange(lines.line().bytes(), outcomeFrom, outcomeTo);
-        }
-        LineBuffer bytes = new LineBuffer();
-        try (JsonGenerator out = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(), bytes)) {
-            out.writeStartObject();
-            if (again.serverView() != null) {
-                again.serverView().writeShown(out, game, again.codec().state());
-            } else {
-                ObservableOutcome.write(out, game, again.codec(), impacts);
-            }
-            out.writeEndObject();
-        }
-        return Arrays.copyOf(bytes.bytes(), bytes.size());
-    }
-
-    public ImpactCounts impacts() {
-        return impacts.counts();
-    }
-
-    public ViewCounts views() {
-        return views == null ? ViewCounts.NONE : views.counts();
+    /** Comparison of an imported match with what a server has shown; {@code null} where there is none. */
+    ViewComparison views() {
+        return views;
     }
 
     public Difference result(String[] turnFaults) {
         JsonLine result = replay.result();
+        read(result);
         String[] recorded = result.textsOf("players", "fault");
         String[] faults = turnFaults.clone();
         for (int player = 0; player < Math.min(faults.length, recorded.length); player++) {
@@ -215,6 +191,9 @@ final class LineCheck {
         }
         lines.result(game, new MatchResult(game.turn(), game.ending(), players, data(result)));
         difference = agrees(result.json()) ? null : lineDiffers(game.turn(), "resultHash", result);
+        if (difference == null && views != null && server.end() != null) {
+            views.end(server.end());
+        }
         lines.end();
         return difference;
     }

@@ -15,7 +15,6 @@ import steward.game.Game;
 import steward.game.GameSetup;
 import steward.game.GameType;
 import steward.game.GameTypes;
-import steward.game.ServerView;
 import steward.game.ViewWriter;
 import steward.json.JsonNumbers;
 import steward.json.LineParser;
@@ -42,7 +41,6 @@ public final class Resimulation {
     private final GameSetup setup;
     private final Game game;
     private final FrameCodec codec;
-    private final ServerView serverView;
     private final ViewWriter views;
     /** Name of the replay whose referee only says what is recorded; {@code null} otherwise. */
     private final String recorded;
@@ -89,7 +87,6 @@ public final class Resimulation {
                 + setup.scene().gameId() + "\" as in the scene");
         }
         checkLaw(header.law(), source);
-        serverView = types.serverView(header.game()).orElse(null);
         if (setup instanceof HostedSetup hosted && !runs) {
             recorded = source;
             game = hosted.recorded(header.seed(), () -> outcome);
@@ -160,7 +157,6 @@ public final class Resimulation {
     /** A match in a scene that is open already, from its seed. */
     public Resimulation(GameSetup setup, long seed) {
         this.setup = setup;
-        serverView = null;
         views = null;
         recorded = null;
         game = setup.create(seed);
@@ -176,11 +172,6 @@ public final class Resimulation {
     /** The game as it stands after the turns played again. */
     public Game game() {
         return game;
-    }
-
-    /** Returns how the site's server shows the game, or {@code null}. */
-    ServerView serverView() {
-        return serverView;
     }
 
     /** Writes what a server would have shown, or {@code null}. */

@@ -11,19 +11,18 @@ import steward.replay.ReplayReader;
  * The result of playing a recorded match again and comparing every line.
  *
  * @param turns      how many turns agreed
- * @param states     in how many of these the full state was recorded, and so compared: all, but of an imported match
+ * @param states     in how many of these the full state was recorded, and so compared; of an imported match, in how
+ *                   many a server has shown it
  * @param whole      whether there is a result, and it agrees
  * @param difference the first difference, or {@code null} if there is none
  * @param warning    where the file was cut off, or {@code null}
- * @param impacts    how the impacts of an imported match compare with ours
  * @param views      what the server's own texts of an imported match are worth: how much of them was compared
  * @param olderLaw   by which law the match was played, where that is older than the one of its rung and nothing was
  *                   compared; otherwise {@code null}
  * @param signature  what its signature is worth; {@code CUT_OFF} wherever it was not reached
  */
 public record Verification(int turns, int states, boolean whole, Difference difference, String warning,
-                           ImpactCounts impacts, ViewCounts views, String olderLaw,
-                           SignatureCheck signature) {
+                           ViewCounts views, String olderLaw, SignatureCheck signature) {
 
     /** True if everything recorded agrees, even if the replay was cut off; false if the header is incomplete. */
     public boolean agrees() {
@@ -56,6 +55,10 @@ public record Verification(int turns, int states, boolean whole, Difference diff
         if (replay.header() == null) {
             return uncompared(replay, null);
         }
+        if (replay.importedEarlier()) {
+            throw new ReplayException(replay.source() + ":1: imported: found an import of an earlier version, expected "
+                + "one of this version: 'steward import' makes it anew from the recording");
+        }
         try {
             Resimulation again = new Resimulation(replay.header(), null, types, replay.source(),
                 !replay.imported() ? null : types.viewWriter(replay.header().game()).orElse(null));
@@ -70,8 +73,8 @@ public record Verification(int turns, int states, boolean whole, Difference diff
     }
 
     private static Verification uncompared(ReplayReader replay, String olderLaw) {
-        return new Verification(0, 0, false, null, replay.warning(), ImpactCounts.NONE, ViewCounts.NONE,
-            olderLaw, SignatureCheck.UNSIGNED);
+        return new Verification(0, 0, false, null, replay.warning(), ViewCounts.NONE, olderLaw,
+            SignatureCheck.UNSIGNED);
     }
 
     private static Verification of(ReplayReader replay, Resimulation again, int... asked) {
@@ -104,16 +107,23 @@ public record Verification(int turns, int states, boolean whole, Difference diff
             difference = turn == null ? check.result(faults) : check.turn(line, turn);
             whole = turn == null && difference == null;
             if (turn != null && difference == null) {
-                turns++;
-                states += replay.imported() ? RecordedObservations.hasState(turn.outcome()) ? 1 : 0
-                    : OutcomeJson.hasState(again.game()) ? 1 : 0;
+                turns += isServers(check) ? 1 : 0;
+                states += !replay.imported() && OutcomeJson.hasState(again.game()) ? 1 : 0;
                 for (int player = 0; player < faults.length; player++) {
                     faults[player] = faults[player] == null ? turn.faults()[player] : faults[player];
                 }
             }
         }
-        return new Verification(turns, states, whole, difference, replay.warning(), check.impacts(),
-            check.views(), null, signed.check(whole));
+        ViewComparison views = check.views();
+        return views == null ? new Verification(turns, states, whole, difference, replay.warning(), ViewCounts.NONE,
+            null, signed.check(whole))
+            : new Verification(turns, views.turns(), whole, views.difference() != null ? views.difference()
+                : difference, replay.warning(), views.counts(), null, signed.check(whole));
+    }
+
+    /** False from the turn on in which a server has shown something else. */
+    private static boolean isServers(LineCheck check) {
+        return check.views() == null || check.views().difference() == null;
     }
 
     /** Marks who is in before the next turn, if there is one. */

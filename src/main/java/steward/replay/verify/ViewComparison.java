@@ -4,27 +4,40 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
+import steward.game.Game;
 import steward.game.ViewWriter;
-import steward.replay.JsonLine;
 import steward.replay.RecordedTurn;
-import steward.replay.ReplayReader;
+import steward.replay.ServerRecording;
 import steward.text.TextFormat;
 
-/** The frames of a server beside those that it would have written of ours: line by line, word by word. */
+/**
+ * The frames of a server beside those that it would have written of ours: line by line, word by word. Behind the first
+ * difference nothing is compared, since the games differ from there on.
+ */
 final class ViewComparison {
 
-    /** The field of a turn's outcome, and of the state at the start, that holds the frames. */
-    static final String FRAMES = "frames";
+    /** How far a number may be from ours that need only be near, relative to the larger of both. */
+    private static final double NEAR = 1e-9;
 
     private static final Pattern NUMBER = Pattern.compile("[-+]?[0-9]+(\\.[0-9]+)?([eE][-+]?[0-9]+)?");
 
     private final ViewWriter writer;
+    private final Game game;
+    private final List<String> near = new ArrayList<>();
+    private int nearInAll;
     private boolean any;
     private long values;
+    private int turns;
     private int missing;
+    private int behind;
+    private Difference difference;
 
-    ViewComparison(ViewWriter writer) {
+    ViewComparison(ViewWriter writer, Game game) {
         this.writer = writer;
+        this.game = game;
     }
 
     ViewCounts counts() {
@@ -35,113 +48,155 @@ final class ViewComparison {
         if (missing > 0) {
             notCompared.add(TextFormat.count(missing, "text") + " of frames that the recording lacks");
         }
-        return new ViewCounts(values, notCompared);
+        if (behind > 0) {
+            notCompared.add(TextFormat.count(behind, "frame") + " behind the first difference");
+        }
+        return new ViewCounts(values, near, nearInAll, notCompared);
     }
 
-    /** @return the first difference, or {@code null} */
-    Difference start(ReplayReader replay) {
-        JsonLine state = new JsonLine(replay.source() + ":1: start.state",
-            new JsonLine(replay.source() + ":1: start", replay.start()).object("state"));
-        List<JsonLine> frames = state.has(FRAMES) ? state.objects(FRAMES) : List.of();
-        if (frames.isEmpty()) {
-            return null;
-        }
-        JsonLine frame = frames.get(0);
-        ViewWriter.Frame start = writer.start();
-        Difference difference = compare(0, frame, "view", start.view(), true);
-        return difference != null ? difference : compare(0, frame, "summary", start.summary(), false);
-    }
-
-    /**
-     * Compares the frames of the turn just played.
-     *
-     * @param last true if it is the last by our rules
-     * @return the first difference, or {@code null}
-     */
-    Difference turn(RecordedTurn turn, boolean last) {
-        JsonLine outcome = new JsonLine(turn.where() + ": outcome", turn.outcome());
-        List<JsonLine> frames = outcome.has(FRAMES) ? outcome.objects(FRAMES) : List.of();
-        Difference difference = null;
-        for (int k = 0; k < frames.size() && difference == null; k++) {
-            JsonLine frame = frames.get(k);
-            if (k < frames.size() - 1) {
-                difference = compare(turn.number(), frame, "view", writer.answer(k), false);
-                continue;
-            }
-            ViewWriter.Frame found = writer.after(turn.messages(), lines(frame, "view"));
-            difference = compare(turn.number(), frame, "view", found.view(), true);
-            if (difference == null) {
-                difference = compare(turn.number(), frame, "summary", found.summary(), false);
-            }
-            if (difference == null && last && writer.scores() != null) {
-                difference = compare(turn.number(), frame, "scores", List.of(Arrays.toString(writer.scores())
-                    .replaceAll("[\\[\\],]", "")), false);
-            }
-        }
+    /** The first difference, or {@code null}. */
+    Difference difference() {
         return difference;
     }
 
-    /** The lines of one text of a frame; none if it is absent or blank. */
-    private List<String> lines(JsonLine frame, String name) {
-        String text = frame.has(name) ? frame.text(name).stripTrailing() : "";
-        return text.isEmpty() ? List.of() : name.equals("view") ? writer.lines(text)
-            : List.of(text.split("\r?\n", -1));
+    /** Returns in how many turns a server has shown the state, and it agrees. */
+    int turns() {
+        return turns;
     }
 
-    /** @param mayEnd true if the text may end where the writer says so */
-    private Difference compare(int turn, JsonLine frame, String name, List<String> found, boolean mayEnd) {
-        List<String> recorded = lines(frame, name);
-        if (!frame.has(name)) {
-            missing += name.equals("scores") || found.isEmpty() ? 0 : 1;
-            return null;
+    void start(List<ServerRecording.Frame> frames) {
+        if (!frames.isEmpty()) {
+            ViewWriter.Frame start = writer.start();
+            compare(0, frames.get(0), start);
+        }
+    }
+
+    /** Compares the frames of the turn just played. */
+    void turn(RecordedTurn turn, List<ServerRecording.Frame> frames) {
+        if (difference != null) {
+            behind += frames.size();
+            return;
+        }
+        int last = frames.size() - 1;
+        for (int k = 0; k < last; k++) {
+            compare(turn.number(), "view", lines(frames.get(k).view()), writer.answer(k), false);
+        }
+        if (last >= 0) {
+            List<String> view = lines(frames.get(last).view());
+            compare(turn.number(), frames.get(last), writer.after(turn.messages(), view == null ? List.of() : view));
+            turns += difference == null && view != null && view.size() > 1 ? 1 : 0;
+        }
+    }
+
+    /** Compares the result, and what was shown behind the end. */
+    void end(ServerRecording.End end) {
+        if (difference == null && end.turns() != game.turn()) {
+            difference = new Difference(game.turn(), "turns", Integer.toString(end.turns()),
+                Integer.toString(game.turn()));
+        }
+        String ranks = IntStream.of(game.ranks()).mapToObj(Integer::toString).collect(Collectors.joining(" "));
+        double[] scores = writer.scores() == null ? game.scores() : writer.scores();
+        compareGiven("ranks", end.ranks(), ranks);
+        compareGiven("scores", scores.length == 0 ? null : end.scores(), DoubleStream.of(scores)
+            .mapToObj(Double::toString).collect(Collectors.joining(" ")));
+        for (ServerRecording.Frame frame : end.frames()) {
+            behind += difference == null ? 0 : 1;
+            compare(game.turn(), "view", lines(frame.view()), writer.declared(), true);
+        }
+    }
+
+    private void compareGiven(String name, String recorded, String found) {
+        if (recorded != null) {
+            compare(game.turn(), name, List.of(recorded), List.of(found), false);
+        }
+    }
+
+    private void compare(int turn, ServerRecording.Frame recorded, ViewWriter.Frame found) {
+        compare(turn, "view", lines(recorded.view()), found.view(), true);
+        compare(turn, "summary", recorded.summary() == null ? null : split(recorded.summary()), found.summary(), false);
+    }
+
+    /** The lines of a view; none if it is blank, {@code null} without one. */
+    private List<String> lines(String view) {
+        return view == null ? null : view.isBlank() ? List.of() : writer.lines(view.stripTrailing());
+    }
+
+    private static List<String> split(String text) {
+        return text.isBlank() ? List.of() : List.of(text.stripTrailing().split("\r?\n", -1));
+    }
+
+    /**
+     * Compares one text, if nothing has differed yet.
+     *
+     * @param recorded its lines, or {@code null} if it was not recorded
+     * @param mayEnd   true if the text may end where the writer says so
+     */
+    private void compare(int turn, String name, List<String> recorded, List<String> found, boolean mayEnd) {
+        if (recorded == null) {
+            missing += difference != null || found.isEmpty() ? 0 : 1;
+            return;
         }
         any = true;
-        for (int line = 0; line < Math.max(recorded.size(), found.size()); line++) {
-            if (line >= recorded.size() && mayEnd && writer.mayEndAt(line)) {
-                return null;
+        for (int line = 0; line < Math.max(recorded.size(), found.size()) && difference == null; line++) {
+            boolean ends = line >= recorded.size() && mayEnd && writer.mayEndAt(line);
+            boolean rest = line >= found.size() - 1 && !found.isEmpty()
+                && found.get(found.size() - 1).equals(ViewWriter.REST);
+            if (ends || rest) {
+                return;
             }
-            if (line >= found.size() - 1 && !found.isEmpty() && found.get(found.size() - 1).equals(ViewWriter.REST)) {
-                return null;
+            compareLine(turn, name + " line " + line, line < recorded.size() ? recorded.get(line) : null,
+                line < found.size() ? found.get(line) : null);
+        }
+    }
+
+    private void compareLine(int turn, String where, String recorded, String found) {
+        Difference.Lines lines = new Difference.Lines(recorded == null ? "" : recorded.strip(),
+            found == null ? "" : found.strip().replace(ViewWriter.NEAR, ""));
+        if (recorded == null || found == null) {
+            difference = new Difference(turn, where, recorded == null ? "nothing" : recorded,
+                found == null ? "nothing" : lines.ours(), lines);
+            return;
+        }
+        List<String> theirs = words(recorded);
+        List<String> ours = words(found);
+        boolean rest = !ours.isEmpty() && ours.get(ours.size() - 1).equals(ViewWriter.REST);
+        int count = rest ? ours.size() - 1 : Math.max(theirs.size(), ours.size());
+        for (int k = 0; k < count; k++) {
+            String their = k < theirs.size() ? theirs.get(k) : "nothing";
+            String our = k < ours.size() ? ours.get(k) : "nothing";
+            if (k < theirs.size() && our.equals(ViewWriter.ANY)) {
+                continue;
             }
-            boolean both = line < recorded.size() && line < found.size();
-            String where = name + " line " + line;
-            Difference difference = both ? compare(turn, where, words(recorded.get(line)), words(found.get(line)))
-                : new Difference(turn, where, line < recorded.size() ? recorded.get(line) : "nothing",
-                    line < found.size() ? found.get(line) : "nothing");
-            if (difference != null) {
-                return difference;
+            String place = where + ", word " + k;
+            String plain = our.startsWith(ViewWriter.NEAR) ? our.substring(ViewWriter.NEAR.length()) : our;
+            if (k < theirs.size() && k < ours.size() && distance(their, our, plain) == 0) {
+                values++;
+            } else if (!plain.equals(our) && distance(their, our, plain) <= NEAR) {
+                nearInAll++;
+                if (near.size() < ViewCounts.MOST_NEAR) {
+                    near.add(new Difference(turn, place, their, plain).toString());
+                }
+            } else {
+                difference = new Difference(turn, place, their, plain, lines);
+                return;
             }
         }
-        return null;
     }
 
     private static List<String> words(String line) {
         return line.isBlank() ? List.of() : Arrays.asList(line.strip().split("\\s+"));
     }
 
-    private Difference compare(int turn, String where, List<String> recorded, List<String> found) {
-        List<String> all = new ArrayList<>(found);
-        boolean rest = !all.isEmpty() && all.get(all.size() - 1).equals(ViewWriter.REST);
-        if (rest) {
-            all.remove(all.size() - 1);
+    /** Relative distance of two numbers, which different programs write in different ways; of equal words 0. */
+    private static double distance(String their, String our, String plain) {
+        if (their.equals(our)) {
+            return 0;
         }
-        for (int k = 0; k < (rest ? all.size() : Math.max(recorded.size(), all.size())); k++) {
-            String ours = k < all.size() ? all.get(k) : "nothing";
-            String theirs = k < recorded.size() ? recorded.get(k) : "nothing";
-            if (k < recorded.size() && ours.equals(ViewWriter.ANY)) {
-                continue;
-            }
-            if (k >= recorded.size() || k >= all.size() || !isSame(theirs, ours)) {
-                return new Difference(turn, where + ", word " + k, theirs, ours);
-            }
-            values++;
+        if (!NUMBER.matcher(their).matches() || !NUMBER.matcher(plain).matches()) {
+            return Double.POSITIVE_INFINITY;
         }
-        return null;
-    }
-
-    /** Numbers are equal if they are the same double: different programs write it in different ways. */
-    private static boolean isSame(String recorded, String found) {
-        return recorded.equals(found) || NUMBER.matcher(recorded).matches() && NUMBER.matcher(found).matches()
-            && Double.parseDouble(recorded) == Double.parseDouble(found);
+        double one = Double.parseDouble(their);
+        double other = Double.parseDouble(plain);
+        return one == other ? 0 : Math.abs(one - other) / Math.max(Math.abs(one), Math.abs(other));
     }
 }

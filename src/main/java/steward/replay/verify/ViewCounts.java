@@ -6,9 +6,13 @@ import java.util.List;
  * Comparison of an imported match, word by word, with what the server would have shown of ours.
  *
  * @param values      how many numbers and words agree
+ * @param near        numbers that are only within 1e-9 of ours, each by its place; at most {@link #MOST_NEAR}
+ * @param nearInAll   how many of them there are
  * @param notCompared what the server shows and this program does not compute, in words; empty where nothing is shown
  */
-public record ViewCounts(long values, List<String> notCompared) {
+public record ViewCounts(long values, List<String> near, int nearInAll, List<String> notCompared) {
 
-    public static final ViewCounts NONE = new ViewCounts(0, List.of());
+    static final int MOST_NEAR = 5;
+
+    public static final ViewCounts NONE = new ViewCounts(0, List.of(), 0, List.of());
 }

@@ -56,7 +56,7 @@ class OfficialRecordingsImportTest {
         GroundTruth.Report all = new GroundTruth.Report(report, "pod-race of 2016");
         for (Path file : files) {
             ByteArrayOutputStream replay = new ByteArrayOutputStream();
-            RecordingImport.Imported imported = GameRecordingImport.of(json(Files.readAllLines(file)),
+            RecordingImport.Imported imported = RecordingImport.of(json(Files.readAllLines(file)),
                 file.getFileName().toString(), TestScenes.TYPES).write(replay);
             Verification verification = TextMatches.verify(replay.toByteArray());
             String difference = verification.difference() != null ? verification.difference().toString()

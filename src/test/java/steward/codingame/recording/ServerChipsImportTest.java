@@ -56,11 +56,13 @@ class ServerChipsImportTest {
     /** The last view that holds the text is that of turn 4. */
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
-        "21.00 711.13 | 21.00 711.14 | state.bodies[1].x",
-        "711.13 206.10 | 711.13 206.11 | state.bodies[1].y",
-        "1 21.00 711.13 | 1 21.01 711.13 | state.bodies[1].radius",
-        "2 -1 15.41 200.37 | 2 1 15.41 200.37 | state.bodies[2].player",
-        "1385 1385\\n\" | 1385 1386\\n\" | scores[1]"})
+        "21.00 711.13 | 21.00 711.14 | view line 3, word 3",
+        "711.13 206.10 | 711.13 206.11 | view line 3, word 4",
+        "1 21.00 711.13 | 1 21.01 711.13 | view line 3, word 2",
+        "2 -1 15.41 200.37 | 2 1 15.41 200.37 | view line 4, word 1",
+        "375.41 155.10 0.00 0 | 375.41 155.10 0.00 | view line 6, word 6",
+        "2 -1 15.41 200.37 | 2 7 15.41 200.37 | view line 4, word 1",
+        "1385 1385\\n\" | 1385 1386\\n\" | view line 9, word 1"})
     void aChangedValueIsFound(String from, String to, String field) throws IOException {
         Verification found = verified(changed(from.strip(), to.strip()));
         assertNotNull(found.difference());
@@ -73,17 +75,14 @@ class ServerChipsImportTest {
         String json = excerpt();
         Verification found = verified(json.replaceFirst("359\\.68 27\\.89", "359.69 27.89"));
         assertEquals(0, found.difference().turn());
-        assertEquals("start.state.bodies[0].x", found.difference().field());
+        assertEquals("view line 4, word 3", found.difference().field());
     }
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', quoteCharacter = '`', value = {
         "seed=603873261\\n | sneed=1\\n | refereeInput: found \"sneed=1\", expected seed=NUMBER or a setting",
         "seed=603873261\\n | symmetric=false\\n | refereeInput: found \"symmetric=false",
-        "2 800 515 300 | 2 800 515 | frame 0, view line 2: found \"2 800 515\", expected players, width",
-        "375.41 155.10 0.00 0 | 375.41 155.10 0.00 | frame 8, view line 6: found \"4 -1 24.78 375.41 155.10 0.00\", "
-            + "expected id owner radius",
-        "2 -1 15.41 200.37 | 2 7 15.41 200.37 | frame 8, view line 4: found \"7\", expected a whole number 0..1"})
+        "2 800 515 300 | 2 800 515 | frame 0, view line 2: found \"2 800 515\", expected players, width"})
     void whatIsWrongIsToldWithItsPlace(String from, String to, String expected) throws IOException {
         String json = changed(from, to);
         String problem = assertThrows(IllegalArgumentException.class,

@@ -18,8 +18,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import steward.bot.Bot;
 import steward.bot.InProcessPlayer;
-import steward.codingame.recording.GameRecordingImport;
 import steward.codingame.recording.OfficialGame;
+import steward.codingame.recording.RecordingImport;
 import steward.match.Protocol;
 import steward.match.SeededBot;
 import steward.match.TestScenes;
@@ -196,7 +196,7 @@ class FeedTest {
     @Test
     void anImportedMatchIsFedInEitherProtocol() throws InterruptedException {
         ByteArrayOutputStream replay = new ByteArrayOutputStream();
-        GameRecordingImport.of(OfficialGame.play(12).json(), "game.json", TestScenes.TYPES).write(replay);
+        RecordingImport.of(OfficialGame.play(12).json(), "game.json", TestScenes.TYPES).write(replay);
         feed(replay.toByteArray(), 1, new SeededBot(13, 0.2), Integer.MAX_VALUE);
         assertTrue(fed.size() > 50, () -> fed.size() + " turns");
         assertEquals(List.of(), differing());

@@ -68,7 +68,7 @@ public final class FantasticBitsType implements GameType {
     @Override
     @Internal
     public Optional<ServerView> serverView() {
-        return Optional.of(new FantasticBitsView());
+        return Optional.of(ServerView.ofSeed(FantasticBitsViews.TITLE, "fantastic-bits"));
     }
 
     @Override

@@ -17,8 +17,23 @@ import steward.physics.Bodies;
 import steward.physics.TeeSink;
 import steward.scene.Scene;
 
-/** Writes views of Fantastic Bits as the server shows them, in the form that {@link FantasticBitsShown} tells. */
+/**
+ * Writes views of Fantastic Bits in the form of the published referee:
+ * <pre>
+ * line 0      the number of the frame
+ * frame 0     Fantastic Bits
+ *             width height wizardRadius wizards snaffleRadius goalSize
+ *             player x y of each wizard; id x y of each snaffle; of each bludger          a line each
+ * then        a line for each wizard, x y vx vy power targetX targetY message
+ *             how many spells are at work, and a line for each
+ *             how many snaffles there are, and id x y inPlay of each; how many bludgers, and id x y of each
+ *             a score per player; the magic of each; then what has met, in order
+ * </pre>
+ * Which variant was played the server does not tell: today's is taken.
+ */
 final class FantasticBitsViews implements ViewWriter {
+
+    static final String TITLE = "Fantastic Bits";
 
     private static final List<Spell> ORDER = List.of(Spell.ACCIO, Spell.FLIPENDO, Spell.OBLIVIATE, Spell.PETRIFICUS);
     private static final int LONGEST_MESSAGE = 28;
@@ -54,7 +69,7 @@ final class FantasticBitsViews implements ViewWriter {
     public Frame start() {
         Bodies bodies = game.bodies();
         int snaffles = game.pitch().snaffles();
-        List<String> view = new ArrayList<>(List.of(ANY, FantasticBitsView.TITLE, (int) Pitch.WIDTH + " "
+        List<String> view = new ArrayList<>(List.of(ANY, TITLE, (int) Pitch.WIDTH + " "
             + (int) Pitch.HEIGHT + " " + (int) EntityKind.WIZARD.radius() + " " + Pitch.WIZARDS + " "
             + (int) EntityKind.SNAFFLE.radius() + " " + GOAL_SIZE));
         view.add(IntStream.range(0, Pitch.WIZARDS).mapToObj(wizard -> Pitch.playerOf(wizard) + place(wizard))

@@ -53,12 +53,7 @@ final class MeanMaxState extends CommandListState<LooterCommand> {
 
     @Override
     public void writeState(JsonGenerator out) {
-        writeState(out, game.bodies().size());
-    }
-
-    /** The state with the first units only. */
-    void writeState(JsonGenerator out, int units) {
-        UnitJson.writeUnits(out, BODIES, game, units, true);
+        UnitJson.writeUnits(out, BODIES, game, true);
         UnitJson.writePlaces(out, game);
         writePlayers(out, game);
         JsonNumbers.writeAll(out, "tankersLeft", game.players(), game.world().queue()::left);

@@ -67,7 +67,7 @@ public final class MeanMaxType implements GameType {
 
     @Override
     public Optional<ServerView> serverView() {
-        return Optional.of(new MeanMaxView());
+        return Optional.of(ServerView.ofSeed("meanmax", "mean-max"));
     }
 
     @Override

@@ -21,7 +21,20 @@ import steward.physics.Bodies;
 import steward.physics.TeeSink;
 import steward.scene.Scene;
 
-/** Writes views of Mean Max as the server shows them, in the form that {@link MeanMaxShown} tells. */
+/**
+ * Writes views of Mean Max as the server shows them:
+ * <pre>
+ * line 0      the number of the frame
+ * frame 0     meanmax, players, radius of the arena, of the water, looters of a player          one a line
+ * then        a score per player, a rage per player, nine messages     one a line
+ * an impact   #time, then one unit, which met the wall, or two
+ * sunk        #time, a tanker with a d, and its wreck if it left one
+ * the end     #1.00000, then all units, wrecks and effects, then what has gone in the turn, with a d
+ * a unit      id x y vx vy            id@water of a tanker; when it is new also kind radius, and player of a looter
+ * a wreck     id@water                before the harvest of the turn; when it is new id@water x y 0 0 4 radius
+ * an effect   id                      when it is new id x y looter 0 type radius
+ * </pre>
+ */
 final class MeanMaxViews implements ViewWriter {
 
     private static final int LONGEST_MESSAGE = 19;

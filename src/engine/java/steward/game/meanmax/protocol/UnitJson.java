@@ -37,16 +37,11 @@ final class UnitJson {
 
     /** @param whole with what bots do not see: the player that a tanker was spawned for */
     static void writeUnits(JsonGenerator out, SerializableString name, MeanMax game, boolean whole) {
-        writeUnits(out, name, game, game.bodies().size(), whole);
-    }
-
-    /** As {@link #writeUnits(JsonGenerator, SerializableString, MeanMax, boolean)}, of the first units only. */
-    static void writeUnits(JsonGenerator out, SerializableString name, MeanMax game, int units, boolean whole) {
         MeanMaxWorld world = game.world();
         Bodies bodies = world.bodies();
         out.writeName(name);
         out.writeStartArray();
-        for (int unit = 0; unit < units; unit++) {
+        for (int unit = 0; unit < bodies.size(); unit++) {
             boolean tanker = world.isTanker(unit);
             int owner = (int) bodies.columns[MeanMaxWorld.OWNER][unit];
             out.writeStartObject();

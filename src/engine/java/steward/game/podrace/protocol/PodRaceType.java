@@ -12,6 +12,7 @@ import steward.game.Game;
 import steward.game.GameSetup;
 import steward.game.GameType;
 import steward.game.Pilot;
+import steward.game.ServerView;
 import steward.game.TextCodec;
 import steward.game.ViewWriter;
 import steward.game.podrace.PlaceCheck;
@@ -66,6 +67,12 @@ public final class PodRaceType implements GameType {
             new Part("checkpoint sweeps", true, "checkpoints count along the whole path of a turn",
                 Part.When.OUTCOME)));
         return new PodRaceSetup(scene, settings, plan);
+    }
+
+    @Override
+    @Internal
+    public Optional<ServerView> serverView() {
+        return Optional.of(new PodRaceView());
     }
 
     @Override

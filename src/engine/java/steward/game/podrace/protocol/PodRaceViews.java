@@ -13,8 +13,20 @@ import steward.game.podrace.PodRaceSettings;
 import steward.physics.Impact;
 
 /**
- * View of the server of a race of two players with two pods each; the form of its lines is told in the import's
- * {@code FrameView}. Sources: games of 2025 and 2026, among them ten that ended by a fault, a finish or an
+ * View of the server of a race of two players with two pods each:
+ * <pre>
+ * line 0      the number of the frame, perhaps with words around it
+ * frame 0     CodersStrikeBack
+ *             width height podRadius checkpointRadius pods turnPerTurn
+ *             x y x y ...                                            the checkpoints
+ *             player x y player x y ...                              where the pods start
+ * a pod       x y vx vy power dead targetX targetY headingRadians|null shield nextCheckpoint rank
+ *             "message"
+ * then        rank:turnsLeft rank:turnsLeft                          both players on one line
+ * per impact  id time podA xA yA podB xB yB impulse vx vy
+ * </pre>
+ * Places of impacts are rounded; their vx, vy are half the sum of both speeds before the impact, rounded. A view may
+ * end before its pods or before its counters. Sources: games of 2025 and 2026, among them ten that ended by a fault, a finish or an
  * elimination; where they are silent the published referee: a pod that was told to aim at its own place shows the
  * thrust that it was given.
  */
@@ -25,12 +37,15 @@ final class PodRaceViews implements ViewWriter {
     private static final int LONGEST_MESSAGE = 50;
     /** Lines of a view after a turn that stand before its counters: the number, and two a pod. */
     private static final int BEFORE_PODS = 1;
+    /** Likewise of the first view; the last of them has their places. */
+    private static final int BEFORE_PODS_OF_START = 5;
 
     private PodRace race;
     private int[] thrust;
     private boolean[] shield;
     private boolean[] boostLeft;
     private boolean anyFailed;
+    private boolean started;
     private boolean[] failed;
 
     @Override
@@ -51,12 +66,13 @@ final class PodRaceViews implements ViewWriter {
 
     @Override
     public boolean mayEndAt(int line) {
-        return line == BEFORE_PODS || line == BEFORE_PODS + 2 * race.settings().pods();
+        int pods = started ? BEFORE_PODS : BEFORE_PODS_OF_START;
+        return line == pods || line == pods + 2 * race.settings().pods() || !started && line == pods - 1;
     }
 
     @Override
     public Frame start() {
-        List<String> view = new ArrayList<>(List.of(ANY, "CodersStrikeBack"));
+        List<String> view = new ArrayList<>(List.of(ANY, PodRaceView.TITLE));
         view.add(FIELD_WIDTH + " " + FIELD_HEIGHT + " " + race.settings().radius() + " "
             + race.settings().checkpointRadius() + " " + race.settings().pods() + " " + Headings.MAXIMUM_TURN);
         StringBuilder line = new StringBuilder();
@@ -81,6 +97,7 @@ final class PodRaceViews implements ViewWriter {
 
     @Override
     public void before() {
+        started = true;
         anyFailed = false;
         for (int player = 0; player < failed.length; player++) {
             failed[player] = !race.isIn(player);
@@ -196,11 +213,11 @@ final class PodRaceViews implements ViewWriter {
             + (race.isIn(player) ? "" : " eliminated!") + " rank: " + (ranks[player] + 1)).toList();
     }
 
-    /** Time and impulse are compared with all that {@code ImpactRange} allows, as values of the turn. */
+    /** The server's sines may be a unit in the last place off, so that time and impulse need only be near. */
     private static String impact(Impact impact) {
-        return ANY + " " + ANY + " " + impact.a() + " " + Math.round(impact.ax()) + " " + Math.round(impact.ay()) + " "
-            + impact.b() + " " + Math.round(impact.bx()) + " " + Math.round(impact.by()) + " " + ANY + " "
-            + Math.round((impact.vaxBefore() + impact.vbxBefore()) / 2) + " "
+        return ANY + " " + NEAR + impact.time() + " " + impact.a() + " " + Math.round(impact.ax()) + " " + Math.round(impact.ay()) + " "
+            + impact.b() + " " + Math.round(impact.bx()) + " " + Math.round(impact.by()) + " " + NEAR + impact.impulse()
+            + " " + Math.round((impact.vaxBefore() + impact.vbxBefore()) / 2) + " "
             + Math.round((impact.vayBefore() + impact.vbyBefore()) / 2);
     }
 

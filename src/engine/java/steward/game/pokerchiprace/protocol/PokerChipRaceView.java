@@ -1,79 +1,55 @@
 package steward.game.pokerchiprace.protocol;
 
-import java.math.BigDecimal;
-import java.math.RoundingMode;
-import steward.game.Game;
+import java.util.Map;
 import steward.game.ServerView;
-import steward.game.StateCodec;
-import steward.game.pokerchiprace.ChipTable;
-import steward.game.pokerchiprace.PokerChipRace;
-import steward.json.JsonNumbers;
-import steward.json.JsonObject;
-import steward.physics.Bodies;
+import steward.game.ShownSeed;
+import steward.game.pokerchiprace.PokerChipRaceSettings;
+import steward.scene.SceneFiles;
 import steward.text.ViewLines;
-import tools.jackson.core.JsonGenerator;
-import tools.jackson.core.io.NumberOutput;
 
 /**
- * Reads the server's views of the Poker Chip Race: the chips after a turn with owner, radius and place, radius and
- * place with two digits behind the point, and the scores. Speeds are not shown. Points of paths, and the angles by
- * which the site turns its pictures, are not read.
+ * Finds scene and seed of a Poker Chip Race of the server: the first view has the number of players, {@code
+ * refereeInput} a line {@code seed=} and the settings of the start.
  */
 final class PokerChipRaceView implements ServerView {
 
-    private static final int DIGITS = 2;
+    static final String TITLE = "PokerChipRace";
+
+    private static final Map<String, String> SETTINGS = Map.of("player_initial_radius", "radius",
+        "chips_count_per_player", "perPlayer", "symmetric", "symmetric", "max_neutral_count", "neutral");
+    private static final String VALUE = "-?[0-9]{1,18}(\\.[0-9]{1,9})?|true|false";
+    private static final int SIZES_LINE = 2;
+    private static final int SIZES = 4;
 
     @Override
     public String title() {
-        return "PokerChipRace";
+        return TITLE;
     }
 
     @Override
-    public Shown open(ViewLines first, String input, int players) {
-        return new PokerChipRaceShown(first, input);
-    }
-
-    @Override
-    public void writeShown(JsonGenerator out, Game game, StateCodec state) {
-        state.writeProgress(out);
-        out.writeObjectPropertyStart("state");
-        writeShownStart(out, game, state);
-        out.writeEndObject();
-    }
-
-    @Override
-    public void writeShownStart(JsonGenerator out, Game game, StateCodec state) {
-        PokerChipRace of = (PokerChipRace) game;
-        Bodies bodies = of.bodies();
-        JsonObject.writeEach(out, "bodies", bodies.size(), chip ->
-            write(out, new Chip(bodies.id(chip), of.ownerOf(chip), rounded(bodies.radius[chip]),
-                rounded(bodies.x[chip] + ChipTable.HALF_WIDTH), rounded(bodies.y[chip] + ChipTable.HALF_HEIGHT))));
-    }
-
-    /**
-     * A chip as it is shown.
-     *
-     * @param owner {@link ChipTable#NEUTRAL} for none
-     * @param x     from the corner of the table
-     * @param y     likewise
-     */
-    record Chip(int id, int owner, double radius, double x, double y) { }
-
-    /** With its place as ours are counted, from the middle of the table. */
-    static void write(JsonGenerator out, Chip chip) {
-        out.writeStartObject();
-        out.writeNumberProperty("id", chip.id);
-        if (chip.owner != ChipTable.NEUTRAL) {
-            out.writeNumberProperty("player", chip.owner);
+    public Start open(ViewLines first, String input) {
+        String[] sizes = first.words(SIZES_LINE);
+        if (sizes.length != SIZES) {
+            throw first.wrong(SIZES_LINE, "players, width, height and the most turns");
         }
-        JsonNumbers.write(out, "radius", chip.radius);
-        JsonNumbers.write(out, "x", rounded(chip.x - ChipTable.HALF_WIDTH) + 0.0);
-        JsonNumbers.write(out, "y", rounded(chip.y - ChipTable.HALF_HEIGHT) + 0.0);
-        out.writeEndObject();
+        int players = first.whole(sizes[0], PokerChipRaceSettings.MOST_PLAYERS, SIZES_LINE);
+        String scene = SceneFiles.load("poker-chip-race").text().replaceFirst("\"players\": [0-9]+",
+            "\"players\": " + players).replaceFirst("\"maximumTurns\": [0-9]+", "$0" + fields(first.source(), input));
+        return new Start(scene, ShownSeed.required(input, first.source()));
     }
 
-    /** Two digits, halves of the shortest decimal away from zero, as the server writes them. */
-    private static double rounded(double value) {
-        return new BigDecimal(NumberOutput.toString(value, true)).setScale(DIGITS, RoundingMode.HALF_UP).doubleValue();
+    private static String fields(String source, String input) {
+        StringBuilder fields = new StringBuilder();
+        for (String line : input.strip().lines().toList()) {
+            String[] property = line.strip().split("=", 2);
+            String value = property.length < 2 ? "" : property[1];
+            if (SETTINGS.containsKey(property[0]) && value.matches(VALUE)) {
+                fields.append(", \"").append(SETTINGS.get(property[0])).append("\": ").append(value);
+            } else if (ShownSeed.of(line).isEmpty()) {
+                throw new IllegalArgumentException(source + ": refereeInput: found " + ViewLines.quote(line)
+                    + ", expected seed=NUMBER or a setting of the start with its value");
+            }
+        }
+        return fields.toString();
     }
 }

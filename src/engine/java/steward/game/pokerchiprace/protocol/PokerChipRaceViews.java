@@ -25,8 +25,16 @@ import steward.scene.Scene;
 import tools.jackson.core.io.NumberOutput;
 
 /**
- * View of the server of the Poker Chip Race, in the form that {@link PokerChipRaceShown} tells: every frame shows all
- * chips; those eaten in a turn come last in the frame that ends it, in the order in which they were eaten.
+ * View of the server of the Poker Chip Race:
+ * <pre>
+ * line 0      the number of the frame
+ * frame 0     PokerChipRace, then players, width, height, most turns
+ * then        how many chips there are, and a line for each
+ * a chip      id owner radius x y rotation points     places from the corner; radius -1.00: eaten in this turn
+ *             and t x y radius rotation other         for each of the points, then its message
+ * then        an area per player and of all chips; a score per player
+ * </pre>
+ * Every frame shows all chips; those eaten in a turn come last in the frame that ends it, in the order in which they were eaten.
  */
 final class PokerChipRaceViews implements ViewWriter {
 
@@ -77,7 +85,7 @@ final class PokerChipRaceViews implements ViewWriter {
 
     @Override
     public Frame start() {
-        List<String> view = new ArrayList<>(List.of(ANY, "PokerChipRace", game.players() + " "
+        List<String> view = new ArrayList<>(List.of(ANY, PokerChipRaceView.TITLE, game.players() + " "
             + decimal(2 * ChipTable.HALF_WIDTH, 0) + " " + decimal(2 * ChipTable.HALF_HEIGHT, 0) + " "
             + game.settings().maximumTurns()));
         addChips(view, game::ownerOf, "");

@@ -16,14 +16,14 @@ import steward.game.searchrace.SearchRace;
 import steward.numerics.StrictAngles;
 
 /**
- * Writes views of the search race as the server shows them, in the form that {@link SearchRaceShown} tells, as {@link
- * GraphicsLines}: places in pixels, angles in whole degrees cut off, scales with six digits; of each the first time and
- * when it changes.
+ * Writes views of the search race as the server shows them, as {@link GraphicsLines}: places in pixels, angles in whole degrees cut off, scales with six digits; of each the first time and
+ * when it changes. The form is that of the published referee, Illedan/CGSearchRace, with the site's toolkit, as its
+ * demonstration shows it; no game of the server itself was at hand. Entities are numbered as the referee makes them. The
+ * tooltips have whole places; a race that is finished is declared so in a frame more, in which nobody is asked.
  */
 final class SearchRaceViews implements ViewWriter {
 
-    static final int CAR = 6;
-
+    private static final int CAR = 6;
     private static final int LAST_PLACE = 3;
     private static final int CAR_PLACE = 4;
     private static final int ARROW = 5;
@@ -45,7 +45,7 @@ final class SearchRaceViews implements ViewWriter {
     private int marked;
 
     /** The numbers of the entities of a map. */
-    record Entities(int checkpoints) {
+    private record Entities(int checkpoints) {
 
         int circle(int checkpoint) {
             return 10 + 2 * checkpoint;
@@ -154,6 +154,18 @@ final class SearchRaceViews implements ViewWriter {
             lines.add(GraphicsLines.END + (int) LOST + " " + LOST);
         }
         return frame();
+    }
+
+    @Override
+    public List<String> declared() {
+        double time = race.scores()[0];
+        return List.of(ANY + " " + REST, GraphicsLines.END + (int) time + " " + time, REST);
+    }
+
+    /** The time of a race that is over is in {@link #declared}. */
+    @Override
+    public double[] scores() {
+        return new double[0];
     }
 
     /** The checkpoint to be passed next is lit when the last one was passed. */

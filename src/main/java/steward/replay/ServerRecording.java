@@ -1,0 +1,110 @@
+package steward.replay;
+
+import java.util.ArrayList;
+import java.util.List;
+import steward.json.JsonObject;
+import tools.jackson.core.JsonGenerator;
+
+/**
+ * Recording of a match by the site's server, kept in a replay of the match that its answers give here: the texts of its
+ * frames, word for word, and its result. They are the fields {@code server} of header, turns and result.
+ */
+public final class ServerRecording {
+
+    private final List<List<Frame>> frames = new ArrayList<>();
+    private End end;
+
+    /**
+     * The texts of a frame that say how the game stands.
+     *
+     * @param view    or {@code null}
+     * @param summary or {@code null}
+     */
+    public record Frame(String view, String summary) {
+
+        private static final String VIEW = "view";
+        private static final String SUMMARY = "summary";
+
+        static void writeAll(JsonGenerator out, String name, List<Frame> frames) {
+            JsonObject.writeAll(out, name, frames, frame -> {
+                writeText(out, VIEW, frame.view);
+                writeText(out, SUMMARY, frame.summary);
+            });
+        }
+
+        static List<Frame> readAll(JsonLine line, String name) {
+            return !line.has(name) ? List.of() : line.objects(name).stream()
+                .map(frame -> new Frame(readText(frame, VIEW), readText(frame, SUMMARY))).toList();
+        }
+    }
+
+    /**
+     * What the server has said of the whole game.
+     *
+     * @param turns  that it has played
+     * @param frames behind the end of the game by our rules
+     * @param ranks  per player, with blanks between, 0 for the best; {@code null} if not recorded
+     * @param scores likewise
+     */
+    public record End(int turns, List<Frame> frames, String ranks, String scores) { }
+
+    /** Adds the frames of the next turn; first those of the start. */
+    public void add(List<Frame> next) {
+        frames.add(List.copyOf(next));
+    }
+
+    /** The frames of a turn; of turn 0 those of the start. */
+    public List<Frame> frames(int turn) {
+        return frames.get(turn);
+    }
+
+    /** Sets the result. */
+    public void end(End result) {
+        end = result;
+    }
+
+    /** The result, or {@code null}. */
+    public End end() {
+        return end;
+    }
+
+    /** Reads the frames of the next line, or the result. */
+    public void read(JsonLine line) {
+        if (!line.text("type").equals(LineFields.RESULT_TYPE)) {
+            add(Frame.readAll(line, LineFields.SERVER));
+        } else if (line.has(LineFields.SERVER)) {
+            JsonLine of = new JsonLine(line.where() + ": " + LineFields.SERVER, line.object(LineFields.SERVER));
+            end = new End(of.integer("turns"), Frame.readAll(of, "frames"), readText(of, "ranks"),
+                readText(of, "scores"));
+        }
+    }
+
+    /** Writes the frames of a turn. */
+    void write(JsonGenerator out, int turn) {
+        Frame.writeAll(out, LineFields.SERVER, frames(turn));
+    }
+
+    /** Writes the result. */
+    void writeEnd(JsonGenerator out) {
+        if (end != null) {
+            out.writeObjectPropertyStart(LineFields.SERVER);
+            out.writeNumberProperty("turns", end.turns);
+            if (!end.frames.isEmpty()) {
+                Frame.writeAll(out, "frames", end.frames);
+            }
+            writeText(out, "ranks", end.ranks);
+            writeText(out, "scores", end.scores);
+            out.writeEndObject();
+        }
+    }
+
+    private static void writeText(JsonGenerator out, String name, String text) {
+        if (text != null) {
+            out.writeStringProperty(name, text);
+        }
+    }
+
+    private static String readText(JsonLine line, String name) {
+        return line.has(name) ? line.text(name) : null;
+    }
+}
