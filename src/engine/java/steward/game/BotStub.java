@@ -6,6 +6,7 @@ import java.util.Locale;
 import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 
 /**
  * Input and answers of a game's bots in one protocol, declared once for the starters in all languages.
@@ -54,6 +55,11 @@ public record BotStub(List<Input> setup, List<Input> turn, String answer, List<C
                 }
             }
         }
+    }
+
+    /** Lines of advice, one list behind the other. */
+    public static List<String> notes(List<String> first, String... more) {
+        return Stream.concat(first.stream(), Stream.of(more)).toList();
     }
 
     /** A kind of value. */

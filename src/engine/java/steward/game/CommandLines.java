@@ -6,39 +6,41 @@ import java.util.List;
 import steward.text.TextFormat;
 
 /** Lines of a game in which a player answers with a line for each of its bodies, a command with a message behind it. */
-public abstract class CommandLines<C> implements TextCodec {
+public abstract class CommandLines implements TextCodec {
 
     private static final int SHOWN = 40;
 
     private final String[] messages;
-    private final String expected;
 
-    /**
-     * Lines for a game of so many players.
-     *
-     * @param expected what a line may hold, for an error
-     */
-    protected CommandLines(int players, String expected) {
+    /** Lines for a game of so many players. */
+    protected CommandLines(int players) {
         messages = new String[players];
-        this.expected = expected;
     }
 
     /**
-     * Reads a line.
+     * Reads a line and makes it the command of one of the player's bodies.
      *
+     * @param line as it came, perhaps with a carriage return at its end
      * @param said takes the message, see {@link #say}
-     * @return {@code null} if the line is no command
+     * @return what is wrong, or {@code null}
      */
-    protected abstract C read(String line, int player, int index, List<String> said);
-
-    /** Makes a command the body's. @return why it is refused, or {@code null} */
-    protected abstract String command(int player, int index, C command);
+    protected abstract String read(String line, int player, int index, List<String> said);
 
     /** Adds a message, unless it is {@code null}. */
     protected static void say(String message, List<String> said) {
         if (message != null) {
             said.add(message);
         }
+    }
+
+    /** A line without the carriage return at its end. */
+    protected static String withoutReturn(String line) {
+        return line.endsWith("\r") ? line.substring(0, line.length() - 1) : line;
+    }
+
+    /** Returns the error of a text that is no command. @param expected what it may hold */
+    protected static String notFound(String expected, String text) {
+        return "found \"" + TextFormat.beginning(text, SHOWN) + "\", expected " + expected;
     }
 
     @Override
@@ -50,13 +52,9 @@ public abstract class CommandLines<C> implements TextCodec {
         }
         List<String> said = new ArrayList<>();
         for (int k = 0; k < lines.length; k++) {
-            String line = lines[k].endsWith("\r") ? lines[k].substring(0, lines[k].length() - 1) : lines[k];
-            C command = read(line, player, k, said);
-            String refusal = command == null
-                ? "found \"" + TextFormat.beginning(line, SHOWN) + "\", expected " + expected
-                : command(player, k, command);
-            if (refusal != null) {
-                return "line " + (k + 1) + " of " + lines.length + ": " + refusal;
+            String wrong = read(lines[k], player, k, said);
+            if (wrong != null) {
+                return "line " + (k + 1) + " of " + lines.length + ": " + wrong;
             }
         }
         messages[player] = said.isEmpty() ? null : String.join(" | ", said);

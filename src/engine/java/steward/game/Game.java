@@ -7,7 +7,7 @@ import steward.physics.Bodies;
 import steward.physics.TurnLog;
 
 /**
- * One game in progress. The referee reads each player's command into it through the {@link BotFrames}, eliminates
+ * One game in progress. The referee reads each player's command into it through the {@link GameJson}, eliminates
  * players at fault, and plays the turn. Players are numbered from 0. Not thread-safe; deterministic: the same setup,
  * seed, commands and eliminations give the same bits.
  */

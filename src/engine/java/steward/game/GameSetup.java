@@ -80,7 +80,7 @@ public interface GameSetup {
     }
 
     /** Reads and writes a game's frames; made by {@link #create} of the same setup. */
-    FrameCodec codec(Game game);
+    GameJson codec(Game game);
 
     /** The line protocol of a game of the same setup, if this scene has one. */
     default Optional<TextCodec> textCodec(Game game) {

@@ -1,6 +1,8 @@
 package steward.game;
 
+import java.util.function.IntPredicate;
 import steward.numerics.SplitMix64;
+import steward.physics.Bodies;
 
 /**
  * A player by rule, for measuring: it leads games to states that occur in play. Stateless, and all that it draws comes
@@ -28,4 +30,19 @@ public interface Pilot {
      * @return the line of JSON that a bot would send
      */
     String answer(Game game, int player, SplitMix64 random);
+
+    /** The wanted body whose centre is nearest to that of another, the first of equals; -1 if none is wanted. */
+    static int nearest(Bodies bodies, int self, IntPredicate wanted) {
+        int nearest = -1;
+        double least = Double.POSITIVE_INFINITY;
+        for (int body = 0; body < bodies.size(); body++) {
+            double dx = bodies.x[self] - bodies.x[body];
+            double dy = bodies.y[self] - bodies.y[body];
+            if (wanted.test(body) && dx * dx + dy * dy < least) {
+                nearest = body;
+                least = dx * dx + dy * dy;
+            }
+        }
+        return nearest;
+    }
 }

@@ -23,6 +23,9 @@ public abstract class CommandsAnswer<C> extends JsonAnswer {
     protected double x;
     protected double y;
 
+    /** The player whose commands are read. */
+    protected int player;
+
     private final String name;
     private final double farthest;
     private final Set<String> fields;
@@ -39,6 +42,12 @@ public abstract class CommandsAnswer<C> extends JsonAnswer {
         this.name = name;
         this.farthest = farthest;
         this.fields = new TreeSet<>(Set.of(fields));
+    }
+
+    /** Says whose commands are read next: their number, and what is allowed, may depend on the player. @return this */
+    public final CommandsAnswer<C> of(int whose) {
+        player = whose;
+        return this;
     }
 
     /** The number of commands that the array must have. */

@@ -18,6 +18,27 @@ public final class DrawingJson {
         out.writeEndObject();
     }
 
+    /** The field {@code field}: so wide and high from the origin, enlarged to contain every checkpoint. */
+    public static void course(JsonGenerator out, double width, double height, double[]... checkpoints) {
+        double left = 0;
+        double top = 0;
+        double right = width;
+        double bottom = height;
+        for (double[] checkpoint : checkpoints) {
+            left = Math.min(left, checkpoint[0]);
+            top = Math.min(top, checkpoint[1]);
+            right = Math.max(right, checkpoint[0]);
+            bottom = Math.max(bottom, checkpoint[1]);
+        }
+        field(out, left, top, right - left, bottom - top);
+    }
+
+    /** The field {@code zones}: checkpoints with their numbers. */
+    public static void checkpoints(JsonGenerator out, double[][] checkpoints, double radius) {
+        JsonObject.writeEach(out, "zones", checkpoints.length,
+            k -> zone(out, checkpoints[k][0], checkpoints[k][1], radius, Integer.toString(k)));
+    }
+
     /** A place as an object, {@code {"x":..,"y":..}}. */
     public static void place(JsonGenerator out, double x, double y) {
         out.writeStartObject();

@@ -1,7 +1,6 @@
 package steward.minigame;
 
-import steward.game.BotFrames;
-import steward.game.StateCodec;
+import steward.game.GameJson;
 import steward.json.JsonNumbers;
 import steward.physics.Bodies;
 import tools.jackson.core.JacksonException;
@@ -11,7 +10,7 @@ import tools.jackson.core.JsonToken;
 import tools.jackson.core.ObjectReadContext;
 
 /** The frames of the pond. An answer is {@code {"push":{"x":1,"y":2},"message":"optional"}}. */
-final class PondJson implements BotFrames, StateCodec {
+final class PondJson implements GameJson {
 
     private static final String[] KINDS = {"hunter", "bubble", "cell", "fog"};
 
@@ -159,7 +158,8 @@ final class PondJson implements BotFrames, StateCodec {
         out.writeEndArray();
     }
 
-    void writeDrawing(JsonGenerator out) {
+    @Override
+    public void writeDrawing(JsonGenerator out) {
         double radius = pond.settings().arena().radius();
         out.writeObjectPropertyStart("field");
         JsonNumbers.write(out, "x", pond.settings().arena().x() - radius);

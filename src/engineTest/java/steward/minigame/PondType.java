@@ -1,8 +1,8 @@
 package steward.minigame;
 
 import java.util.List;
-import steward.game.FrameCodec;
 import steward.game.Game;
+import steward.game.GameJson;
 import steward.game.GameSetup;
 import steward.game.GameType;
 import steward.game.Pilot;
@@ -50,9 +50,8 @@ final class PondType implements GameType {
         }
 
         @Override
-        public FrameCodec codec(Game game) {
-            PondJson json = new PondJson((Pond) game);
-            return new FrameCodec(json, json, json::writeDrawing);
+        public GameJson codec(Game game) {
+            return new PondJson((Pond) game);
         }
 
         @Override

@@ -1,8 +1,6 @@
 package example;
 
-import steward.game.BotFrames;
-import steward.game.Drawing;
-import steward.game.StateCodec;
+import steward.game.GameJson;
 import steward.json.DrawingJson;
 import steward.json.JsonAnswer;
 import steward.json.JsonNumbers;
@@ -10,7 +8,7 @@ import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.JsonParser;
 
 /** All JSON of sumo. An answer is {@code {"x":3,"y":-4}}: the change of the wrestler's speed, in u per turn. */
-final class SumoJson extends JsonAnswer implements BotFrames, StateCodec, Drawing {
+final class SumoJson extends JsonAnswer implements GameJson {
 
     private final Sumo game;
     private final Sumo.Settings settings;
@@ -97,7 +95,7 @@ final class SumoJson extends JsonAnswer implements BotFrames, StateCodec, Drawin
     }
 
     @Override
-    public void write(JsonGenerator out) {
+    public void writeDrawing(JsonGenerator out) {
         DrawingJson.field(out, -settings.ring(), -settings.ring(), 2 * settings.ring(), 2 * settings.ring());
         out.writeArrayPropertyStart("zones");
         DrawingJson.zone(out, 0, 0, settings.ring(), "ring");

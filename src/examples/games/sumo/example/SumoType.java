@@ -4,8 +4,8 @@ import java.util.List;
 import steward.game.BotStub;
 import steward.game.BotStub.Command;
 import steward.game.BotStub.Input;
-import steward.game.FrameCodec;
 import steward.game.Game;
+import steward.game.GameJson;
 import steward.game.GameSetup;
 import steward.game.GameType;
 import steward.game.Pilot;
@@ -63,9 +63,8 @@ public final class SumoType implements GameType {
         }
 
         @Override
-        public FrameCodec codec(Game game) {
-            SumoJson json = new SumoJson((Sumo) game, settings);
-            return new FrameCodec(json, json, json);
+        public GameJson codec(Game game) {
+            return new SumoJson((Sumo) game, settings);
         }
 
         /** Pushes at random, whatever the aim. */

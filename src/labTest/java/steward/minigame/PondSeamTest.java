@@ -29,7 +29,7 @@ class PondSeamTest {
     private static void command(GameSetup setup, Game game, SplitMix64 random) {
         for (int player = 0; player < game.players(); player++) {
             byte[] line = setup.pilot(Pilot.Aim.WIN).answer(game, player, random).getBytes();
-            assertEquals(null, setup.codec(game).frames().readAnswer(player, line, line.length));
+            assertEquals(null, setup.codec(game).readAnswer(player, line, line.length));
         }
     }
 

@@ -12,8 +12,8 @@ import java.util.List;
 import java.util.Set;
 import java.util.function.IntFunction;
 import java.util.stream.IntStream;
-import steward.game.FrameCodec;
 import steward.game.Game;
+import steward.game.GameJson;
 import steward.json.JsonNumbers;
 import steward.json.JsonObject;
 import steward.match.MatchListener;
@@ -60,7 +60,7 @@ public final class GameResultLog implements MatchListener {
     private final Texts views = new Texts();
     private final List<Tooltip> tooltips = new ArrayList<>();
     private Game game;
-    private FrameCodec codec;
+    private GameJson codec;
     private boolean[] in;
 
     private record Tooltip(String text, int turn) { }
@@ -88,7 +88,7 @@ public final class GameResultLog implements MatchListener {
     }
 
     @Override
-    public void start(Game startedGame, FrameCodec startedCodec) {
+    public void start(Game startedGame, GameJson startedCodec) {
         game = startedGame;
         codec = startedCodec;
         in = new boolean[game.players()];
@@ -132,7 +132,7 @@ public final class GameResultLog implements MatchListener {
         StringWriter text = new StringWriter();
         try (JsonGenerator out = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(), text)) {
             out.writeStartObject();
-            codec.state().writeState(out);
+            codec.writeState(out);
             out.writeEndObject();
         }
         return text.toString();

@@ -14,29 +14,19 @@ import java.util.stream.IntStream;
 import steward.Internal;
 import steward.bot.Player;
 import steward.bot.TimeBasis;
-import steward.bot.UnstartablePlayer;
 import steward.bot.command.BotCommand;
 import steward.bot.command.Program;
-import steward.bot.command.SiteJavaScript;
 import steward.bot.hold.HoldPolicy;
 import steward.bot.isolation.HoldMeans;
 import steward.bot.isolation.Isolation;
-import steward.bot.isolation.Launch;
-import steward.bot.process.BotProcess;
 import steward.files.InputException;
-import steward.files.JarFolder;
 import steward.game.GameSetup;
 import steward.match.HostedSetup;
 import steward.match.MatchListener;
 import steward.match.MatchResult;
 import steward.match.OwnLimits;
 import steward.match.Protocol;
-import steward.match.Referee;
-import steward.match.Seat;
-import steward.match.TeeListener;
 import steward.match.TimeControl;
-import steward.replay.ReplayHeader;
-import steward.replay.ReplayWriter;
 import steward.replay.sign.SigningKey;
 import steward.scene.Time;
 import steward.text.TextFormat;
@@ -49,55 +39,53 @@ import steward.text.TextFormat;
  *                   player, where each plays alone
  * @param time       how long they may take
  * @param timeFactor by which the scene's limits are multiplied; {@code POSITIVE_INFINITY} for no deadlines
- * @param key        what replays are signed with, or {@code null}
- * @param isolation  how bots are kept apart, asked for when bots are started
- * @param starter    starts bots
+ * @param staging    starts bots, writes replays and signs them
  */
 public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time, double timeFactor,
-                      @Internal SigningKey key, @Internal Supplier<Isolation> isolation, @Internal BotStarter starter) {
+                      @Internal Staging staging) {
 
-    /** A contest whose replays are signed with {@code key}, if there is one, and whose bots are isolated so. */
+    /** A contest whose matches are staged so. */
     @Internal
     public Contest {
     }
 
     /** A contest whose replays are not signed, with the usual isolation. */
     public Contest(GameSetup setup, List<Entrant> entrants, TimeControl time, double timeFactor) {
-        this(setup, entrants, time, timeFactor, null, Isolation::usual, Entrant::player);
+        this(setup, entrants, time, timeFactor, Staging.USUAL);
     }
 
     @Internal
-    public Contest signedWith(SigningKey other) {
-        return new Contest(setup, entrants, time, timeFactor, other, isolation, starter);
+    public Contest signedWith(SigningKey key) {
+        return new Contest(setup, entrants, time, timeFactor, staging.signedWith(key));
     }
 
     public Contest between(List<Entrant> others) {
-        return new Contest(setup, others, time, timeFactor, key, isolation, starter);
+        return new Contest(setup, others, time, timeFactor, staging);
     }
 
     /** Returns this contest with bots kept apart in another way. */
     @Internal
     public Contest isolatedBy(Supplier<Isolation> other) {
         GameSetup kept = setup instanceof HostedSetup hosted ? hosted.isolatedBy(other) : setup;
-        return new Contest(kept, entrants, time, timeFactor, key, other, starter);
+        return new Contest(kept, entrants, time, timeFactor, staging.isolatedBy(other));
     }
 
     /** Returns this contest with bots that are started in another way: in this JVM, to measure without processes. */
     @Internal
     public Contest startedBy(BotStarter other) {
-        return new Contest(setup, entrants, time, timeFactor, key, isolation, other);
+        return new Contest(setup, entrants, time, timeFactor, staging.startedBy(other));
     }
 
     /** A copy with some of the bots held from their first answer on. */
     @Internal
     public Contest holding(Collection<Entrant> held) {
-        return startedBy((entrant, usual, others) -> starter.player(entrant,
+        return startedBy((entrant, usual, others) -> staging.starter().player(entrant,
             held.contains(entrant) ? usual.holding(HoldPolicy.ALWAYS) : usual, others));
     }
 
     /** The level at which bots are started, {@code off}, {@code light} or {@code strict}. */
     public String sandbox() {
-        return isolation.get().level().word();
+        return staging.isolation().get().level().word();
     }
 
     /**
@@ -106,7 +94,7 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
      */
     @Internal
     public String hold() {
-        return timeFactor == Double.POSITIVE_INFINITY ? "" : HoldMeans.text(isolation.get());
+        return timeFactor == Double.POSITIVE_INFINITY ? "" : HoldMeans.text(staging.isolation().get());
     }
 
     /** Returns this contest with limits on another clock. */
@@ -116,7 +104,7 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
 
     /** Returns this contest with other limits, which its factor does not tell. */
     public Contest limitedBy(TimeControl limits) {
-        return new Contest(setup, entrants, limits, timeFactor, key, isolation, starter);
+        return new Contest(setup, entrants, limits, timeFactor, staging);
     }
 
     /** Returns this contest with bots that have limits of their own, by their names; other names are passed over. */
@@ -189,15 +177,6 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
         /** Builtin bots run in a JVM, which ends at once under a limit of addresses that suits a bot of strangers. */
         boolean isBuiltin() {
             return BUILTIN.matcher(bot).matches();
-        }
-
-        private Player player(Isolation isolation, List<Program> others) {
-            Program started = protocol == Protocol.CODINGAME
-                ? program.started(SiteJavaScript.words(program.words())) : program;
-            return problem == null
-                ? new BotProcess(name, new Launch(started, isBuiltin() ? isolation.withoutMemoryLimit() : isolation,
-                    others), BotProcess.DEFAULT_GRACE_MS)
-                : new UnstartablePlayer(name, problem);
         }
     }
 
@@ -416,32 +395,13 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
      */
     public MatchResult play(long seed, int rotation, OutputStream recording, MatchListener follower)
             throws InterruptedException {
-        List<Seat> seats = new ArrayList<>();
-        List<Entrant> seated = IntStream.range(0, players())
-            .mapToObj(player -> entrants.get(entrantOf(player, rotation))).toList();
-        Map<Integer, Time> limits = limits(seated);
-        for (Entrant entrant : seated) {
-            List<Program> others = entrants.stream().filter(each -> each != entrant && each.problem() == null)
-                .map(Entrant::program).toList();
-            seats.add(new Seat(starter.player(entrant, isolation.get(), others), entrant.protocol(),
-                limits.get(seats.size())));
-        }
-        MatchListener listener = recording == null ? follower
-            : new TeeListener(new ReplayWriter(recording, header(seed, seated), key,
-                isolation.get().text()), follower);
-        return Referee.of(setup, seed, seats, time, listener).play();
+        return staging.play(this, IntStream.range(0, players())
+            .mapToObj(player -> entrants.get(entrantOf(player, rotation))).toList(), seed, recording, follower);
     }
 
     /** A bot by itself, not started yet, kept apart as in a match: to be asked again what it was asked. */
     @Internal
     public Player player(Entrant entrant) {
-        return starter.player(entrant, isolation.get(), List.of());
-    }
-
-    private ReplayHeader header(long seed, List<Entrant> seated) {
-        return new ReplayHeader(setup.scene().gameId(), setup.scene().json(), seed,
-            seated.stream().map(Entrant::name).toList(), seated.stream().map(Entrant::bot).toList(),
-            seated.stream().map(Entrant::protocol).toList(), timeFactor, setup.plan().lawVersion(), null, sandbox(),
-            JarFolder.digestOf(setup), limits(seated));
+        return staging.player(entrant, List.of());
     }
 }

@@ -15,8 +15,8 @@ import steward.bot.isolation.MissingFiles;
 import steward.bot.isolation.SandboxLevel;
 import steward.contest.Contest.Entrant;
 import steward.contest.repeat.GameFacts;
-import steward.game.FrameCodec;
 import steward.game.Game;
+import steward.game.GameJson;
 import steward.match.MatchListener;
 import steward.match.MatchResult;
 import steward.match.Protocol;
@@ -48,13 +48,13 @@ public final class GameLog implements MatchListener {
     private final TranscriptDigest digest = new TranscriptDigest();
     private volatile int turns;
     private Game game;
-    private FrameCodec codec;
+    private GameJson codec;
     private GameFacts facts;
 
     /** @param rotation by how many places the bots have moved up */
     public GameLog(Contest contest, int rotation) {
         this(entrants(contest, rotation).stream().map(Entrant::protocol).toList(), entrants(contest, rotation),
-            contest::hasBothProtocols, contest.isolation());
+            contest::hasBothProtocols, contest.staging().isolation());
     }
 
     private static List<Entrant> entrants(Contest contest, int rotation) {
@@ -89,7 +89,7 @@ public final class GameLog implements MatchListener {
     }
 
     @Override
-    public void start(Game startedGame, FrameCodec startedCodec) {
+    public void start(Game startedGame, GameJson startedCodec) {
         game = startedGame;
         codec = startedCodec;
     }

@@ -157,7 +157,7 @@ final class GuestGame extends AbstractGame {
             return process.exchange(told + Block.text("GET_GAME_INFO", List.of()));
         }
         if (unsaid.isEmpty()) {
-            unsaid.addAll(GuestState.said(recorded.get()));
+            unsaid.addAll(GuestJson.said(recorded.get()));
         }
         List<Block> said = new ArrayList<>();
         while (said.isEmpty() || !said.get(said.size() - 1).name().isLast()) {

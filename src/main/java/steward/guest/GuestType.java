@@ -7,20 +7,17 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import steward.bot.isolation.Isolation;
 import steward.files.Digested;
-import steward.game.FrameCodec;
 import steward.game.Game;
+import steward.game.GameJson;
 import steward.game.GameSetup;
 import steward.game.GameType;
 import steward.game.Pilot;
 import steward.game.TextCodec;
-import steward.json.DrawingJson;
-import steward.json.JsonObject;
 import steward.match.HostedSetup;
 import steward.physics.Contacts;
 import steward.scene.Plan;
 import steward.scene.Scene;
 import steward.scene.SceneReader;
-import tools.jackson.core.JsonGenerator;
 import tools.jackson.databind.json.JsonMapper;
 
 /** Type of the games whose referee is a program of its own. */
@@ -139,13 +136,8 @@ public final class GuestType implements GameType {
         }
 
         @Override
-        public FrameCodec codec(Game game) {
-            return new FrameCodec(null, new GuestState((GuestGame) game), Setup::drawEmptyField);
-        }
-
-        private static void drawEmptyField(JsonGenerator out) {
-            DrawingJson.field(out, 0, 0, GuestGame.WIDTH, GuestGame.HEIGHT);
-            List.of("walls", "zones", "bodies").forEach(shapes -> JsonObject.writeTexts(out, shapes, List.of()));
+        public GameJson codec(Game game) {
+            return new GuestJson((GuestGame) game);
         }
 
         @Override

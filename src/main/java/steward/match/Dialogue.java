@@ -3,9 +3,8 @@ package steward.match;
 import java.util.Map;
 import steward.Internal;
 import steward.bot.LineBuffer;
-import steward.game.BotFrames;
-import steward.game.FrameCodec;
 import steward.game.Game;
+import steward.game.GameJson;
 import steward.game.GameSetup;
 import steward.game.TextCodec;
 import steward.scene.Time;
@@ -28,7 +27,7 @@ public interface Dialogue {
     /** Returns how many lines make an answer, at least 1. */
     int answerLines(int player);
 
-    /** As {@link BotFrames#readAnswer} and {@link TextCodec#readAnswer}. */
+    /** As {@link GameJson#readAnswer} and {@link TextCodec#readAnswer}. */
     String readAnswer(int player, byte[] answer, int length);
 
     /** The message that came with the player's last answer, or {@code null}. */
@@ -39,7 +38,7 @@ public interface Dialogue {
      *
      * @throws IllegalArgumentException if the scene's game does not support it
      */
-    static Dialogue of(Protocol protocol, GameSetup setup, Game game, FrameCodec codec) {
+    static Dialogue of(Protocol protocol, GameSetup setup, Game game, GameJson codec) {
         return of(protocol, setup, game, codec, Map.of());
     }
 
@@ -49,9 +48,9 @@ public interface Dialogue {
      * @param limits of players that have their own
      */
     @Internal
-    static Dialogue of(Protocol protocol, GameSetup setup, Game game, FrameCodec codec, Map<Integer, Time> limits) {
+    static Dialogue of(Protocol protocol, GameSetup setup, Game game, GameJson codec, Map<Integer, Time> limits) {
         return switch (protocol) {
-            case JSON -> new JsonDialogue(setup, game, codec.frames(), limits);
+            case JSON -> new JsonDialogue(setup, game, codec, limits);
             case CODINGAME -> new TextDialogue(setup.textCodec(game).orElseThrow(() -> new IllegalArgumentException(
                 "the scene \"" + setup.scene().name() + "\" has no codingame protocol, expected bots that speak"
                     + " json")));

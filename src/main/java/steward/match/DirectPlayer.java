@@ -2,17 +2,20 @@ package steward.match;
 
 import steward.bot.Answer;
 import steward.bot.FaultMessages;
+import steward.bot.LineBuffer;
 import steward.bot.Player;
 import steward.game.Game;
 
 /**
- * A {@link DirectBot} as a player: it is asked without lines. Time is measured as for a bot program and the limit
- * applies, but a bot that never returns cannot be stopped.
+ * A {@link DirectBot} as a player, and its dialogue, in which nothing is said: it is asked without lines. Time is
+ * measured as for a bot program and the limit applies, but a bot that never returns cannot be stopped.
  */
-final class DirectPlayer implements Player {
+final class DirectPlayer implements Player, Dialogue {
 
     private final String name;
     private final DirectBot bot;
+    private final LineBuffer noLines = new LineBuffer();
+    private Game game;
     private String problem;
     private boolean over;
 
@@ -21,16 +24,51 @@ final class DirectPlayer implements Player {
         this.bot = bot;
     }
 
-    void start(Game game, int player) {
+    /** The dialogue of the bot in a game. */
+    Dialogue in(Game played) {
+        game = played;
+        return this;
+    }
+
+    @Override
+    public LineBuffer setup(int player) {
         try {
             bot.start(game, player);
         } catch (Throwable thrown) {
             // Anything a bot throws, errors included, is the bot's failure and not the referee's.
             problem = "threw " + thrown;
         }
+        return noLines;
     }
 
-    Ending ask(long limitNanos, Answer answer) {
+    @Override
+    public LineBuffer turn(int player) {
+        return noLines;
+    }
+
+    @Override
+    public LineBuffer end(int player) {
+        return noLines;
+    }
+
+    @Override
+    public int answerLines(int player) {
+        return 1;
+    }
+
+    /** The bot has given its commands to the game. */
+    @Override
+    public String readAnswer(int player, byte[] answer, int length) {
+        return null;
+    }
+
+    @Override
+    public String message(int player) {
+        return bot.message();
+    }
+
+    @Override
+    public Ending ask(byte[] frame, int length, int answerLines, long limitNanos, Answer answer) {
         answer.clear();
         if (over) {
             answer.setFault("asked again after its end");
@@ -53,18 +91,9 @@ final class DirectPlayer implements Player {
         return Ending.FAULT;
     }
 
-    String message() {
-        return bot.message();
-    }
-
     @Override
     public String name() {
         return name;
-    }
-
-    @Override
-    public Ending ask(byte[] frame, int length, int answerLines, long limitNanos, Answer answer) {
-        return ask(limitNanos, answer);
     }
 
     @Override

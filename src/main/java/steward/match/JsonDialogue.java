@@ -2,8 +2,8 @@ package steward.match;
 
 import java.util.Map;
 import steward.bot.LineBuffer;
-import steward.game.BotFrames;
 import steward.game.Game;
+import steward.game.GameJson;
 import steward.game.GameSetup;
 import steward.json.JsonNumbers;
 import steward.scene.Time;
@@ -18,13 +18,13 @@ final class JsonDialogue implements Dialogue {
 
     private final GameSetup setup;
     private final Game game;
-    private final BotFrames frames;
+    private final GameJson frames;
     private final Map<Integer, Time> limits;
     private final LineBuffer buffer = new LineBuffer();
     /** Stays open across lines; opening one per line would cost time. */
     private final JsonGenerator out = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(), buffer);
 
-    JsonDialogue(GameSetup setup, Game game, BotFrames frames, Map<Integer, Time> limits) {
+    JsonDialogue(GameSetup setup, Game game, GameJson frames, Map<Integer, Time> limits) {
         this.setup = setup;
         this.game = game;
         this.frames = frames;

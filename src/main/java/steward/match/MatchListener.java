@@ -1,13 +1,13 @@
 package steward.match;
 
-import steward.game.FrameCodec;
 import steward.game.Game;
+import steward.game.GameJson;
 
 /** Observes a match as it is played. Called in order by one thread at a time. */
 public interface MatchListener {
 
     /** Before the first turn; the game and its codec may be read in every later call, never changed. */
-    default void start(Game game, FrameCodec codec) { }
+    default void start(Game game, GameJson codec) { }
 
     /** All players have been asked and faults are recorded; the turn is about to be played. */
     default void commands(Turn turn) { }

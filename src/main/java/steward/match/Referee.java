@@ -13,8 +13,8 @@ import steward.bot.Burner;
 import steward.bot.LineBuffer;
 import steward.bot.Player;
 import steward.bot.process.DaemonThreadPool;
-import steward.game.FrameCodec;
 import steward.game.Game;
+import steward.game.GameJson;
 import steward.game.GameSetup;
 import steward.scene.Time;
 
@@ -31,9 +31,8 @@ import steward.scene.Time;
 public final class Referee {
 
     private final Game game;
-    private final FrameCodec codec;
+    private final GameJson codec;
     private final List<Player> players;
-    private final DirectPlayer[] directs;
     private final boolean allDirect;
     private final Dialogue[] dialogues;
     private final DataLineCollector data;
@@ -82,8 +81,6 @@ public final class Referee {
         }
         codec = setup.codec(game);
         players = seats.stream().map(Seat::player).toList();
-        directs = players.stream().map(player -> player instanceof DirectPlayer direct ? direct : null)
-            .toArray(DirectPlayer[]::new);
         allDirect = players.stream().allMatch(player -> player instanceof DirectPlayer);
         for (int player = 0; player < seats.size(); player++) {
             if (seats.get(player).limits() != null) {
@@ -111,16 +108,14 @@ public final class Referee {
         }
     }
 
-    /** One dialogue per protocol, shared by its players; none for players that need no lines. */
+    /** One dialogue per protocol, shared by its players; players that need no lines have their own. */
     private Dialogue[] dialogues(List<Seat> seats, GameSetup setup) {
         Map<Protocol, Dialogue> spoken = new EnumMap<>(Protocol.class);
         Dialogue[] each = new Dialogue[seats.size()];
         for (int player = 0; player < each.length; player++) {
-            Protocol protocol = seats.get(player).protocol();
-            if (directs[player] == null) {
-                each[player] = spoken.computeIfAbsent(protocol, word -> Dialogue.of(word, setup, game, codec,
-                    limits));
-            }
+            each[player] = players.get(player) instanceof DirectPlayer direct ? direct.in(game)
+                : spoken.computeIfAbsent(seats.get(player).protocol(),
+                    word -> Dialogue.of(word, setup, game, codec, limits));
         }
         return each;
     }
@@ -156,12 +151,8 @@ public final class Referee {
         guarded(() -> {
             listener.start(game, codec);
             for (int player = 0; player < players.size(); player++) {
-                if (directs[player] != null) {
-                    directs[player].start(game, player);
-                } else {
-                    LineBuffer frame = dialogues[player].setup(player);
-                    players.get(player).tell(frame.bytes(), frame.size());
-                }
+                LineBuffer frame = dialogues[player].setup(player);
+                players.get(player).tell(frame.bytes(), frame.size());
             }
             turn.begin(1);
             askRest();
@@ -219,10 +210,6 @@ public final class Referee {
         if (game.strikeMs(player) > 0) {
             players.get(player).strikeAfter(TimeControl.allowed(game.strikeMs(player), limit, gameMs));
         }
-        if (directs[player] != null) {
-            take(player, directs[player].ask(limit, answers[player]), answers[player]);
-            return true;
-        }
         LineBuffer frame = dialogues[player].turn(player);
         Player.Ending ending = players.get(player).ask(frame.bytes(), frame.size(),
             dialogues[player].answerLines(player), limit, answers[player]);
@@ -247,14 +234,13 @@ public final class Referee {
         data.read(player, turn.stderr[player]);
         game.timed(player, TimeControl.counted(answer.nanos(), limitNanos[player], game.limitMs(player)));
         String fault = answer.fault();
-        if (ending == Player.Ending.ANSWERED && directs[player] == null) {
+        if (ending == Player.Ending.ANSWERED) {
             String wrong = dialogues[player].readAnswer(player, answer.bytes(), answer.length());
             fault = wrong == null ? null : SafeText.fault(wrong, answer.bytes(), answer.length());
         }
         if (fault == null) {
             turn.answered[player] = true;
-            turn.messages[player] = SafeText.wellFormed(directs[player] == null ? dialogues[player].message(player)
-                : directs[player].message());
+            turn.messages[player] = SafeText.wellFormed(dialogues[player].message(player));
         } else {
             faults[player] = SafeText.wellFormed(fault);
             turn.faults[player] = faults[player];
@@ -290,18 +276,12 @@ public final class Referee {
         }
         game.close();
         for (int player = 0; player < players.size(); player++) {
-            if (directs[player] == null) {
-                LineBuffer frame = dialogues[player].end(player);
-                players.get(player).sendLastLines(frame.bytes(), frame.size());
-            }
+            LineBuffer frame = dialogues[player].end(player);
+            players.get(player).sendLastLines(frame.bytes(), frame.size());
         }
         for (int player = 0; player < players.size(); player++) {
-            if (directs[player] != null) {
-                players.get(player).close();
-            } else {
-                LineBuffer frame = dialogues[player].end(player);
-                players.get(player).finish(frame.bytes(), frame.size());
-            }
+            LineBuffer frame = dialogues[player].end(player);
+            players.get(player).finish(frame.bytes(), frame.size());
             data.read(player, players.get(player).finalStderr());
         }
         data.end();

@@ -1,7 +1,7 @@
 package steward.match;
 
-import steward.game.FrameCodec;
 import steward.game.Game;
+import steward.game.GameJson;
 
 /**
  * Passes every call on to two listeners.
@@ -12,7 +12,7 @@ import steward.game.Game;
 public record TeeListener(MatchListener first, MatchListener second) implements MatchListener {
 
     @Override
-    public void start(Game game, FrameCodec codec) {
+    public void start(Game game, GameJson codec) {
         first.start(game, codec);
         second.start(game, codec);
     }

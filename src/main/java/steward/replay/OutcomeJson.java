@@ -2,8 +2,8 @@ package steward.replay;
 
 import java.util.List;
 import java.util.Locale;
-import steward.game.FrameCodec;
 import steward.game.Game;
+import steward.game.GameJson;
 import steward.game.TurnEvent;
 import steward.json.JsonNumbers;
 import steward.json.JsonObject;
@@ -53,7 +53,7 @@ public final class OutcomeJson {
     private final RawJson text = new RawJson();
 
     /** One object: the outcome of the turn just played. */
-    public void write(JsonGenerator out, Game game, FrameCodec codec) {
+    public void write(JsonGenerator out, Game game, GameJson codec) {
         out.writeStartObject();
         TurnLog log = game.log();
         writeImpacts(out, log);
@@ -71,7 +71,7 @@ public final class OutcomeJson {
             out.writeEndArray();
             out.writeEndObject();
         }
-        codec.state().writeProgress(out);
+        codec.writeProgress(out);
         if (hasState(game)) {
             writeState(out, game, codec);
         } else {
@@ -81,10 +81,10 @@ public final class OutcomeJson {
     }
 
     /** The fields {@code state} and {@code hash}. */
-    static void writeState(JsonGenerator out, Game game, FrameCodec codec) {
+    static void writeState(JsonGenerator out, Game game, GameJson codec) {
         out.writeName(Name.STATE);
         out.writeStartObject();
-        codec.state().writeState(out);
+        codec.writeState(out);
         out.writeEndObject();
         writeHash(out, game);
     }

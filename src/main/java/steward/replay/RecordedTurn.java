@@ -4,9 +4,12 @@ import java.util.Arrays;
 import java.util.Objects;
 import steward.json.JsonNumbers;
 import steward.text.TextFormat;
+import tools.jackson.core.JacksonException;
 import tools.jackson.core.JsonParser;
 import tools.jackson.core.JsonToken;
 import tools.jackson.core.ObjectReadContext;
+import tools.jackson.databind.DeserializationFeature;
+import tools.jackson.databind.json.JsonMapper;
 
 /**
  * One turn as it was recorded.
@@ -23,6 +26,10 @@ import tools.jackson.core.ObjectReadContext;
  */
 public record RecordedTurn(int number, byte[] commands, String[] faults, String hash, byte[] outcome, String[] messages,
                            String[] stderr, byte[] times, String where) {
+
+    /** Reads states, which have all fields of their records and no others. */
+    private static final JsonMapper STATES = JsonMapper.builder()
+        .enable(DeserializationFeature.FAIL_ON_UNKNOWN_PROPERTIES).build();
 
     static RecordedTurn of(JsonLine line, int players) {
         LineFields.TURN.check(line);
@@ -63,6 +70,23 @@ public record RecordedTurn(int number, byte[] commands, String[] faults, String 
         int to = from + length;
         return from > 0 && to < commands.length && (commands[to] == ',' || commands[to] == ']')
             && Arrays.equals(commands, from, to, json, 0, length);
+    }
+
+    /**
+     * Reads the state after the turn.
+     *
+     * @param type the record of the game's states, such as {@code PodRaceJson.State}
+     * @return {@code null} if the turn has no state, as most of a sparse replay
+     * @throws ReplayException if it is that of another game
+     */
+    public <S extends Record> S state(Class<S> type) {
+        JsonLine fields = new JsonLine(where + ": outcome", outcome);
+        try {
+            return fields.has("state") ? STATES.readValue(fields.object("state"), type) : null;
+        } catch (JacksonException problem) {
+            throw new ReplayException(where + ": state: found " + TextFormat.beginning(problem.getOriginalMessage(), 80)
+                + ", expected a " + type.getSimpleName() + " of " + type.getPackageName());
+        }
     }
 
     /** Returns where an entry of the array of commands begins, or -1 if there are fewer. */

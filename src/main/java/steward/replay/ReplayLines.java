@@ -3,8 +3,8 @@ package steward.replay;
 import java.util.Map;
 import java.util.TreeMap;
 import steward.bot.LineBuffer;
-import steward.game.FrameCodec;
 import steward.game.Game;
+import steward.game.GameJson;
 import steward.json.JsonNumbers;
 import steward.json.JsonObject;
 import steward.match.MatchResult;
@@ -66,7 +66,7 @@ public final class ReplayLines {
         return out;
     }
 
-    public void header(Game game, FrameCodec codec) {
+    public void header(Game game, GameJson codec) {
         open(ReplayHeader.TYPE);
         out.writeNumberProperty("format", ReplayHeader.FORMAT);
         if (header.law() > 1) {
@@ -109,9 +109,9 @@ public final class ReplayLines {
     }
 
     /** The fields {@code drawing} and {@code start}: what follows from scene and seed alone. */
-    public static void writeOpening(JsonGenerator out, Game game, FrameCodec codec) {
+    public static void writeOpening(JsonGenerator out, Game game, GameJson codec) {
         out.writeObjectPropertyStart("drawing");
-        codec.drawing().write(out);
+        codec.writeDrawing(out);
         out.writeEndObject();
         out.writeObjectPropertyStart("start");
         OutcomeJson.writeState(out, game, codec);
@@ -119,7 +119,7 @@ public final class ReplayLines {
     }
 
     /** A turn up to its commands and faults; they are known to the codec, and the turn is about to be played. */
-    public void commands(Turn turn, FrameCodec codec) {
+    public void commands(Turn turn, GameJson codec) {
         open(TURN);
         JsonNumbers.write(out, Name.TURN, turn.number());
         out.writeName(Name.COMMANDS);
@@ -128,12 +128,12 @@ public final class ReplayLines {
     }
 
     /** The rest of the turn, which has been played. */
-    public void played(Turn turn, Game game, FrameCodec codec) {
+    public void played(Turn turn, Game game, GameJson codec) {
         outcome(game, codec);
         texts(turn);
     }
 
-    public void outcome(Game game, FrameCodec codec) {
+    public void outcome(Game game, GameJson codec) {
         out.writeName(Name.OUTCOME);
         outcome.write(out, game, codec);
     }

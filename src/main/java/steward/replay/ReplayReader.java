@@ -258,7 +258,7 @@ public final class ReplayReader implements AutoCloseable {
         return headerLine.flag(LineFields.IMPORTED);
     }
 
-    /** Returns the shapes to draw, as JSON, see {@link steward.game.Drawing}; only with a header. */
+    /** Returns the shapes to draw, as JSON, see {@link steward.game.GameJson#writeDrawing}; only with a header. */
     public byte[] drawing() {
         return headerLine.object("drawing");
     }

@@ -7,8 +7,8 @@ import java.nio.charset.StandardCharsets;
 import java.util.function.ToLongFunction;
 import steward.Internal;
 import steward.bot.LineBuffer;
-import steward.game.FrameCodec;
 import steward.game.Game;
+import steward.game.GameJson;
 import steward.json.JsonObject;
 import steward.match.MatchListener;
 import steward.match.MatchResult;
@@ -38,7 +38,7 @@ public final class ReplayWriter implements MatchListener, AutoCloseable {
     private final String isolation;
     private final LinesDigest digest;
     private Game game;
-    private FrameCodec codec;
+    private GameJson codec;
     private boolean timed = true;
 
     /** @param file unbuffered is best: it is written once per line; closed by {@link #close} */
@@ -86,7 +86,7 @@ public final class ReplayWriter implements MatchListener, AutoCloseable {
     }
 
     @Override
-    public void start(Game startedGame, FrameCodec startedCodec) {
+    public void start(Game startedGame, GameJson startedCodec) {
         game = startedGame;
         codec = startedCodec;
         lines.header(game, codec);

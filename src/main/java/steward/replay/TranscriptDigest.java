@@ -1,8 +1,8 @@
 package steward.replay;
 
 import steward.bot.LineBuffer;
-import steward.game.FrameCodec;
 import steward.game.Game;
+import steward.game.GameJson;
 import steward.json.JsonNumbers;
 import steward.match.Turn;
 import steward.numerics.StateHash;
@@ -22,7 +22,7 @@ public final class TranscriptDigest {
     private final StateHash hash = new StateHash();
 
     /** Adds the commands of a turn that is about to be played. */
-    public void commands(Turn turn, FrameCodec codec) {
+    public void commands(Turn turn, GameJson codec) {
         commands.reset();
         write(out, turn, codec);
         out.flush();
@@ -40,11 +40,11 @@ public final class TranscriptDigest {
     }
 
     /** Writes an array of commands, one for each player, or null. Allocates nothing: matches write it in each turn. */
-    public static void write(JsonGenerator out, Turn turn, FrameCodec codec) {
+    public static void write(JsonGenerator out, Turn turn, GameJson codec) {
         out.writeStartArray();
         for (int player = 0; player < turn.players(); player++) {
-            if (turn.answered(player) || turn.asked(player) && codec.state().hasPartialCommand(player)) {
-                codec.state().writeCommand(out, player);
+            if (turn.answered(player) || turn.asked(player) && codec.hasPartialCommand(player)) {
+                codec.writeCommand(out, player);
             } else {
                 out.writeNull();
             }

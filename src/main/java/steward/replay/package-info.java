@@ -11,6 +11,6 @@
  * <p>The format is number 3. Its fields and their order are in {@link steward.replay.LineFields}, how lines are spelled
  * in {@link steward.replay.ReplayLines}, what is signed in {@link steward.replay.sign.LinesDigest}. What a game tells
  * of a turn, a start or an end is its own: it is written again and compared as a whole, so that a new game, zones that
- * come and go, scores and resources (see {@link steward.game.StateCodec#writeProgress}) need no other format.
+ * come and go, scores and resources (see {@link steward.game.GameJson#writeProgress}) need no other format.
  */
 package steward.replay;

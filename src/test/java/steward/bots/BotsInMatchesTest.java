@@ -13,8 +13,8 @@ import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import steward.game.FrameCodec;
 import steward.game.Game;
+import steward.game.GameJson;
 import steward.game.GameSetup;
 import steward.match.MatchListener;
 import steward.match.MatchResult;
@@ -116,7 +116,7 @@ class BotsInMatchesTest {
         private Game game;
 
         @Override
-        public void start(Game started, FrameCodec codec) {
+        public void start(Game started, GameJson codec) {
             game = started;
         }
 

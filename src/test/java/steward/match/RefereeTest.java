@@ -12,8 +12,8 @@ import java.util.function.IntFunction;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import steward.bot.Player;
-import steward.game.FrameCodec;
 import steward.game.Game;
+import steward.game.GameJson;
 import steward.game.podrace.PodRace;
 import steward.game.podrace.PodState;
 import steward.scene.Time;
@@ -40,7 +40,7 @@ class RefereeTest {
     private static MatchListener startingWith(int pod, PodState state) {
         return new MatchListener() {
             @Override
-            public void start(Game game, FrameCodec codec) {
+            public void start(Game game, GameJson codec) {
                 ((PodRace) game).setPod(pod, state);
             }
         };
@@ -218,7 +218,7 @@ class RefereeTest {
         List<String> heard = new ArrayList<>();
         MatchListener listener = new MatchListener() {
             @Override
-            public void start(Game game, FrameCodec codec) {
+            public void start(Game game, GameJson codec) {
                 heard.add("start");
             }
 

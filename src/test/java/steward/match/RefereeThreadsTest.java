@@ -21,8 +21,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import steward.bot.Answer;
 import steward.bot.Player;
-import steward.game.FrameCodec;
 import steward.game.Game;
+import steward.game.GameJson;
 
 /** The loop when something fails: listeners that throw, players that are stuck, callers that are interrupted. */
 @Timeout(20)
@@ -43,7 +43,7 @@ class RefereeThreadsTest {
         }
 
         @Override
-        public void start(Game game, FrameCodec codec) {
+        public void start(Game game, GameJson codec) {
             at("start");
         }
 

@@ -15,8 +15,8 @@ import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.bot.Answer;
 import steward.bot.Player;
-import steward.game.FrameCodec;
 import steward.game.Game;
+import steward.game.GameJson;
 import steward.game.GameSetup;
 import steward.game.podrace.PodRace;
 import steward.game.podrace.PodSeat;
@@ -60,7 +60,7 @@ class MatchAllocationTest {
         }
 
         @Override
-        public void start(Game started, FrameCodec codec) {
+        public void start(Game started, GameJson codec) {
             game = started;
             writer.start(started, codec);
         }

@@ -7,8 +7,11 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.net.URL;
+import java.net.URLClassLoader;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -21,12 +24,20 @@ import steward.bot.InProcessPlayer;
 import steward.bot.process.BotProcess;
 import steward.bots.BundledBotMatches;
 import steward.bots.Racer;
+import steward.game.Game;
+import steward.game.GameJson;
 import steward.game.GameSetup;
+import steward.game.podrace.PodRace;
+import steward.game.podrace.PodState;
 import steward.match.MatchListener;
 import steward.match.MatchResult;
 import steward.match.Referee;
+import steward.match.TeeListener;
 import steward.match.TestScenes;
 import steward.match.TimeControl;
+import steward.match.Turn;
+import steward.replay.ReplayHeader;
+import steward.replay.ReplayWriter;
 
 /** Claims of README and manual are true: the frames are frames, the scene is a scene, the bot plays. */
 class ReadmeTest {
@@ -89,6 +100,53 @@ class ReadmeTest {
         ByteArrayOutputStream said = new ByteArrayOutputStream();
         assertEquals(0, compiler.run(null, said, said, "-cp", System.getProperty("java.class.path"), "-proc:none", "-d",
             folder.toString(), source.toString()), said::toString);
+    }
+
+    /** The library's page reads the places of all pods of a race as the race itself has them. */
+    @Test
+    @Tag("slow")
+    void theStatesOfAReplayAreRecords(@TempDir Path folder) throws Exception {
+        JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
+        assumeTrue(compiler != null, "skipped: this Java has no compiler");
+        Path race = folder.resolve("race.jsonl");
+        List<String> played = new ArrayList<>();
+        try (ReplayWriter writer = new ReplayWriter(Files.newOutputStream(race), new ReplayHeader("pod-race",
+                TestScenes.open("mad-pod-racing").scene().json(), 7, List.of("one", "two"), List.of("1", "2"), 1))) {
+            new Referee(TestScenes.open("mad-pod-racing"), 7,
+                List.of(new InProcessPlayer("one", BundledBotMatches.asBot(new Racer())),
+                    new InProcessPlayer("two", BundledBotMatches.asBot(new Racer()))), TimeControl.UNLIMITED,
+                new TeeListener(writer, new MatchListener() {
+                    private PodRace game;
+
+                    @Override
+                    public void start(Game started, GameJson json) {
+                        game = (PodRace) started;
+                    }
+
+                    @Override
+                    public void played(Turn turn) {
+                        for (int pod = 0; pod < 4; pod++) {
+                            PodState now = game.pod(pod);
+                            played.add(turn.number() + " " + pod + " " + now.x() + " " + now.y() + " " + now.passed());
+                        }
+                    }
+                })).play();
+        }
+        Path source = Files.writeString(folder.resolve("States.java"), "import java.nio.file.Path;\n"
+            + "import steward.game.podrace.protocol.PodRaceJson;\nimport steward.replay.*;\n"
+            + "public class States {\n    public static void read(java.util.List<String> lines) throws Exception {\n"
+            + block("docs/library.md", "java", 2).replace("System.out.println(", "lines.add(")
+                .replace("\"race.jsonl\"", "\"" + race.toString().replace("\\", "\\\\") + "\"") + "    }\n}\n");
+        ByteArrayOutputStream said = new ByteArrayOutputStream();
+        assertEquals(0, compiler.run(null, said, said, "-cp", System.getProperty("java.class.path"), "-proc:none", "-d",
+            folder.toString(), source.toString()), said::toString);
+        List<String> read = new ArrayList<>();
+        try (URLClassLoader loader = new URLClassLoader(new URL[] {folder.toUri().toURL()})) {
+            loader.loadClass("States").getMethod("read", List.class).invoke(null, read);
+        }
+
+        assertTrue(read.size() > 400, read.size() + " lines");
+        assertEquals(played, read);
     }
 
     private static boolean runs(String program) {

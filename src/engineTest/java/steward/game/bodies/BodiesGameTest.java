@@ -80,7 +80,7 @@ class BodiesGameTest {
             + "\"ends\": true}]");
         Game game = setup.create(0);
         byte[] answer = "{\"thrusts\":[{\"x\":50,\"y\":0}]}".getBytes(StandardCharsets.UTF_8);
-        assertNull(setup.codec(game).frames().readAnswer(0, answer, answer.length));
+        assertNull(setup.codec(game).readAnswer(0, answer, answer.length));
         game.play();
         assertEquals(1, game.log().impacts());
         assertArrayEquals(new double[] {2, 9}, game.scores());

@@ -183,7 +183,7 @@ class ZonesTest {
         setup.textCodec(game).orElseThrow().writeTurn(lines, 0);
         assertEquals("0\n500 500 0 0\n100 100 0 0\n", lines.toString());
         byte[] answer = "{\"thrusts\":[{\"x\":1,\"y\":0},{\"x\":0,\"y\":1}]}".getBytes(StandardCharsets.UTF_8);
-        assertEquals(null, setup.codec(game).frames().readAnswer(0, answer, answer.length));
+        assertEquals(null, setup.codec(game).readAnswer(0, answer, answer.length));
         game.play();
         assertEquals(1, game.bodies().vy[0]);
         Game copy = game.copy();

@@ -44,7 +44,7 @@ class FantasticBitsTest {
     private static void command(FantasticBits game, SplitMix64 random) {
         for (int player = 0; player < 2; player++) {
             byte[] line = SETUP.pilot(Pilot.Aim.WIN).answer(game, player, random).getBytes();
-            assertNull(SETUP.codec(game).frames().readAnswer(player, line, line.length));
+            assertNull(SETUP.codec(game).readAnswer(player, line, line.length));
         }
     }
 

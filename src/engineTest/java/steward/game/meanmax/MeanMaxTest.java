@@ -45,7 +45,7 @@ class MeanMaxTest {
     private static void command(MeanMax game, SplitMix64 random) {
         for (int player = 0; player < 3; player++) {
             byte[] line = SETUP.pilot(Pilot.Aim.WIN).answer(game, player, random).getBytes();
-            assertEquals(null, SETUP.codec(game).frames().readAnswer(player, line, line.length));
+            assertEquals(null, SETUP.codec(game).readAnswer(player, line, line.length));
         }
     }
 

@@ -47,7 +47,7 @@ class PokerChipRaceTest {
     private static void command(PokerChipRace game, Pilot.Aim aim, SplitMix64 random) {
         for (int player = 0; player < game.players(); player++) {
             byte[] line = SETUP.pilot(aim).answer(game, player, random).getBytes();
-            assertEquals(null, SETUP.codec(game).frames().readAnswer(player, line, line.length));
+            assertEquals(null, SETUP.codec(game).readAnswer(player, line, line.length));
         }
     }
 

@@ -1,8 +1,8 @@
 package steward.minigame.airhockey;
 
 import java.util.List;
-import steward.game.FrameCodec;
 import steward.game.Game;
+import steward.game.GameJson;
 import steward.game.GameSetup;
 import steward.game.GameType;
 import steward.game.Pilot;
@@ -48,9 +48,8 @@ final class AirHockeyType implements GameType {
         }
 
         @Override
-        public FrameCodec codec(Game game) {
-            HockeyJson json = new HockeyJson((AirHockey) game, settings);
-            return new FrameCodec(json, json, json);
+        public GameJson codec(Game game) {
+            return new HockeyJson((AirHockey) game, settings);
         }
 
         @Override

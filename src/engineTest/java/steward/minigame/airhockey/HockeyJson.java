@@ -1,8 +1,6 @@
 package steward.minigame.airhockey;
 
-import steward.game.BotFrames;
-import steward.game.Drawing;
-import steward.game.StateCodec;
+import steward.game.GameJson;
 import steward.json.DrawingJson;
 import steward.json.JsonAnswer;
 import steward.json.JsonNumbers;
@@ -11,7 +9,7 @@ import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.JsonParser;
 
 /** All JSON of air hockey. An answer is {@code {"x":3,"y":-4.5}}: what the speed of the paddle changes by. */
-final class HockeyJson extends JsonAnswer implements BotFrames, StateCodec, Drawing {
+final class HockeyJson extends JsonAnswer implements GameJson {
 
     private final AirHockey game;
     private final HockeySettings settings;
@@ -108,7 +106,7 @@ final class HockeyJson extends JsonAnswer implements BotFrames, StateCodec, Draw
     }
 
     @Override
-    public void write(JsonGenerator out) {
+    public void writeDrawing(JsonGenerator out) {
         DrawingJson.field(out, 0, 0, settings.field().width(), settings.field().height());
         WallJson.write(out, settings.field().walls());
         out.writeArrayPropertyStart("bodies");

@@ -1,8 +1,8 @@
 package steward.lab.calibration;
 
 import java.nio.charset.StandardCharsets;
-import steward.game.FrameCodec;
 import steward.game.Game;
+import steward.game.GameJson;
 import steward.game.GameSetup;
 import steward.game.Pilot;
 import steward.numerics.SplitMix64;
@@ -30,7 +30,7 @@ public final class SeededPlay {
     private final SplitMix64 random;
     private long gameSeed;
     private Game game;
-    private FrameCodec codec;
+    private GameJson codec;
 
     /** @param seed of the first game; each further one has the next number. All players draw from it too */
     public SeededPlay(GameSetup setup, Pilot pilot, long seed) {
@@ -54,7 +54,7 @@ public final class SeededPlay {
         for (int player = 0; player < game.players(); player++) {
             if (game.isIn(player)) {
                 byte[] answer = pilot.answer(game, player, random).getBytes(StandardCharsets.UTF_8);
-                String problem = codec.frames().readAnswer(player, answer, answer.length);
+                String problem = codec.readAnswer(player, answer, answer.length);
                 if (problem != null) {
                     throw new IllegalArgumentException("seeded play of " + setup.scene().name() + ", player " + player
                         + ": " + problem);

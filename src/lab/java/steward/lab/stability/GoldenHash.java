@@ -4,8 +4,8 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import steward.game.FrameCodec;
 import steward.game.Game;
+import steward.game.GameJson;
 import steward.game.GameSetup;
 import steward.game.Pilot;
 import steward.lab.trial.Gas;
@@ -147,14 +147,14 @@ public final class GoldenHash {
      */
     public static Part game(String name, GameSetup setup, Pilot pilot, int turns) {
         Game game = setup.create(SEED);
-        FrameCodec codec = setup.codec(game);
+        GameJson codec = setup.codec(game);
         SplitMix64[] randoms = new SplitMix64[game.players()];
         Arrays.setAll(randoms, player -> new SplitMix64(SEED + player));
         StateHash hash = new StateHash();
         while (!game.isOver() && game.turn() < turns) {
             for (int player = 0; player < randoms.length; player++) {
                 byte[] answer = pilot.answer(game, player, randoms[player]).getBytes(StandardCharsets.UTF_8);
-                String problem = game.isIn(player) ? codec.frames().readAnswer(player, answer, answer.length) : null;
+                String problem = game.isIn(player) ? codec.readAnswer(player, answer, answer.length) : null;
                 if (problem != null) {
                     throw new IllegalArgumentException(name + ", player " + player + ": " + problem);
                 }

@@ -59,7 +59,7 @@ class SeededPlayTest {
         for (int player = 0; player < race.players(); player++) {
             byte[] line = setup.pilot(Pilot.Aim.GATHER).answer(race, player, new SplitMix64(10 * turn + player))
                 .getBytes(StandardCharsets.UTF_8);
-            assertNull(setup.codec(race).frames().readAnswer(player, line, line.length));
+            assertNull(setup.codec(race).readAnswer(player, line, line.length));
         }
     }
 

@@ -112,9 +112,9 @@ public record BotCheck(Contest contest, List<Tried> games) {
         Contest contest = empty.between(all).startedBy((entrant, isolation, rest) -> {
             if (entrant != bot) {
                 return silent ? new UnstartablePlayer(entrant.name(), "it is silent")
-                    : empty.starter().player(entrant, isolation, rest);
+                    : empty.staging().starter().player(entrant, isolation, rest);
             }
-            dialog.add(new Dialog(empty.starter().player(entrant, isolation, rest)));
+            dialog.add(new Dialog(empty.staging().starter().player(entrant, isolation, rest)));
             return dialog.get(0);
         });
         GameLog log = new GameLog(contest, 0);

@@ -14,8 +14,8 @@ import java.util.stream.Collectors;
 import steward.cli.shared.Games;
 import steward.files.InputException;
 import steward.files.OutputFiles;
-import steward.game.FrameCodec;
 import steward.game.Game;
+import steward.game.GameJson;
 import steward.game.GameSetup;
 import steward.json.JsonObject;
 import steward.match.MatchListener;
@@ -142,7 +142,7 @@ final class RunTables implements MatchListener, AutoCloseable {
     }
 
     @Override
-    public void start(Game started, FrameCodec codec) {
+    public void start(Game started, GameJson codec) {
         game = started;
         Bodies bodies = started.bodies();
         bumpers += bodies.size();

@@ -105,7 +105,7 @@ public final class StoredSeries implements AutoCloseable {
         LeagueFolder folder = LeagueFolder.openToWrite(path, streams::warn);
         LeagueSettings settings = folder.read();
         LeagueSettings played = settings.with(settings.gauntlet(), factor, settings.keep())
-            .holding(contest.isolation().get().hold());
+            .holding(contest.staging().isolation().get().hold());
         Season season = Season.of(contest.setup(), new LeagueSettings(played.scene(), played.seed(),
             played.gauntlet(), played.adaptive(), played.lag(), factor, contest.time().basis(), played.hiccups(),
             played.sandbox(), played.keep(), played.keepOf(), played.bots()));

@@ -4,8 +4,8 @@ import java.util.List;
 import java.util.function.UnaryOperator;
 import steward.cli.streams.Colour;
 import steward.cli.streams.Streams;
-import steward.game.FrameCodec;
 import steward.game.Game;
+import steward.game.GameJson;
 import steward.game.TurnEvent;
 import steward.match.MatchListener;
 import steward.match.Turn;
@@ -30,7 +30,7 @@ final class TurnProgress implements MatchListener {
     }
 
     @Override
-    public void start(Game startedGame, FrameCodec codec) {
+    public void start(Game startedGame, GameJson codec) {
         game = startedGame;
     }
 

@@ -313,7 +313,7 @@ public final class TournamentCommand extends ProgramCommand {
     private List<Entry> entries(Programs programs, Path into, Contest empty, Protocol spoken)
             throws IOException, InterruptedException {
         Workshop workshop = new Workshop(into.resolve(Programs.FOLDER).toAbsolutePath().normalize(),
-            empty.isolation().get(), TimeUnit.SECONDS.toMillis(compileLimit), bounds(), flags());
+            empty.staging().isolation().get(), TimeUnit.SECONDS.toMillis(compileLimit), bounds(), flags());
         withoutPages(into, programs);
         List<Entry> entries = new ArrayList<>();
         for (Programs.Program program : programs.programs()) {

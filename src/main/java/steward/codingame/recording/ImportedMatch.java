@@ -7,8 +7,8 @@ import java.util.List;
 import java.util.stream.IntStream;
 import steward.bot.Player;
 import steward.codingame.recording.RecordingImport.Imported;
-import steward.game.FrameCodec;
 import steward.game.Game;
+import steward.game.GameJson;
 import steward.game.GameSetup;
 import steward.match.MatchListener;
 import steward.match.MatchResult;
@@ -92,7 +92,7 @@ final class ImportedMatch {
         }
 
         @Override
-        public void start(Game game, FrameCodec codec) {
+        public void start(Game game, GameJson codec) {
             writer.start(game, codec);
         }
 

@@ -95,7 +95,7 @@ public record GamePlay(Season season, Contest contest, Recordings recordings, St
 
     /** At strict no bot sees the files of another bot of the league, whoever plays. */
     private Isolation isolation(LeagueSettings settings) {
-        Isolation isolation = contest.isolation().get();
+        Isolation isolation = contest.staging().isolation().get();
         if (isolation.level() != SandboxLevel.STRICT) {
             return isolation;
         }

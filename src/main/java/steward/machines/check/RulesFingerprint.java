@@ -3,8 +3,8 @@ package steward.machines.check;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
-import steward.game.FrameCodec;
 import steward.game.Game;
+import steward.game.GameJson;
 import steward.game.GameSetup;
 import steward.game.Pilot;
 import steward.numerics.SplitMix64;
@@ -38,7 +38,7 @@ public final class RulesFingerprint {
     }
 
     private static void play(Game game, GameSetup setup, Pilot pilot, SplitMix64 random, StateHash hash) {
-        FrameCodec codec = setup.codec(game);
+        GameJson codec = setup.codec(game);
         hash.add(game.hash());
         while (!game.isOver() && game.turn() < TURNS) {
             List<byte[]> answers = new ArrayList<>();
@@ -48,7 +48,7 @@ public final class RulesFingerprint {
             }
             for (int player = 0; player < game.players(); player++) {
                 byte[] answer = answers.get(player);
-                String wrong = answer == null ? null : codec.frames().readAnswer(player, answer, answer.length);
+                String wrong = answer == null ? null : codec.readAnswer(player, answer, answer.length);
                 if (wrong != null) {
                     game.eliminate(player, wrong);
                 }

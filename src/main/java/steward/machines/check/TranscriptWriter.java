@@ -6,8 +6,8 @@ import java.util.TreeMap;
 import java.util.function.IntFunction;
 import java.util.function.ToLongFunction;
 import steward.bot.LineBuffer;
-import steward.game.FrameCodec;
 import steward.game.Game;
+import steward.game.GameJson;
 import steward.json.JsonNumbers;
 import steward.json.JsonObject;
 import steward.match.MatchListener;
@@ -40,7 +40,7 @@ public final class TranscriptWriter implements MatchListener {
     private final JsonGenerator out = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(), text);
     private final JsonGenerator times = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(), nanos);
     private StatesHash states;
-    private FrameCodec codec;
+    private GameJson codec;
 
     /**
      * Before the game.
@@ -59,7 +59,7 @@ public final class TranscriptWriter implements MatchListener {
     }
 
     @Override
-    public void start(Game startedGame, FrameCodec startedCodec) {
+    public void start(Game startedGame, GameJson startedCodec) {
         codec = startedCodec;
         states = new StatesHash(startedGame);
         out.writeStartObject();

@@ -89,7 +89,7 @@ final class Conversation {
             answer);
         boolean gone = ending != Player.Ending.ANSWERED;
         boolean none = recorded.faults()[player] != null || replaced && !recorded.hasCommand(player);
-        again.codec().state().clearCommand(player);
+        again.codec().clearCommand(player);
         String fault = gone ? answer.fault() : read();
         List<Difference> differences = none || fault == null && isRecorded(recorded) ? List.of()
             : differences(recorded, fault, gone);
@@ -106,7 +106,7 @@ final class Conversation {
     private List<Difference> differences(RecordedTurn recorded, String fault, boolean gone) {
         byte[] now = fault == null ? command() : null;
         byte[] then = recordedCommand(recorded);
-        again.codec().state().clearCommand(player);
+        again.codec().clearCommand(player);
         if (!gone) {
             read();
         }
@@ -129,7 +129,7 @@ final class Conversation {
                 token = in.nextToken();
             }
             boolean there = token != JsonToken.END_ARRAY && token != JsonToken.VALUE_NULL;
-            String wrong = there ? again.codec().state().readCommand(in, player) : "found none, expected a command";
+            String wrong = there ? again.codec().readCommand(in, player) : "found none, expected a command";
             if (wrong != null) {
                 throw new ReplayException(recorded.where() + ": commands[" + player + "]: " + wrong);
             }
@@ -147,7 +147,7 @@ final class Conversation {
 
     private void writeCommand() {
         command.reset();
-        again.codec().state().writeCommand(out, player);
+        again.codec().writeCommand(out, player);
         out.flush();
     }
 

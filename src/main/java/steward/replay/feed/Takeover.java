@@ -211,7 +211,7 @@ public final class Takeover {
                     in.skipChildren();
                     continue;
                 }
-                String wrong = again.codec().state().readCommand(in, player);
+                String wrong = again.codec().readCommand(in, player);
                 if (wrong != null) {
                     return recorded.where() + ": commands[" + player + "]: " + wrong;
                 }

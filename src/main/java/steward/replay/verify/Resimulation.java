@@ -10,8 +10,8 @@ import java.util.Objects;
 import java.util.stream.Collectors;
 import steward.files.JarFolder;
 import steward.files.Remedied;
-import steward.game.FrameCodec;
 import steward.game.Game;
+import steward.game.GameJson;
 import steward.game.GameSetup;
 import steward.game.GameType;
 import steward.game.GameTypes;
@@ -40,7 +40,7 @@ public final class Resimulation {
 
     private final GameSetup setup;
     private final Game game;
-    private final FrameCodec codec;
+    private final GameJson codec;
     private final ViewWriter views;
     /** Name of the replay whose referee only says what is recorded; {@code null} otherwise. */
     private final String recorded;
@@ -179,7 +179,7 @@ public final class Resimulation {
         return views;
     }
 
-    public FrameCodec codec() {
+    public GameJson codec() {
         return codec;
     }
 
@@ -220,7 +220,7 @@ public final class Resimulation {
                 return -1;
             }
             at++;
-            at = game.isAsked(player) ? codec.state().readPlainCommand(json, at, to, player) : behindNull(json, at, to);
+            at = game.isAsked(player) ? codec.readPlainCommand(json, at, to, player) : behindNull(json, at, to);
             if (at < 0) {
                 return -1;
             }
@@ -256,10 +256,18 @@ public final class Resimulation {
         return null;
     }
 
+    /** Reads the commands anew if anything is wrong with them: the error has its place in a parser of their own. */
     private Difference readCommands(RecordedTurn turn) {
         byte[] json = turn.commands();
-        boolean plain = Arrays.equals(turn.faults(), noFaults) && preparePlain(json, 0, json.length) >= 0;
-        return plain || readCommands(json, 0, json.length, turn.faults()) >= 0 ? null : readCarefully(turn);
+        if (readCommands(json, 0, json.length, turn.faults()) >= 0) {
+            return null;
+        }
+        try (JsonParser in = JsonNumbers.FACTORY.createParser(ObjectReadContext.empty(), json, 0, json.length)) {
+            in.nextToken();
+            return readEach(in, turn.number(), turn.faults());
+        } catch (JacksonException problem) {
+            return new Difference(turn.number(), "commands", JsonProblem.message(problem), "JSON");
+        }
     }
 
     /**
@@ -268,17 +276,20 @@ public final class Resimulation {
      * @return how many bytes there are behind them; negative if there is anything wrong or unusual about them
      */
     int readCommands(byte[] json, int from, int to) {
-        int behind = preparePlain(json, from, to);
-        return behind >= 0 ? to - behind : readCommands(json, from, to, noFaults);
+        return readCommands(json, from, to, noFaults);
     }
 
     private int readCommands(byte[] json, int from, int to, String[] faults) {
+        int behind = Arrays.equals(faults, noFaults) ? preparePlain(json, from, to) : -1;
+        if (behind >= 0) {
+            return to - behind;
+        }
         if (!LineParser.canRead(json, from, to)) {
             return -1;
         }
         try {
             JsonParser in = lines.begin(json, from, to);
-            if (in.nextToken() == JsonToken.START_ARRAY && readEach(in, faults)) {
+            if (in.nextToken() == JsonToken.START_ARRAY && readEach(in, 0, faults) == null) {
                 return lines.endValue();
             }
             lines.reset();
@@ -289,16 +300,22 @@ public final class Resimulation {
         }
     }
 
-    private boolean readEach(JsonParser in, String[] faults) {
+    /** Reads an array of commands, behind its bracket. @return what is wrong, or {@code null} */
+    private Difference readEach(JsonParser in, int turn, String... faults) {
         int player = 0;
         for (JsonToken token = in.nextToken(); token != JsonToken.END_ARRAY; token = in.nextToken()) {
-            if (player >= game.players() || !game.isAsked(player) || isSpared(token, player, faults)
-                ? token != JsonToken.VALUE_NULL : readOne(in, token, player, faults[player]) != null) {
-                return false;
+            boolean asked = player < game.players() && game.isAsked(player) && !isSpared(token, player, faults);
+            if (!asked && token != JsonToken.VALUE_NULL) {
+                return new Difference(turn, "commands[" + player + "]", "a command", "null");
+            }
+            String wrong = asked ? readOne(in, token, player, faults[player]) : null;
+            if (wrong != null) {
+                return new Difference(turn, "commands[" + player + "]", wrong, "a command");
             }
             player++;
         }
-        return player == game.players();
+        return player == game.players() ? null
+            : new Difference(turn, "commands", player + " entries", game.players() + " entries");
     }
 
     /**
@@ -321,34 +338,9 @@ public final class Resimulation {
     /** @return what is wrong with the command of a player that was asked, or {@code null} */
     private String readOne(JsonParser in, JsonToken token, int player, String fault) {
         if (fault == null) {
-            return token == JsonToken.VALUE_NULL ? "null" : codec.state().readCommand(in, player);
+            return token == JsonToken.VALUE_NULL ? "null" : codec.readCommand(in, player);
         }
-        codec.state().clearCommand(player);
-        return token == JsonToken.VALUE_NULL ? null : codec.state().readPartialCommand(in, player);
-    }
-
-    /** Finds the error in the commands, read one by one. */
-    private Difference readCarefully(RecordedTurn turn) {
-        byte[] json = turn.commands();
-        int player = 0;
-        try (JsonParser in = JsonNumbers.FACTORY.createParser(ObjectReadContext.empty(), json, 0, json.length)) {
-            in.nextToken();
-            for (JsonToken token = in.nextToken(); token != JsonToken.END_ARRAY; token = in.nextToken()) {
-                boolean asked = player < game.players() && game.isAsked(player)
-                    && !isSpared(token, player, turn.faults());
-                if (!asked && token != JsonToken.VALUE_NULL) {
-                    return new Difference(turn.number(), "commands[" + player + "]", "a command", "null");
-                }
-                String wrong = asked ? readOne(in, token, player, turn.faults()[player]) : null;
-                if (wrong != null) {
-                    return new Difference(turn.number(), "commands[" + player + "]", wrong, "a command");
-                }
-                player++;
-            }
-        } catch (JacksonException problem) {
-            return new Difference(turn.number(), "commands", JsonProblem.message(problem), "JSON");
-        }
-        return player == game.players() ? null
-            : new Difference(turn.number(), "commands", player + " entries", game.players() + " entries");
+        codec.clearCommand(player);
+        return token == JsonToken.VALUE_NULL ? null : codec.readPartialCommand(in, player);
     }
 }

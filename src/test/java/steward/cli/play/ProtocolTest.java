@@ -24,8 +24,8 @@ import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Games;
 import steward.contest.Contest;
 import steward.files.InputException;
-import steward.game.FrameCodec;
 import steward.game.Game;
+import steward.game.GameJson;
 import steward.game.GameSetup;
 import steward.game.Pilot;
 import steward.match.MatchListener;
@@ -204,7 +204,7 @@ class ProtocolTest {
         }
 
         @Override
-        public FrameCodec codec(Game game) {
+        public GameJson codec(Game game) {
             return setup.codec(game);
         }
 

@@ -13,8 +13,8 @@ import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import steward.game.FrameCodec;
 import steward.game.Game;
+import steward.game.GameJson;
 import steward.game.GameSetup;
 import steward.game.Pilot;
 import steward.numerics.SplitMix64;
@@ -89,14 +89,14 @@ class GameAllocationTest {
     /** @return how many turns were played, without the one that ends the game and puts its end into words */
     private int play(GameSetup setup, boolean[] allocates) {
         Game game = setup.create(1);
-        FrameCodec codec = setup.codec(game);
+        GameJson codec = setup.codec(game);
         Pilot pilot = setup.pilot(Pilot.Aim.WIN);
         SplitMix64 random = new SplitMix64(1);
         while (true) {
             for (int player = 0; player < game.players(); player++) {
                 if (game.isIn(player)) {
                     byte[] answer = pilot.answer(game, player, random).getBytes(StandardCharsets.UTF_8);
-                    codec.frames().readAnswer(player, answer, answer.length);
+                    codec.readAnswer(player, answer, answer.length);
                 }
             }
             long before = threads.getCurrentThreadAllocatedBytes();

@@ -66,8 +66,8 @@ class GameInvariantsTest {
                 for (int player = 0; player < game.players(); player++) {
                     if (game.isIn(player)) {
                         byte[] answer = pilot.answer(game, player, random).getBytes(StandardCharsets.UTF_8);
-                        setup.codec(game).frames().readAnswer(player, answer, answer.length);
-                        setup.codec(again).frames().readAnswer(player, answer, answer.length);
+                        setup.codec(game).readAnswer(player, answer, answer.length);
+                        setup.codec(again).readAnswer(player, answer, answer.length);
                     }
                 }
                 game.play();

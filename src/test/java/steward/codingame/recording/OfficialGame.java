@@ -6,8 +6,8 @@ import java.util.Arrays;
 import java.util.List;
 import steward.bot.Bot;
 import steward.bot.InProcessPlayer;
-import steward.game.FrameCodec;
 import steward.game.Game;
+import steward.game.GameJson;
 import steward.game.GameSetup;
 import steward.game.podrace.PodRace;
 import steward.json.JsonNumbers;
@@ -36,7 +36,7 @@ public final class OfficialGame implements MatchListener {
     private final ArrayNode frames = result.putArray("frames");
     private final List<Integer> impactTurns = new ArrayList<>();
     private PodRace race;
-    private FrameCodec codec;
+    private GameJson codec;
     private final List<String> said = new ArrayList<>();
     private SiteViews views;
     private int turns;
@@ -117,7 +117,7 @@ public final class OfficialGame implements MatchListener {
     }
 
     @Override
-    public void start(Game game, FrameCodec gameCodec) {
+    public void start(Game game, GameJson gameCodec) {
         race = (PodRace) game;
         codec = gameCodec;
         views = new SiteViews(race);
@@ -131,7 +131,7 @@ public final class OfficialGame implements MatchListener {
         for (int player = 0; player < 2; player++) {
             StringWriter json = new StringWriter();
             try (JsonGenerator out = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(), json)) {
-                codec.state().writeCommand(out, player);
+                codec.writeCommand(out, player);
             }
             StringBuilder lines = new StringBuilder();
             for (JsonNode pod : JsonMapper.shared().readTree(json.toString())) {

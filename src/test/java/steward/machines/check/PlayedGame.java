@@ -13,8 +13,8 @@ import steward.contest.Contest;
 import steward.contest.Contest.Entrant;
 import steward.contest.GameLog;
 import steward.contest.repeat.GameFacts;
-import steward.game.FrameCodec;
 import steward.game.Game;
+import steward.game.GameJson;
 import steward.game.GameSetup;
 import steward.game.Pilot;
 import steward.match.DirectBot;
@@ -67,7 +67,7 @@ record PlayedGame(Contest contest, ExpectedGame expected, byte[] replay, byte[] 
         private final Pilot pilot;
         private final SplitMix64 random = new SplitMix64(11);
         private Game game;
-        private FrameCodec codec;
+        private GameJson codec;
         private int player;
 
         PilotBot(GameSetup setup, Pilot.Aim aim) {
@@ -85,7 +85,7 @@ record PlayedGame(Contest contest, ExpectedGame expected, byte[] replay, byte[] 
         @Override
         public void turn() {
             byte[] answer = pilot.answer(game, player, random).getBytes(StandardCharsets.UTF_8);
-            String wrong = codec.frames().readAnswer(player, answer, answer.length);
+            String wrong = codec.readAnswer(player, answer, answer.length);
             if (wrong != null) {
                 throw new IllegalStateException(wrong);
             }

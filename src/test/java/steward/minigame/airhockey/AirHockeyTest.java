@@ -119,8 +119,8 @@ class AirHockeyTest {
             assertEquals(game.hash(), copy.hash());
             for (int player = 0; player < 2; player++) {
                 byte[] line = setup.pilot(Pilot.Aim.WIN).answer(game, player, random).getBytes(StandardCharsets.UTF_8);
-                assertEquals(null, setup.codec(game).frames().readAnswer(player, line, line.length));
-                setup.codec(copy).frames().readAnswer(player, line, line.length);
+                assertEquals(null, setup.codec(game).readAnswer(player, line, line.length));
+                setup.codec(copy).readAnswer(player, line, line.length);
             }
             game.play();
             assertTrue(game.hash() != copy.hash(), "the copy stays as it was");

@@ -13,9 +13,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import steward.cli.shared.Games;
 import steward.game.Game;
+import steward.game.GameJson;
 import steward.game.GameSetup;
 import steward.game.Pilot;
-import steward.game.StateCodec;
 import steward.json.JsonNumbers;
 import steward.numerics.SplitMix64;
 import steward.replay.RecordedTurn;
@@ -108,7 +108,7 @@ class PlainCommandsTest {
 
     /** Reads a turn by the parser. @return the place behind it, or -1 if it is not one */
     private static int readByTheParser(Resimulation game, String text) {
-        StateCodec codec = game.codec().state();
+        GameJson codec = game.codec();
         byte[] json = text.getBytes(StandardCharsets.UTF_8);
         try (JsonParser in = RecordedTurn.parser(json)) {
             if (in.nextToken() != JsonToken.START_ARRAY) {
@@ -133,7 +133,7 @@ class PlainCommandsTest {
         byte[] json = text.getBytes(StandardCharsets.UTF_8);
         int player = game.game().isIn(0) ? 0 : 1;
         int from = player == 0 ? 1 : "[null,".length();
-        return from >= json.length || game.codec().state().readPlainCommand(json, from, json.length, player) < 0;
+        return from >= json.length || game.codec().readPlainCommand(json, from, json.length, player) < 0;
     }
 
     private static String commands(Resimulation game) {
@@ -141,7 +141,7 @@ class PlainCommandsTest {
         try (JsonGenerator out = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(), bytes)) {
             for (int player = 0; player < game.game().players(); player++) {
                 if (game.game().isIn(player)) {
-                    game.codec().state().writeCommand(out, player);
+                    game.codec().writeCommand(out, player);
                 }
             }
         }
@@ -173,8 +173,8 @@ class PlainCommandsTest {
             out.writeStartArray();
             for (int player = 0; player < game.game().players(); player++) {
                 byte[] answer = pilot.answer(game.game(), player, random).getBytes(StandardCharsets.UTF_8);
-                assertNull(game.codec().frames().readAnswer(player, answer, answer.length));
-                game.codec().state().writeCommand(out, player);
+                assertNull(game.codec().readAnswer(player, answer, answer.length));
+                game.codec().writeCommand(out, player);
             }
             out.writeEndArray();
         }

@@ -1,11 +1,9 @@
 package steward.game.bodies.protocol;
 
-import steward.json.CommandsAnswer;
-import steward.json.JsonNumbers;
 import steward.game.bodies.BodiesGame;
 import steward.game.bodies.BodiesGame.Thrust;
+import steward.json.CommandsAnswer;
 import steward.numerics.SplitMix64;
-import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.JsonParser;
 
 /**
@@ -15,16 +13,10 @@ import tools.jackson.core.JsonParser;
 final class BodiesAnswer extends CommandsAnswer<Thrust> {
 
     private final BodiesGame game;
-    private int player;
 
     BodiesAnswer(BodiesGame game) {
         super("thrusts", FARTHEST, "x", "y");
         this.game = game;
-    }
-
-    /** Says whose commands are read next. */
-    void expect(int whose) {
-        player = whose;
     }
 
     /** An answer for measuring. */
@@ -47,11 +39,6 @@ final class BodiesAnswer extends CommandsAnswer<Thrust> {
         double length = Math.sqrt(x * x + y * y);
         double most = game.rules().maximumThrust();
         return length <= most ? null : "found a thrust of length " + length + ", expected at most " + most;
-    }
-
-    static void write(JsonGenerator out, Thrust thrust) {
-        JsonNumbers.write(out, "x", thrust.x());
-        JsonNumbers.write(out, "y", thrust.y());
     }
 
     @Override

@@ -1,6 +1,5 @@
 package steward.game.bodies.protocol;
 
-import java.util.ArrayList;
 import java.util.List;
 import steward.game.BotStub;
 import steward.game.BotStub.Command;
@@ -21,14 +20,15 @@ final class BodiesStub {
             Input.lines("zones", "Zone", "zoneCount", ZONE)),
         List.of(Input.lines("scores", "Score", "playerCount", "points:real"),
             Input.lines("bodies", "Body", "discCount", BODY)), "",
-        List.of(push("", ", ", "").otherwise("0, 0")), notes("The lines do not say how long a thrust may be."));
+        List.of(push("", ", ", "").otherwise("0, 0")),
+        BotStub.notes(NOTES, "The lines do not say how long a thrust may be."));
 
     static final BotStub FRAMES = new BotStub(
         List.of(Input.values("player:int maximumThrust:real"),
             Input.objects("discs=bodies", "Disc", "id:int player:int radius:real"),
             Input.objects("zones", "Zone", ZONE)),
         List.of(Input.objects("bodies", "Body", BODY)), "thrusts",
-        List.of(push("x: ", ", y: ", " * maximumThrust").otherwise("x: 0, y: 0")), notes());
+        List.of(push("x: ", ", y: ", " * maximumThrust").otherwise("x: 0, y: 0")), NOTES);
 
     private BodiesStub() { }
 
@@ -42,11 +42,5 @@ final class BodiesStub {
             disc = disc.when(goal, x + "(" + goal + ".x - body.x)" + over + y + "(" + goal + ".y - body.y)" + over);
         }
         return disc;
-    }
-
-    private static List<String> notes(String... more) {
-        List<String> all = new ArrayList<>(NOTES);
-        all.addAll(List.of(more));
-        return all;
     }
 }

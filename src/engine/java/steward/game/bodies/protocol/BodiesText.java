@@ -16,12 +16,12 @@ import tools.jackson.core.io.NumberOutput;
  * answer has a line {@code X Y} for each of the player's discs, with a
  * message behind it, if there is one.
  */
-final class BodiesText extends CommandLines<Thrust> {
+final class BodiesText extends CommandLines {
 
     private final BodiesGame game;
 
     BodiesText(BodiesGame game) {
-        super(game.players(), "two numbers X Y");
+        super(game.players());
         this.game = game;
     }
 
@@ -79,22 +79,17 @@ final class BodiesText extends CommandLines<Thrust> {
     }
 
     @Override
-    protected Thrust read(String line, int player, int index, List<String> said) {
+    protected String read(String line, int player, int index, List<String> said) {
         String[] words = line.strip().split("\\s+", 3);
         double x = number(words, 0);
         double y = number(words, 1);
         if (Double.isNaN(x) || Double.isNaN(y)) {
-            return null;
+            return notFound("two numbers X Y", withoutReturn(line));
         }
         say(words.length > 2 ? words[2] : null, said);
-        return new Thrust(x, y);
-    }
-
-    @Override
-    protected String command(int player, int index, Thrust thrust) {
-        String wrong = BodiesAnswer.tooLong(game, thrust.x(), thrust.y());
+        String wrong = BodiesAnswer.tooLong(game, x, y);
         if (wrong == null) {
-            game.thrust(game.owned(player)[index], thrust);
+            game.thrust(game.owned(player)[index], new Thrust(x, y));
         }
         return wrong;
     }

@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import steward.game.BotStub;
-import steward.game.FrameCodec;
 import steward.game.Game;
+import steward.game.GameJson;
 import steward.game.GameSetup;
 import steward.game.GameType;
 import steward.game.Pilot;
@@ -140,10 +140,8 @@ public final class BodiesType implements GameType {
         }
 
         @Override
-        public FrameCodec codec(Game game) {
-            BodiesGame bodies = (BodiesGame) game;
-            BodiesFrames frames = new BodiesFrames(bodies, layout.field());
-            return new FrameCodec(frames, new BodiesState(bodies), frames);
+        public GameJson codec(Game game) {
+            return new BodiesJson((BodiesGame) game, layout.field());
         }
 
         @Override

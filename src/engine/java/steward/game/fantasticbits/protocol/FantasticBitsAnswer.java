@@ -28,7 +28,6 @@ final class FantasticBitsAnswer extends CommandsAnswer<WizardCommand> {
         .collect(Collectors.toCollection(TreeSet::new));
 
     private final FantasticBits game;
-    private int player;
     private double power;
     private double target;
     private Action action;
@@ -38,12 +37,6 @@ final class FantasticBitsAnswer extends CommandsAnswer<WizardCommand> {
     FantasticBitsAnswer(FantasticBits game) {
         super("wizards", FARTHEST, "x", "y", "power", "throw", "spell", "target");
         this.game = game;
-    }
-
-    /** Says whose answer is read next: what is allowed depends on the player. */
-    FantasticBitsAnswer of(int one) {
-        player = one;
-        return this;
     }
 
     static void write(JsonGenerator out, WizardCommand command) {

@@ -60,20 +60,9 @@ record FantasticBitsPilot(Aim aim) implements Pilot {
             return new double[] {player == 0 ? Pitch.WIDTH : 0, Pitch.HEIGHT / 2};
         }
         Bodies bodies = pitch.bodies();
-        int nearest = -1;
-        for (int k = Pitch.WIZARDS; k < Pitch.WIZARDS + pitch.snaffles(); k++) {
-            if (pitch.kind(k) != EntityKind.LOST_SNAFFLE
-                && (nearest < 0 || squared(bodies, self, k) < squared(bodies, self, nearest))) {
-                nearest = k;
-            }
-        }
+        int nearest = Pilot.nearest(bodies, self, k -> k >= Pitch.WIZARDS && k < Pitch.WIZARDS + pitch.snaffles()
+            && pitch.kind(k) != EntityKind.LOST_SNAFFLE);
         return nearest < 0 ? new double[] {Pitch.WIDTH / 2, Pitch.HEIGHT / 2}
             : new double[] {bodies.x[nearest], bodies.y[nearest]};
-    }
-
-    private static double squared(Bodies bodies, int a, int b) {
-        double dx = bodies.x[a] - bodies.x[b];
-        double dy = bodies.y[a] - bodies.y[b];
-        return dx * dx + dy * dy;
     }
 }

@@ -21,7 +21,7 @@ import steward.physics.Motion;
  * X Y THRUST}, {@code THROW X Y POWER} or a spell and the id of its target, each with an optional message. Lines
  * before a bad one take effect.
  */
-final class FantasticBitsText extends CommandLines<WizardCommand> {
+final class FantasticBitsText extends CommandLines {
 
     private static final Pattern PLACE =
         Pattern.compile("(MOVE|THROW) (-?[0-9]{1,8})\\s+(-?[0-9]{1,8})\\s+([0-9]{1,8})(?:\\s+(.+))?");
@@ -32,7 +32,7 @@ final class FantasticBitsText extends CommandLines<WizardCommand> {
     private final boolean full;
 
     FantasticBitsText(FantasticBits game) {
-        super(game.players(), "MOVE X Y THRUST, THROW X Y POWER, or a spell and a target's id, whole numbers");
+        super(game.players());
         this.game = game;
         full = game.settings().variant() == Variant.PUZZLE;
     }
@@ -85,7 +85,12 @@ final class FantasticBitsText extends CommandLines<WizardCommand> {
     }
 
     @Override
-    protected String command(int player, int wizard, WizardCommand command) {
+    protected String read(String line, int player, int wizard, List<String> said) {
+        WizardCommand command = command(withoutReturn(line), said);
+        if (command == null) {
+            return notFound("MOVE X Y THRUST, THROW X Y POWER, or a spell and a target's id, whole numbers",
+                withoutReturn(line));
+        }
         String refusal = game.refusal(player, wizard, command);
         if (refusal == null) {
             game.command(player, wizard, command);
@@ -93,8 +98,7 @@ final class FantasticBitsText extends CommandLines<WizardCommand> {
         return refusal;
     }
 
-    @Override
-    protected WizardCommand read(String line, int player, int index, List<String> said) {
+    private static WizardCommand command(String line, List<String> said) {
         Matcher place = PLACE.matcher(line);
         if (place.matches()) {
             say(place.group(5), said);

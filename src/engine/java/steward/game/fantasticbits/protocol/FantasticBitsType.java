@@ -6,8 +6,8 @@ import java.util.Optional;
 import java.util.TreeMap;
 import steward.Internal;
 import steward.game.BotStub;
-import steward.game.FrameCodec;
 import steward.game.Game;
+import steward.game.GameJson;
 import steward.game.GameSetup;
 import steward.game.GameType;
 import steward.game.Pilot;
@@ -155,10 +155,8 @@ public final class FantasticBitsType implements GameType {
         }
 
         @Override
-        public FrameCodec codec(Game game) {
-            FantasticBits of = (FantasticBits) game;
-            return new FrameCodec(new FantasticBitsFrames(of), new FantasticBitsState(of),
-                new FantasticBitsDrawing(of));
+        public GameJson codec(Game game) {
+            return new FantasticBitsJson((FantasticBits) game);
         }
 
         @Override

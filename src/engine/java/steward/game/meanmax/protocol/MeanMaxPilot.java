@@ -57,21 +57,9 @@ record MeanMaxPilot(Aim aim) implements Pilot {
         if (looter == UnitKind.REAPER.ordinal() && !world.wrecks().isEmpty()) {
             return new double[] {world.wrecks().get(0).x(), world.wrecks().get(0).y()};
         }
-        int nearest = -1;
-        for (int unit = 0; unit < bodies.size(); unit++) {
-            boolean wanted = looter == UnitKind.DOOF.ordinal()
-                ? bodies.kind[unit] == UnitKind.REAPER.ordinal() && game.playerOf(bodies.id(unit)) != player
-                : world.isTanker(unit);
-            if (wanted && (nearest < 0 || squared(bodies, self, unit) < squared(bodies, self, nearest))) {
-                nearest = unit;
-            }
-        }
+        int nearest = Pilot.nearest(bodies, self, unit -> looter == UnitKind.DOOF.ordinal()
+            ? bodies.kind[unit] == UnitKind.REAPER.ordinal() && game.playerOf(bodies.id(unit)) != player
+            : world.isTanker(unit));
         return nearest < 0 ? new double[2] : new double[] {bodies.x[nearest], bodies.y[nearest]};
-    }
-
-    private static double squared(Bodies bodies, int a, int b) {
-        double dx = bodies.x[a] - bodies.x[b];
-        double dy = bodies.y[a] - bodies.y[b];
-        return dx * dx + dy * dy;
     }
 }

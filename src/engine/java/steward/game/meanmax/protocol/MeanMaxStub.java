@@ -1,6 +1,5 @@
 package steward.game.meanmax.protocol;
 
-import java.util.ArrayList;
 import java.util.List;
 import steward.game.BotStub;
 import steward.game.BotStub.Command;
@@ -28,7 +27,8 @@ final class MeanMaxStub {
             Command.each("doof", "units", "doof.type == 2 && doof.player == 0")
                 .nearest("rival", "units", "each.type == 0 && each.player != 0", "doof")
                 .when("rival", "rival.x, rival.y, 300").otherwise("'WAIT'")),
-        notes("Types: 0 reaper, 1 destroyer, 2 doof, 3 tanker, 4 wreck, 5 tar, 6 oil, 7 grenade; player 0 is you.",
+        BotStub.notes(NOTES,
+            "Types: 0 reaper, 1 destroyer, 2 doof, 3 tanker, 4 wreck, 5 tar, 6 oil, 7 grenade; player 0 is you.",
             "A command can also be SKILL X Y, within 2000 u."));
 
     static final BotStub FRAMES = new BotStub(List.of(Input.values("player:int maximumPower:int")),
@@ -47,13 +47,7 @@ final class MeanMaxStub {
             Command.each("doof", "units", "doof.kind == 'doof' && doof.player == player")
                 .nearest("rival", "units", "each.kind == 'reaper' && each.player != player", "doof")
                 .when("rival", "x: rival.x, y: rival.y, power: maximumPower").otherwise("wait: true")),
-        notes("A command can also have skill: true in place of the power, within 2000 u."));
+        BotStub.notes(NOTES, "A command can also have skill: true in place of the power, within 2000 u."));
 
     private MeanMaxStub() { }
-
-    private static List<String> notes(String... more) {
-        List<String> all = new ArrayList<>(NOTES);
-        all.addAll(List.of(more));
-        return all;
-    }
 }

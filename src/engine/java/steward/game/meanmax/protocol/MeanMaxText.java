@@ -20,7 +20,7 @@ import steward.physics.Motion;
  * {@code WAIT}, each with an optional message. Lines before a bad one take effect; lines for looters that the league
  * does not have are not read.
  */
-final class MeanMaxText extends CommandLines<LooterCommand> {
+final class MeanMaxText extends CommandLines {
 
     private static final int WRECK_TYPE = 4;
 
@@ -33,7 +33,7 @@ final class MeanMaxText extends CommandLines<LooterCommand> {
     private final MeanMax game;
 
     MeanMaxText(MeanMax game) {
-        super(game.players(), "X Y POWER, SKILL X Y or WAIT, whole numbers of at most 9 digits");
+        super(game.players());
         this.game = game;
     }
 
@@ -103,13 +103,16 @@ final class MeanMaxText extends CommandLines<LooterCommand> {
     }
 
     @Override
-    protected String command(int player, int looter, LooterCommand command) {
+    protected String read(String line, int player, int looter, List<String> said) {
+        LooterCommand command = command(withoutReturn(line), looter, said);
+        if (command == null) {
+            return notFound("X Y POWER, SKILL X Y or WAIT, whole numbers of at most 9 digits", withoutReturn(line));
+        }
         game.command(player, looter, command);
         return null;
     }
 
-    @Override
-    protected LooterCommand read(String line, int player, int index, List<String> said) {
+    private LooterCommand command(String line, int index, List<String> said) {
         if (index >= game.settings().looters()) {
             return LooterCommand.WAIT;                  // in lower leagues the lines of the others are passed over
         }

@@ -5,8 +5,8 @@ import java.util.Map;
 import java.util.Optional;
 import steward.Internal;
 import steward.game.BotStub;
-import steward.game.FrameCodec;
 import steward.game.Game;
+import steward.game.GameJson;
 import steward.game.GameSetup;
 import steward.game.GameType;
 import steward.game.Pilot;
@@ -18,8 +18,8 @@ import steward.game.meanmax.MeanMaxSettings;
 import steward.game.meanmax.MeanMaxWorld;
 import steward.game.meanmax.OfficialMeanMax;
 import steward.game.meanmax.OilMotion;
-import steward.game.meanmax.Skill;
 import steward.game.meanmax.Sinking;
+import steward.game.meanmax.Skill;
 import steward.game.meanmax.UnitKind;
 import steward.physics.Contacts;
 import steward.physics.Contacts.Meaning;
@@ -128,9 +128,8 @@ public final class MeanMaxType implements GameType {
         }
 
         @Override
-        public FrameCodec codec(Game game) {
-            MeanMax of = (MeanMax) game;
-            return new FrameCodec(new MeanMaxFrames(of), new MeanMaxState(of), new MeanMaxDrawing(of));
+        public GameJson codec(Game game) {
+            return new MeanMaxJson((MeanMax) game);
         }
 
         @Override

@@ -1,6 +1,5 @@
 package steward.game.podrace.protocol;
 
-import java.util.ArrayList;
 import java.util.List;
 import steward.game.BotStub;
 import steward.game.BotStub.Command;
@@ -25,7 +24,7 @@ final class PodRaceStub {
             .when("pod.heading >= 0 && degreesOff(pod.x, pod.y, pod.heading, targetX, targetY) > 80",
                 "targetX, targetY, 0")
             .otherwise("targetX, targetY, 200")),
-        notes("In place of the thrust you can say SHIELD or BOOST (the boost works once).",
+        BotStub.notes(NOTES, "In place of the thrust you can say SHIELD or BOOST (the boost works once).",
             "These are the lines for two pods each. The lower leagues have one, and other lines."));
 
     static final BotStub FRAMES = new BotStub(
@@ -37,18 +36,13 @@ final class PodRaceStub {
             .when("pod.heading >= 0 && degreesOff(pod.x, pod.y, pod.heading, targetX, targetY) > 80",
                 "x: targetX, y: targetY, thrust: 0")
             .otherwise("x: targetX, y: targetY, thrust: maximumThrust")),
-        notes("In place of the thrust a command can have shield: true or boost: true (the boost works once)."));
+        BotStub.notes(NOTES,
+            "In place of the thrust a command can have shield: true or boost: true (the boost works once)."));
 
     private PodRaceStub() { }
 
     private static Command steer(Command pod) {
         return pod.let("targetX", "checkpoints[pod.next].x - 4 * pod.vx")
             .let("targetY", "checkpoints[pod.next].y - 4 * pod.vy");
-    }
-
-    private static List<String> notes(String... more) {
-        List<String> all = new ArrayList<>(NOTES);
-        all.addAll(List.of(more));
-        return all;
     }
 }

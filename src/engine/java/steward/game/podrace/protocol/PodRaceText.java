@@ -1,16 +1,13 @@
 package steward.game.podrace.protocol;
 
-import java.nio.charset.StandardCharsets;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import steward.game.TextCodec;
+import steward.game.CommandLines;
 import steward.game.podrace.PodRace;
 import steward.game.podrace.PodRaceSettings;
 import steward.game.podrace.PodState;
-import steward.text.TextFormat;
 
 /**
  * CodinGame's line protocols of the pod race. Where each player has several pods (the upper leagues), the setup is
@@ -25,7 +22,7 @@ import steward.text.TextFormat;
  * blanks between the words, and a blank behind Y. Where two blanks stand behind Y, what follows may be a message and
  * the thrust is full. Lines before a bad one take effect.
  */
-public final class PodRaceText implements TextCodec {
+public final class PodRaceText extends CommandLines {
 
     private static final int FULL_TURN = 360;
 
@@ -41,12 +38,11 @@ public final class PodRaceText implements TextCodec {
 
     private final PodRace race;
     private final PodRaceSettings settings;
-    private final String[] messages;
 
     public PodRaceText(PodRace race) {
+        super(race.players());
         this.race = race;
         settings = race.settings();
-        messages = new String[race.players()];
     }
 
     private boolean isSinglePod() {
@@ -137,61 +133,39 @@ public final class PodRaceText implements TextCodec {
     }
 
     @Override
-    public String readAnswer(int player, byte[] answer, int length) {
-        messages[player] = null;
-        String[] lines = new String(answer, 0, length, StandardCharsets.UTF_8).split("\n", -1);
-        if (lines.length != settings.podsPerPlayer()) {
-            return "found " + lines.length + " lines, expected " + settings.podsPerPlayer();
-        }
-        List<String> said = new ArrayList<>();
-        int first = player * settings.podsPerPlayer();
-        for (int k = 0; k < lines.length; k++) {
-            String wrong = readLine(first + k, lines[k], said);
-            if (wrong != null) {
-                return "line " + (k + 1) + " of " + lines.length + ": " + wrong;
-            }
-        }
-        messages[player] = said.isEmpty() ? null : String.join(" | ", said);
-        return null;
-    }
-
-    /** Gives one pod its command. @return what is wrong, or {@code null} */
-    private String readLine(int pod, String line, List<String> said) {
+    protected String read(String line, int player, int index, List<String> said) {
+        int pod = player * settings.podsPerPlayer() + index;
         return settings.siteCommands() ? readSiteLine(pod, line, said) : readLenientLine(pod, line, said);
     }
 
     private String readSiteLine(int pod, String line, List<String> said) {
         Matcher words = SITE.matcher(line);
         if (!words.matches()) {
-            return "found \"" + shorten(line) + "\", expected as the site does: X Y of at most nine digits, a blank, "
-                + "and digits, SHIELD or BOOST; behind them nothing, or a blank and a message";
+            return notFound("as the site does: X Y of at most nine digits, a blank, and digits, SHIELD or BOOST; "
+                + "behind them nothing, or a blank and a message", line);
         }
         int thrust = words.group(3) == null ? settings.maximumThrust() : thrust(words.group(3));
         if (thrust == PodRace.NO_COMMAND) {
             return noThrust(words.group(3));
         }
         race.command(pod, Integer.parseInt(words.group(1)), Integer.parseInt(words.group(2)), thrust);
-        if (words.group(4) != null) {
-            said.add(words.group(4));
-        }
+        say(words.group(4), said);
         return null;
     }
 
     private String noThrust(String found) {
-        return "thrust: found \"" + shorten(found) + "\", expected a whole number 0.." + settings.maximumThrust()
-            + ", SHIELD or BOOST";
+        return "thrust: " + notFound("a whole number 0.." + settings.maximumThrust() + ", SHIELD or BOOST", found);
     }
 
     private String readLenientLine(int pod, String line, List<String> said) {
         String[] words = line.strip().split("\\s+", 4);
         if (words.length < 2) {
-            return "found \"" + shorten(line.strip()) + "\", expected X Y and a thrust, SHIELD or BOOST";
+            return notFound("X Y and a thrust, SHIELD or BOOST", line.strip());
         }
         double x = decimal(words[0]);
         double y = decimal(words[1]);
         if (Double.isNaN(x) || Double.isNaN(y)) {
-            return (Double.isNaN(x) ? "X: found \"" + shorten(words[0]) : "Y: found \"" + shorten(words[1]))
-                + "\", expected a finite number";
+            return (Double.isNaN(x) ? "X: " : "Y: ") + notFound("a finite number", words[Double.isNaN(x) ? 0 : 1]);
         }
         int thrust = words.length < 3 ? settings.maximumThrust() : thrust(words[2]);
         if (thrust == PodRace.NO_COMMAND) {
@@ -200,19 +174,12 @@ public final class PodRaceText implements TextCodec {
                 return noThrust(words[2]);
             }
             race.command(pod, x, y, settings.maximumThrust());
-            said.add(message.group(1));
+            say(message.group(1), said);
             return null;
         }
         race.command(pod, x, y, thrust);
-        if (words.length == 4) {
-            said.add(words[3]);
-        }
+        say(words.length == 4 ? words[3] : null, said);
         return null;
-    }
-
-    @Override
-    public String message(int player) {
-        return messages[player];
     }
 
     /** A decimal number, or NaN. */
@@ -238,9 +205,5 @@ public final class PodRaceText implements TextCodec {
                 return good ? (int) value : PodRace.NO_COMMAND;
             }
         }
-    }
-
-    private static String shorten(String text) {
-        return TextFormat.beginning(text, 40);
     }
 }

@@ -7,8 +7,8 @@ import java.util.List;
 import java.util.Optional;
 import steward.Internal;
 import steward.game.BotStub;
-import steward.game.FrameCodec;
 import steward.game.Game;
+import steward.game.GameJson;
 import steward.game.GameSetup;
 import steward.game.GameType;
 import steward.game.Pilot;
@@ -133,11 +133,8 @@ public final class PodRaceType implements GameType {
         }
 
         @Override
-        public FrameCodec codec(Game game) {
-            PodRace race = (PodRace) game;
-            PodJsonCache texts = new PodJsonCache(race);
-            return new FrameCodec(new PodRaceFrames(race, scene, texts), new PodRaceState(race, texts),
-                new PodRaceDrawing(race, scene));
+        public GameJson codec(Game game) {
+            return new PodRaceJson((PodRace) game, scene);
         }
 
         @Override

@@ -1,6 +1,7 @@
 package steward.game.pokerchiprace.protocol;
 
 import steward.game.pokerchiprace.ChipCommand;
+import steward.game.pokerchiprace.PokerChipRace;
 import steward.json.CommandsAnswer;
 import steward.json.JsonNumbers;
 import tools.jackson.core.JsonGenerator;
@@ -13,25 +14,20 @@ import tools.jackson.core.JsonParser;
  */
 final class PokerChipRaceAnswer extends CommandsAnswer<ChipCommand> {
 
-    private int chips;
+    private final PokerChipRace game;
     private boolean waits;
 
-    private PokerChipRaceAnswer(double farthest) {
+    private PokerChipRaceAnswer(PokerChipRace game, double farthest) {
         super("chips", farthest, "x", "y", "wait");
+        this.game = game;
     }
 
-    static PokerChipRaceAnswer ofBot() {
-        return new PokerChipRaceAnswer(FARTHEST);
+    static PokerChipRaceAnswer ofBot(PokerChipRace game) {
+        return new PokerChipRaceAnswer(game, FARTHEST);
     }
 
-    static PokerChipRaceAnswer ofReplay() {
-        return new PokerChipRaceAnswer(Double.MAX_VALUE);
-    }
-
-    /** Says how many commands the next answer must have. */
-    PokerChipRaceAnswer expect(int number) {
-        chips = number;
-        return this;
+    static PokerChipRaceAnswer ofReplay(PokerChipRace game) {
+        return new PokerChipRaceAnswer(game, Double.MAX_VALUE);
     }
 
     static void write(JsonGenerator out, ChipCommand command) {
@@ -45,7 +41,7 @@ final class PokerChipRaceAnswer extends CommandsAnswer<ChipCommand> {
 
     @Override
     protected int count() {
-        return chips;
+        return game.table().owned(player);
     }
 
     @Override

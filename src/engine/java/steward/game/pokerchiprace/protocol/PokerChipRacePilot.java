@@ -40,19 +40,8 @@ record PokerChipRacePilot(Aim aim) implements Pilot {
             return new double[] {random.nextInt(-farX, farX), random.nextInt(-farY, farY)};
         }
         Bodies bodies = table.bodies();
-        int nearest = -1;
-        for (int chip = 0; chip < bodies.size() && aim != Aim.GATHER; chip++) {
-            if (bodies.radius[chip] < bodies.radius[self]
-                && (nearest < 0 || squared(bodies, self, chip) < squared(bodies, self, nearest))) {
-                nearest = chip;
-            }
-        }
+        int nearest = aim == Aim.GATHER ? -1
+            : Pilot.nearest(bodies, self, chip -> bodies.radius[chip] < bodies.radius[self]);
         return nearest < 0 ? new double[2] : new double[] {bodies.x[nearest], bodies.y[nearest]};
-    }
-
-    private static double squared(Bodies bodies, int a, int b) {
-        double dx = bodies.x[a] - bodies.x[b];
-        double dy = bodies.y[a] - bodies.y[b];
-        return dx * dx + dy * dy;
     }
 }

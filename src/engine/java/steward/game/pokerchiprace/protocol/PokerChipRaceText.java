@@ -18,7 +18,7 @@ import tools.jackson.core.io.NumberOutput;
  * with places counted from the corner of the table. The answer is one line for each of its own chips: {@code WAIT} or
  * {@code X Y}, each with an optional message. Lines before a bad one take effect.
  */
-final class PokerChipRaceText extends CommandLines<ChipCommand> {
+final class PokerChipRaceText extends CommandLines {
 
     private static final int DECIMALS = 6;
 
@@ -28,7 +28,7 @@ final class PokerChipRaceText extends CommandLines<ChipCommand> {
     private final PokerChipRace game;
 
     PokerChipRaceText(PokerChipRace game) {
-        super(game.players(), "WAIT or X Y, finite numbers with one space between");
+        super(game.players());
         this.game = game;
     }
 
@@ -85,15 +85,17 @@ final class PokerChipRaceText extends CommandLines<ChipCommand> {
     }
 
     @Override
-    protected String command(int player, int k, ChipCommand command) {
+    protected String read(String line, int player, int k, List<String> said) {
+        ChipCommand command = command(withoutReturn(line), game.bodies().radius[game.table().ownChip(player, k)], said);
+        if (command == null) {
+            return notFound("WAIT or X Y, finite numbers with one space between", withoutReturn(line));
+        }
         game.command(player, k, command);
         return null;
     }
 
     /** The words for a small chip need not be numbers. */
-    @Override
-    protected ChipCommand read(String line, int player, int index, List<String> said) {
-        double radius = game.bodies().radius[game.table().ownChip(player, index)];
+    private static ChipCommand command(String line, double radius, List<String> said) {
         Matcher wait = WAIT.matcher(line);
         if (wait.matches()) {
             say(wait.group(1), said);

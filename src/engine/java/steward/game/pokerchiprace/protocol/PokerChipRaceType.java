@@ -4,8 +4,8 @@ import java.util.List;
 import java.util.Optional;
 import steward.Internal;
 import steward.game.BotStub;
-import steward.game.FrameCodec;
 import steward.game.Game;
+import steward.game.GameJson;
 import steward.game.GameSetup;
 import steward.game.GameType;
 import steward.game.Pilot;
@@ -17,8 +17,8 @@ import steward.game.pokerchiprace.OfficialPokerChipRace;
 import steward.game.pokerchiprace.PokerChipRace;
 import steward.game.pokerchiprace.PokerChipRaceSettings;
 import steward.physics.Arithmetic;
-import steward.physics.Contacts.Meaning;
 import steward.physics.Contacts;
+import steward.physics.Contacts.Meaning;
 import steward.physics.PhysicsParts;
 import steward.scene.Accuracy;
 import steward.scene.GameOwn;
@@ -116,10 +116,8 @@ public final class PokerChipRaceType implements GameType {
         }
 
         @Override
-        public FrameCodec codec(Game game) {
-            PokerChipRace of = (PokerChipRace) game;
-            return new FrameCodec(new PokerChipRaceFrames(of), new PokerChipRaceState(of),
-                new PokerChipRaceDrawing(of, scene.field().orElseThrow().walls()));
+        public GameJson codec(Game game) {
+            return new PokerChipRaceJson((PokerChipRace) game, scene.field().orElseThrow().walls());
         }
 
         @Override

@@ -6,8 +6,8 @@ import java.io.PrintStream;
 import java.util.List;
 import java.util.Optional;
 import steward.game.BotStub;
-import steward.game.FrameCodec;
 import steward.game.Game;
+import steward.game.GameJson;
 import steward.game.GameSetup;
 import steward.game.GameType;
 import steward.game.Pilot;
@@ -115,10 +115,8 @@ public final class SearchRaceType implements GameType {
         }
 
         @Override
-        public FrameCodec codec(Game game) {
-            SearchRace race = (SearchRace) game;
-            return new FrameCodec(new SearchRaceFrames(race, scene), new SearchRaceState(race),
-                new SearchRaceDrawing(race));
+        public GameJson codec(Game game) {
+            return new SearchRaceJson((SearchRace) game, scene.drag());
         }
 
         @Override

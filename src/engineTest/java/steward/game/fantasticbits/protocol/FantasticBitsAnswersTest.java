@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import steward.game.FrameCodec;
+import steward.game.GameJson;
 import steward.game.TextCodec;
 import steward.game.fantasticbits.FantasticBits;
 import steward.game.fantasticbits.Pitch;
@@ -28,7 +28,7 @@ class FantasticBitsAnswersTest {
 
     private final FantasticBitsType.FantasticBitsSetup setup = open("fantastic-bits");
     private final FantasticBits game = setup.create(7);
-    private final FrameCodec codec = setup.codec(game);
+    private final GameJson codec = setup.codec(game);
     private final TextCodec text = setup.textCodec(game).orElseThrow();
 
     private static FantasticBitsType.FantasticBitsSetup open(String scene) {
@@ -42,7 +42,7 @@ class FantasticBitsAnswersTest {
 
     private String json(String line) {
         byte[] bytes = line.replace('\'', '"').getBytes(StandardCharsets.UTF_8);
-        return codec.frames().readAnswer(1, bytes, bytes.length);
+        return codec.readAnswer(1, bytes, bytes.length);
     }
 
     private List<WizardCommand> commands() {
@@ -69,7 +69,7 @@ class FantasticBitsAnswersTest {
         assertTrue(wrong.contains("found ") && wrong.contains(", expected "), wrong);
         assertEquals(WizardCommand.move(1, 2, 3), game.command(1, 0));
         assertNull(game.command(1, 1));
-        assertTrue(codec.state().hasPartialCommand(1));
+        assertTrue(codec.hasPartialCommand(1));
     }
 
     @Test
@@ -96,10 +96,10 @@ class FantasticBitsAnswersTest {
         game.bodies().columns[Pitch.HELD][2] = 4;
         assertNull(json("{'wizards':[{'x':1.5,'y':-2,'throw':500},{'spell':'accio','target':5}],'message':'hello'}"));
         assertEquals(List.of(WizardCommand.toss(1.5, -2, 500), WizardCommand.cast(Spell.ACCIO, 5)), commands());
-        assertEquals("hello", codec.frames().message(1));
+        assertEquals("hello", codec.message(1));
         String kept = kept();
         assertEquals("{\"c\":[{\"x\":1.5,\"y\":-2,\"throw\":500},{\"spell\":\"accio\",\"target\":5}]}", kept);
-        codec.state().clearCommand(1);
+        codec.clearCommand(1);
         assertNull(read(kept, false));
         assertEquals(kept, kept());
     }
@@ -119,7 +119,7 @@ class FantasticBitsAnswersTest {
     private String kept() {
         return new String(JsonObject.of(out -> {
             out.writeName("c");
-            codec.state().writeCommand(out, 1);
+            codec.writeCommand(out, 1);
         }), StandardCharsets.UTF_8);
     }
 
@@ -129,7 +129,7 @@ class FantasticBitsAnswersTest {
             in.nextToken();
             in.nextToken();
             in.nextToken();
-            return partial ? codec.state().readPartialCommand(in, 1) : codec.state().readCommand(in, 1);
+            return partial ? codec.readPartialCommand(in, 1) : codec.readCommand(in, 1);
         }
     }
 
@@ -138,7 +138,7 @@ class FantasticBitsAnswersTest {
         lines("MOVE 1 2 3/?");
         String kept = kept();
         assertEquals("{\"c\":[{\"x\":1,\"y\":2,\"power\":3},null]}", kept);
-        codec.state().clearCommand(1);
+        codec.clearCommand(1);
         assertEquals("wizards[1]: found null, expected an object", read(kept, false));
         assertNull(read(kept, true));
         assertEquals(kept, kept());

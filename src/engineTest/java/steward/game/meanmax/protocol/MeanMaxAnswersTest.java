@@ -9,7 +9,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import steward.game.FrameCodec;
+import steward.game.GameJson;
 import steward.game.TextCodec;
 import steward.game.meanmax.LooterCommand;
 import steward.game.meanmax.MeanMax;
@@ -26,7 +26,7 @@ class MeanMaxAnswersTest {
     private final MeanMaxType.MeanMaxSetup setup =
         new MeanMaxType().open(SceneReader.read(SceneFiles.load("mean-max"), null));
     private final MeanMax game = setup.create(7);
-    private final FrameCodec codec = setup.codec(game);
+    private final GameJson codec = setup.codec(game);
     private final TextCodec text = setup.textCodec(game).orElseThrow();
 
     private String lines(String lines) {
@@ -36,7 +36,7 @@ class MeanMaxAnswersTest {
 
     private String json(String line) {
         byte[] bytes = line.replace('\'', '"').getBytes(StandardCharsets.UTF_8);
-        return codec.frames().readAnswer(1, bytes, bytes.length);
+        return codec.readAnswer(1, bytes, bytes.length);
     }
 
     private List<LooterCommand> commands() {
@@ -61,12 +61,12 @@ class MeanMaxAnswersTest {
     void otherLinesAreFaultsAndLinesBeforeThemCount(String a, String b, String c, String d, String e, String f,
                                                     String g, String h, String i, String j) {
         for (String bad : List.of(a, b, c, d, e, f, g, h, i, j)) {
-            codec.state().clearCommand(1);
+            codec.clearCommand(1);
             String wrong = lines("1 2 3/" + bad + "/4 5 6");
             assertTrue(wrong != null && wrong.startsWith("line 2 of 3: found "), bad + ": " + wrong);
             assertEquals(LooterCommand.move(1, 2, 3), game.command(1, 0));
             assertNull(game.command(1, 1));
-            assertTrue(codec.state().hasPartialCommand(1));
+            assertTrue(codec.hasPartialCommand(1));
         }
         assertEquals("found 2 lines, expected 3", lines("1 2 3/4 5 6"));
     }
@@ -92,11 +92,11 @@ class MeanMaxAnswersTest {
             + "'message':'hello'}"));
         assertEquals(List.of(LooterCommand.move(1.5, -2, 300), LooterCommand.skill(100, 2), LooterCommand.WAIT),
             commands());
-        assertEquals("hello", codec.frames().message(1));
+        assertEquals("hello", codec.message(1));
         String kept = kept();
         assertEquals("{\"c\":[{\"x\":1.5,\"y\":-2,\"power\":300},{\"x\":100,\"y\":2,\"skill\":true},{\"wait\":true}]}",
             kept);
-        codec.state().clearCommand(1);
+        codec.clearCommand(1);
         assertNull(read(kept, false));
         assertEquals(kept, kept());
     }
@@ -104,7 +104,7 @@ class MeanMaxAnswersTest {
     private String kept() {
         return new String(JsonObject.of(out -> {
             out.writeName("c");
-            codec.state().writeCommand(out, 1);
+            codec.writeCommand(out, 1);
         }), StandardCharsets.UTF_8);
     }
 
@@ -114,7 +114,7 @@ class MeanMaxAnswersTest {
             in.nextToken();
             in.nextToken();
             in.nextToken();
-            return partial ? codec.state().readPartialCommand(in, 1) : codec.state().readCommand(in, 1);
+            return partial ? codec.readPartialCommand(in, 1) : codec.readCommand(in, 1);
         }
     }
 
@@ -123,7 +123,7 @@ class MeanMaxAnswersTest {
         lines("1 2 3/WAIT/?");
         String kept = kept();
         assertEquals("{\"c\":[{\"x\":1,\"y\":2,\"power\":3},{\"wait\":true},null]}", kept);
-        codec.state().clearCommand(1);
+        codec.clearCommand(1);
         assertEquals("looters[2]: found null, expected an object", read(kept, false));
         assertNull(read(kept, true));
         assertEquals(kept, kept());

@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import steward.game.FrameCodec;
+import steward.game.GameJson;
 import steward.game.TextCodec;
 import steward.game.pokerchiprace.ChipCommand;
 import steward.game.pokerchiprace.ChipTable;
@@ -29,7 +29,7 @@ class ChipAnswersTest {
     private final PokerChipRaceType.PokerChipRaceSetup setup =
         new PokerChipRaceType().open(SceneReader.read(SceneFiles.load("poker-chip-race"), null));
     private final PokerChipRace game = game();
-    private final FrameCodec codec = setup.codec(game);
+    private final GameJson codec = setup.codec(game);
     private final TextCodec text = setup.textCodec(game).orElseThrow();
 
     /** Player 1 has chips 2, 3 and 5, of which 5 is too small to push itself; 0 and 4 are neutral. */
@@ -51,7 +51,7 @@ class ChipAnswersTest {
 
     private String json(String line) {
         byte[] bytes = line.replace('\'', '"').getBytes(StandardCharsets.UTF_8);
-        return codec.frames().readAnswer(1, bytes, bytes.length);
+        return codec.readAnswer(1, bytes, bytes.length);
     }
 
     @Test
@@ -94,18 +94,18 @@ class ChipAnswersTest {
         assertTrue(wrong.startsWith("line 2 of 3: found \""), wrong);
         assertEquals(new ChipCommand(-399, -255.5), game.command(1, 0));
         assertNull(game.command(1, 1));
-        assertTrue(codec.state().hasPartialCommand(1));
+        assertTrue(codec.hasPartialCommand(1));
         assertEquals("found 2 lines, expected 3", lines("WAIT/WAIT"));
     }
 
     @Test
     void everyKindOfCommandIsReadFromJsonAndKept() {
         assertNull(json("{'chips':[{'x':1.5,'y':-2},{'wait':true},{'x':1e2,'y':-0.0}],'message':'hello'}"));
-        assertEquals("hello", codec.frames().message(1));
+        assertEquals("hello", codec.message(1));
         assertEquals(new ChipCommand(1.5, -2), game.command(1, 0));
         String kept = kept();
         assertEquals("{\"c\":[{\"x\":1.5,\"y\":-2},{\"wait\":true},{\"x\":100,\"y\":-0.0}]}", kept);
-        codec.state().clearCommand(1);
+        codec.clearCommand(1);
         assertNull(read(kept, false));
         assertEquals(kept, kept());
     }
@@ -113,7 +113,7 @@ class ChipAnswersTest {
     private String kept() {
         return new String(JsonObject.of(out -> {
             out.writeName("c");
-            codec.state().writeCommand(out, 1);
+            codec.writeCommand(out, 1);
         }), StandardCharsets.UTF_8);
     }
 
@@ -123,7 +123,7 @@ class ChipAnswersTest {
             in.nextToken();
             in.nextToken();
             in.nextToken();
-            return partial ? codec.state().readPartialCommand(in, 1) : codec.state().readCommand(in, 1);
+            return partial ? codec.readPartialCommand(in, 1) : codec.readCommand(in, 1);
         }
     }
 
@@ -134,11 +134,11 @@ class ChipAnswersTest {
         String kept = kept();
         assertEquals("{\"c\":[{\"x\":1.0E300,\"y\":-255.5},{\"wait\":true},{\"wait\":true}]}", kept,
             "the game forgets only what was played");
-        codec.state().clearCommand(1);
+        codec.clearCommand(1);
         lines("1e300 2/?/WAIT");
         kept = kept();
         assertEquals("chips[1]: found null, expected an object", read(kept, false));
-        codec.state().clearCommand(1);
+        codec.clearCommand(1);
         assertNull(read(kept, true));
         assertEquals(kept, kept());
         assertEquals("chips[2]: found an object, expected null",
@@ -149,7 +149,7 @@ class ChipAnswersTest {
 
     @Test
     void aFrameNamesTheOwnChips() {
-        String turn = new String(JsonObject.of(out -> codec.frames().writeTurn(out, 1)), StandardCharsets.UTF_8);
+        String turn = new String(JsonObject.of(out -> codec.writeTurn(out, 1)), StandardCharsets.UTF_8);
         assertTrue(turn.startsWith("{\"own\":[2,3,5],\"chips\":[{\"id\":0,\"radius\":10,\"x\":-300,\"y\":0,\"vx\":1,"
             + "\"vy\":-0.0},{\"id\":1,\"player\":0,\"radius\":20,"), turn);
         assertEquals(List.of(2, 3, 5),

@@ -8,7 +8,7 @@ import java.nio.charset.StandardCharsets;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import steward.game.FrameCodec;
+import steward.game.GameJson;
 import steward.game.TextCodec;
 import steward.game.searchrace.SearchRace;
 import steward.json.JsonObject;
@@ -17,12 +17,12 @@ import steward.json.JsonObject;
 class SearchRaceAnswerTest {
 
     private final SearchRace race = SearchRaces.onMap("0 0;5000 0;10000 0");
-    private final FrameCodec codec = SearchRaces.changed().codec(race);
+    private final GameJson codec = SearchRaces.changed().codec(race);
     private final TextCodec text = SearchRaces.changed().textCodec(race).orElseThrow();
 
     private String read(String line) {
         byte[] bytes = line.getBytes(StandardCharsets.UTF_8);
-        return codec.frames().readAnswer(0, bytes, bytes.length);
+        return codec.readAnswer(0, bytes, bytes.length);
     }
 
     private String readText(String line) {
@@ -36,13 +36,13 @@ class SearchRaceAnswerTest {
         assertEquals(SearchRace.Order.TOWARD, race.order());
         assertEquals(1.5, race.targetX());
         assertEquals(200, race.thrust());
-        assertEquals("hi", codec.frames().message(0));
+        assertEquals("hi", codec.message(0));
         assertNull(read("{\"thrust\":100.0,\"turn\":-18}"));
         assertEquals(SearchRace.Order.TURN, race.order());
         assertEquals(-18, race.degrees());
         assertEquals("{\"command\":{\"turn\":-18,\"thrust\":100}}", new String(JsonObject.of(out -> {
             out.writeName("command");
-            codec.state().writeCommand(out, 0);
+            codec.writeCommand(out, 0);
         }), StandardCharsets.UTF_8));
     }
 

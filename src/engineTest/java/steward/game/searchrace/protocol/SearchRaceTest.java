@@ -34,7 +34,7 @@ class SearchRaceTest {
 
     private static void command(GameSetup setup, SearchRace game, SplitMix64 random) {
         byte[] line = setup.pilot(Pilot.Aim.WIN).answer(game, 0, random).getBytes(StandardCharsets.UTF_8);
-        assertEquals(null, setup.codec(game).frames().readAnswer(0, line, line.length));
+        assertEquals(null, setup.codec(game).readAnswer(0, line, line.length));
     }
 
     /** 200 to the right, 85% of 200 kept; then 170 + 200 more, and 85% of 370 is 314.5, cut to 314. */

@@ -14,7 +14,7 @@ import java.util.List;
 import java.util.Map;
 import steward.bots.PodBot;
 import steward.bots.Racer;
-import steward.game.BotFrames;
+import steward.game.GameJson;
 import steward.game.podrace.PodRace;
 import steward.game.podrace.PodState;
 import steward.game.podrace.Recordings;
@@ -86,7 +86,7 @@ public final class RaceGames {
             record.putDouble(place[0]).putDouble(place[1]);
         }
         send();
-        BotFrames frames = setup.codec(race).frames();
+        GameJson frames = setup.codec(race);
         Sort[] sorts = new Sort[PLAYERS];
         PodBot[] racers = new PodBot[PLAYERS];
         for (int player = 0; player < PLAYERS; player++) {
@@ -123,7 +123,7 @@ public final class RaceGames {
         send();
     }
 
-    private static String frame(BotFrames frames, int player, boolean setup) {
+    private static String frame(GameJson frames, int player, boolean setup) {
         ByteArrayOutputStream text = new ByteArrayOutputStream();
         try (JsonGenerator json = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(), text)) {
             json.writeStartObject();

@@ -16,8 +16,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import steward.bot.InProcessPlayer;
-import steward.game.FrameCodec;
 import steward.game.Game;
+import steward.game.GameJson;
 import steward.game.podrace.PodRace;
 import steward.game.podrace.PodSeat;
 import steward.game.podrace.PodState;
@@ -128,7 +128,7 @@ class BenchBotsTest {
                 private long before;
 
                 @Override
-                public void start(Game started, FrameCodec codec) {
+                public void start(Game started, GameJson codec) {
                     game = started;
                     writer.start(started, codec);
                 }

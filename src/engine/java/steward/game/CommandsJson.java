@@ -4,14 +4,23 @@ import steward.json.CommandsAnswer;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.JsonParser;
 
-/** States of a game in which a player gives a list of commands, one for each of its bodies. */
-public abstract class CommandListState<C> implements StateCodec {
+/** JSON of a game in which a player gives a list of commands, one for each of its bodies. */
+public abstract class CommandsJson<C> implements GameJson {
 
-    private final CommandsAnswer<C> commands;
+    private final CommandsAnswer<C> answers;
+    private final CommandsAnswer<C> recorded;
+    private final String[] messages;
 
-    /** @param commands reads what was recorded */
-    protected CommandListState(CommandsAnswer<C> commands) {
-        this.commands = commands;
+    /**
+     * JSON of a game of so many players.
+     *
+     * @param answers  reads what bots answer
+     * @param recorded reads what a replay has kept
+     */
+    protected CommandsJson(int players, CommandsAnswer<C> answers, CommandsAnswer<C> recorded) {
+        this.answers = answers;
+        this.recorded = recorded;
+        messages = new String[players];
     }
 
     /** The number of bodies that the player commands. */
@@ -25,6 +34,18 @@ public abstract class CommandListState<C> implements StateCodec {
 
     /** Writes the fields of a command. */
     protected abstract void writeFields(JsonGenerator out, C command);
+
+    @Override
+    public final String readAnswer(int player, byte[] line, int length) {
+        String wrong = answers.of(player).read(line, length);
+        messages[player] = wrong == null ? answers.message() : null;
+        return take(player, wrong, answers);
+    }
+
+    @Override
+    public final String message(int player) {
+        return messages[player];
+    }
 
     @Override
     public final void writeCommand(JsonGenerator out, int player) {
@@ -44,26 +65,19 @@ public abstract class CommandListState<C> implements StateCodec {
 
     @Override
     public final String readCommand(JsonParser in, int player) {
-        return read(in, player, false);
+        return take(player, recorded.of(player).readArray(in, false), recorded);
     }
 
     @Override
     public final String readPartialCommand(JsonParser in, int player) {
-        return read(in, player, true);
+        return take(player, recorded.of(player).readArray(in, true), recorded);
     }
 
-    private String read(JsonParser in, int player, boolean partial) {
-        expect(player);
-        String wrong = commands.readArray(in, partial);
+    private String take(int player, String wrong, CommandsAnswer<C> read) {
         for (int k = 0; wrong == null && k < commands(player); k++) {
-            command(player, k, commands.command(k));
+            command(player, k, read.command(k));
         }
         return wrong;
-    }
-
-    /** Says whose commands are read next, to a reader for which that matters. */
-    protected void expect(int player) {
-        // most players command as many bodies as any other
     }
 
     @Override

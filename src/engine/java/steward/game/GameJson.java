@@ -1,15 +1,37 @@
 package steward.game;
 
+import steward.json.DrawingJson;
+import steward.json.JsonNumbers;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.JsonParser;
 
 /**
- * The commands and states of one {@link Game} as a replay keeps them, as JSON: complete, in full precision.
+ * JSON of one {@link Game}: frames that its players are sent and their answers, commands and states as a replay keeps
+ * them, complete and in full precision, and the drawing. The {@code write} methods, all but {@link #writeCommand}, add
+ * fields to an object that the caller has opened and closes; numbers go through {@link JsonNumbers}.
  *
  * <p>In some games the part of a faulty answer before its fault takes effect all the same: the lines before a bad one,
  * say. The part that was read then is a partial command.
  */
-public interface StateCodec {
+public interface GameJson {
+
+    /** Fields of the player's setup frame, beyond those every game has (type, game, player, players, time). */
+    void writeSetup(JsonGenerator out, int player);
+
+    /** Fields of the player's turn frame, beyond those every game has (type, turn). */
+    void writeTurn(JsonGenerator out, int player);
+
+    /**
+     * Reads a player's answer to a turn frame and, if it is valid, makes it the player's command.
+     *
+     * @param line   UTF-8, without line end
+     * @param length how many bytes count
+     * @return {@code null} if it is valid; otherwise what is wrong: field, value found, what was expected
+     */
+    String readAnswer(int player, byte[] line, int length);
+
+    /** The message that came with the player's last answer, or {@code null}. */
+    String message(int player);
 
     /** One value: the player's command as it is about to be played, complete and in full precision. */
     void writeCommand(JsonGenerator out, int player);
@@ -17,7 +39,7 @@ public interface StateCodec {
     /**
      * The inverse of {@link #writeCommand}; the parser stands on the first token of the value.
      *
-     * @return {@code null} if it is valid; otherwise what is wrong, as {@link BotFrames#readAnswer}
+     * @return {@code null} if it is valid; otherwise what is wrong, as {@link #readAnswer}
      */
     String readCommand(JsonParser in, int player);
 
@@ -54,6 +76,11 @@ public interface StateCodec {
      */
     void writeState(JsonGenerator out);
 
+    /** The record that Jackson makes of a state, with a component for each of its fields; {@code null} for none. */
+    default Class<? extends Record> stateType() {
+        return null;
+    }
+
     /**
      * Fields of a turn's outcome that not every game has, in this order: {@code zones} that are there after this turn,
      * as in the drawing; {@code scores}, a number per player; {@code resources}, an object of numbers per player. They
@@ -62,4 +89,10 @@ public interface StateCodec {
     default void writeProgress(JsonGenerator out) {
         // Most games tell all by their bodies.
     }
+
+    /**
+     * Fields that say what to draw, constant over the game: {@code field} (x, y, width, height), {@code walls}, {@code
+     * zones} (x, y, radius, label) and {@code bodies} (id, radius, owner, kind, label); see {@link DrawingJson}.
+     */
+    void writeDrawing(JsonGenerator out);
 }

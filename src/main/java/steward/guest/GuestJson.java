@@ -3,7 +3,8 @@ package steward.guest;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
-import steward.game.StateCodec;
+import steward.game.GameJson;
+import steward.json.DrawingJson;
 import steward.json.JsonObject;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.JsonParser;
@@ -12,13 +13,38 @@ import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
 /**
- * Answers and states of a guest as a replay keeps them. A command is the lines of an answer, with its time where the
- * referee counts times; a state is all that the referee has said since the last answer.
+ * All JSON of a guest: answers and states as a replay keeps them; its bots speak lines only. A command is the lines of
+ * an answer, with its time where the referee counts times; a state is all that the referee has said since the last
+ * answer.
  */
-record GuestState(GuestGame game) implements StateCodec {
+record GuestJson(GuestGame game) implements GameJson {
 
     private static final String LINES = "lines";
     private static final String EXPECTED = ", expected an object with the lines of an answer";
+
+    @Override
+    public void writeSetup(JsonGenerator out, int player) {
+        throw linesOnly();
+    }
+
+    @Override
+    public void writeTurn(JsonGenerator out, int player) {
+        throw linesOnly();
+    }
+
+    @Override
+    public String readAnswer(int player, byte[] line, int length) {
+        throw linesOnly();
+    }
+
+    @Override
+    public String message(int player) {
+        throw linesOnly();
+    }
+
+    private static UnsupportedOperationException linesOnly() {
+        return new UnsupportedOperationException("bots of a guest speak its lines only");
+    }
 
     @Override
     public void writeCommand(JsonGenerator out, int player) {
@@ -72,6 +98,13 @@ record GuestState(GuestGame game) implements StateCodec {
             out.writeStringProperty("block", block.name().name());
             JsonObject.writeTexts(out, LINES, block.lines());
         });
+    }
+
+    /** An empty field: what the guest shows is not known. */
+    @Override
+    public void writeDrawing(JsonGenerator out) {
+        DrawingJson.field(out, 0, 0, GuestGame.WIDTH, GuestGame.HEIGHT);
+        List.of("walls", "zones", "bodies").forEach(shapes -> JsonObject.writeTexts(out, shapes, List.of()));
     }
 
     /** Reads what the referee said from a start or outcome; a block of no known name is a failure of it. */
