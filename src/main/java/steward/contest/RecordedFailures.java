@@ -70,12 +70,9 @@ public final class RecordedFailures {
     public void add(RecordedTurn recorded) {
         Turn turn = Turn.of(recorded.number(), recorded.faults().length);
         for (int player = 0; player < turn.players(); player++) {
-            String fault = recorded.faults()[player];
-            if (fault != null) {
-                turn.fail(player, fault, recorded.stderr()[player], recorded.nanos(player));
-                turn.late(player, starved(fault));
-            } else if (recorded.hasCommand(player)) {
-                turn.answer(player, recorded.messages()[player], recorded.stderr()[player], recorded.nanos(player));
+            recorded.tell(turn, player);
+            if (turn.fault(player) != null) {
+                turn.late(player, starved(recorded.faults()[player]));
             }
         }
         log.note(turn);

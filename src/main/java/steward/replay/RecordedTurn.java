@@ -3,6 +3,7 @@ package steward.replay;
 import java.util.Arrays;
 import java.util.Objects;
 import steward.json.JsonNumbers;
+import steward.match.Turn;
 import steward.text.TextFormat;
 import tools.jackson.core.JacksonException;
 import tools.jackson.core.JsonParser;
@@ -48,14 +49,34 @@ public record RecordedTurn(int number, byte[] commands, String[] faults, String 
     }
 
     public boolean hasCommand(int player) {
-        try (JsonParser in = parser(commands)) {
-            in.nextToken();
-            JsonToken token = in.nextToken();
-            for (int k = 0; k < player && token != JsonToken.END_ARRAY; k++) {
-                in.skipChildren();
-                token = in.nextToken();
-            }
-            return token != JsonToken.END_ARRAY && token != JsonToken.VALUE_NULL;
+        try (JsonParser in = command(player)) {
+            return in != null;
+        }
+    }
+
+    /** Returns a parser on the first token of a player's command; {@code null} if it has none. */
+    public JsonParser command(int player) {
+        return element(commands, player);
+    }
+
+    /** A parser on an element of an array; {@code null} if that is absent or null. */
+    private static JsonParser element(byte[] array, int index) {
+        JsonParser in = parser(array);
+        in.nextToken();
+        JsonToken token = in.nextToken();
+        for (int k = 0; k < index && token != JsonToken.END_ARRAY; k++) {
+            in.skipChildren();
+            token = in.nextToken();
+        }
+        return token == JsonToken.END_ARRAY || token == JsonToken.VALUE_NULL ? null : in;
+    }
+
+    /** Tells a turn of a player's fault or answer, if it has one. */
+    public void tell(Turn turn, int player) {
+        if (faults[player] != null) {
+            turn.fail(player, faults[player], stderr[player], nanos(player));
+        } else if (hasCommand(player)) {
+            turn.answer(player, messages[player], stderr[player], nanos(player));
         }
     }
 
@@ -66,7 +87,7 @@ public record RecordedTurn(int number, byte[] commands, String[] faults, String 
      * @param length how many bytes of it count
      */
     public boolean hasCommand(int player, byte[] json, int length) {
-        int from = element(player);
+        int from = beginning(player);
         int to = from + length;
         return from > 0 && to < commands.length && (commands[to] == ',' || commands[to] == ']')
             && Arrays.equals(commands, from, to, json, 0, length);
@@ -90,7 +111,7 @@ public record RecordedTurn(int number, byte[] commands, String[] faults, String 
     }
 
     /** Returns where an entry of the array of commands begins, or -1 if there are fewer. */
-    private int element(int number) {
+    private int beginning(int number) {
         int passed = 0;
         int depth = 0;
         boolean quoted = false;
@@ -128,13 +149,8 @@ public record RecordedTurn(int number, byte[] commands, String[] faults, String 
         if (!line.has("answerNanos")) {
             return 0;
         }
-        try (JsonParser in = parser(line.array("answerNanos"))) {
-            in.nextToken();
-            JsonToken token = in.nextToken();
-            for (int k = 0; k < player && token != JsonToken.END_ARRAY; k++) {
-                token = in.nextToken();
-            }
-            if (token != JsonToken.VALUE_NUMBER_INT) {
+        try (JsonParser in = element(line.array("answerNanos"), player)) {
+            if (in == null || in.currentToken() != JsonToken.VALUE_NUMBER_INT) {
                 return 0;
             }
             if (in.getNumberType() == JsonParser.NumberType.BIG_INTEGER) {

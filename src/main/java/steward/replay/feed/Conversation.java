@@ -15,11 +15,7 @@ import steward.replay.ReplayException;
 import steward.replay.verify.Difference;
 import steward.replay.verify.Resimulation;
 import steward.scene.Time;
-import steward.scene.json.JsonProblem;
-import tools.jackson.core.JacksonException;
 import tools.jackson.core.JsonGenerator;
-import tools.jackson.core.JsonParser;
-import tools.jackson.core.JsonToken;
 import tools.jackson.core.ObjectWriteContext;
 
 /**
@@ -121,22 +117,11 @@ final class Conversation {
 
     /** The recorded command in the form that this program writes. */
     private byte[] recordedCommand(RecordedTurn recorded) {
-        try (JsonParser in = RecordedTurn.parser(recorded.commands())) {
-            in.nextToken();
-            JsonToken token = in.nextToken();
-            for (int other = 0; other < player && token != JsonToken.END_ARRAY; other++) {
-                in.skipChildren();
-                token = in.nextToken();
-            }
-            boolean there = token != JsonToken.END_ARRAY && token != JsonToken.VALUE_NULL;
-            String wrong = there ? again.codec().readCommand(in, player) : "found none, expected a command";
-            if (wrong != null) {
-                throw new ReplayException(recorded.where() + ": commands[" + player + "]: " + wrong);
-            }
-            return command();
-        } catch (JacksonException problem) {
-            throw new ReplayException(recorded.where() + ": commands: " + JsonProblem.message(problem));
+        String wrong = again.readCommand(recorded, player);
+        if (wrong != null) {
+            throw new ReplayException(wrong);
         }
+        return command();
     }
 
     /** The player's command as it stands. */

@@ -19,10 +19,6 @@ import steward.replay.ReplayException;
 import steward.replay.ReplayHeader;
 import steward.replay.ReplayWriter;
 import steward.replay.verify.Resimulation;
-import steward.scene.json.JsonProblem;
-import tools.jackson.core.JacksonException;
-import tools.jackson.core.JsonParser;
-import tools.jackson.core.JsonToken;
 
 /**
  * Lets a bot take over from one player of a recorded match, against the recorded commands of the others, and records
@@ -168,7 +164,7 @@ public final class Takeover {
         Feed.requireSame(recorded, again.prepare(recorded));
         Turn turn = Turn.of(recorded.number(), game.players());
         for (int player = 0; player < game.players(); player++) {
-            record(turn, recorded, player);
+            recorded.tell(turn, player);
         }
         play(turn);
         Feed.checkHash(game, recorded);
@@ -185,7 +181,7 @@ public final class Takeover {
         for (int player = 0; player < game.players(); player++) {
             if (player != conversation.player()) {
                 if (game.isAsked(player)) {
-                    record(turn, recorded, player);
+                    recorded.tell(turn, player);
                     if (turn.fault(player) != null) {
                         game.eliminate(player, turn.fault(player));      // a recorded fault is repeated
                     }
@@ -203,31 +199,13 @@ public final class Takeover {
     }
 
     private String readOthers(RecordedTurn recorded) {
-        try (JsonParser in = RecordedTurn.parser(recorded.commands())) {
-            in.nextToken();
-            for (int player = 0; player < game.players(); player++) {
-                JsonToken token = in.nextToken();
-                if (player == conversation.player() || !game.isAsked(player) || token == JsonToken.VALUE_NULL) {
-                    in.skipChildren();
-                    continue;
-                }
-                String wrong = again.codec().readCommand(in, player);
-                if (wrong != null) {
-                    return recorded.where() + ": commands[" + player + "]: " + wrong;
-                }
+        String wrong = null;
+        for (int player = 0; player < game.players() && wrong == null; player++) {
+            if (player != conversation.player() && game.isAsked(player) && recorded.hasCommand(player)) {
+                wrong = again.readCommand(recorded, player);
             }
-            return null;
-        } catch (JacksonException problem) {
-            return recorded.where() + ": commands: " + JsonProblem.message(problem);
         }
-    }
-
-    private static void record(Turn turn, RecordedTurn recorded, int player) {
-        if (recorded.faults()[player] != null) {
-            turn.fail(player, recorded.faults()[player], recorded.stderr()[player], recorded.nanos(player));
-        } else if (recorded.hasCommand(player)) {
-            turn.answer(player, recorded.messages()[player], recorded.stderr()[player], recorded.nanos(player));
-        }
+        return wrong;
     }
 
     private void play(Turn turn) {

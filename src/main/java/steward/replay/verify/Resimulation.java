@@ -256,6 +256,16 @@ public final class Resimulation {
         return null;
     }
 
+    /** Reads the command of one player of a recorded turn. @return what is wrong with it and where, or {@code null} */
+    public String readCommand(RecordedTurn turn, int player) {
+        try (JsonParser in = turn.command(player)) {
+            String wrong = in == null ? "found none, expected a command" : codec.readCommand(in, player);
+            return wrong == null ? null : turn.where() + ": commands[" + player + "]: " + wrong;
+        } catch (JacksonException problem) {
+            return turn.where() + ": commands: " + JsonProblem.message(problem);
+        }
+    }
+
     /** Reads the commands anew if anything is wrong with them: the error has its place in a parser of their own. */
     private Difference readCommands(RecordedTurn turn) {
         byte[] json = turn.commands();
