@@ -11,6 +11,7 @@ import steward.game.Game;
 import steward.match.MatchResult;
 import steward.match.Turn;
 import steward.replay.JsonLine;
+import steward.replay.OutcomeJson;
 import steward.replay.RecordedTurn;
 import steward.replay.ReplayHeader;
 import steward.replay.ReplayLines;
@@ -41,10 +42,10 @@ final class LineCheck {
     private int outcomeFrom;
     private int outcomeTo;
 
-    LineCheck(ReplayReader replay, Resimulation again, SignedLines signed) {
+    LineCheck(ReplayReader replay, Resimulation again) {
         this.replay = replay;
         this.again = again;
-        this.signed = signed;
+        signed = new SignedLines(replay);
         game = again.game();
         server = replay.imported() ? new ServerRecording() : null;
         views = again.views() == null ? null : new ViewComparison(again.views(), game);
@@ -54,7 +55,53 @@ final class LineCheck {
             header.signer()).ofJar(header.jar()).ofLimits(header.limits()), server);
     }
 
-    public Difference header() {
+    /**
+     * Verifies the replay from its first turn to its end or cut.
+     *
+     * @param asked counts in how many turns each player was asked; or {@code null}
+     */
+    Verification verify(int... asked) {
+        Difference difference = header();
+        String[] faults = new String[game.players()];
+        boolean[] in = new boolean[faults.length];
+        int turns = 0;
+        int states = 0;
+        boolean whole = false;
+        while (difference == null && !whole) {
+            byte[] line = replay.nextLine();
+            for (int player = 0; player < in.length; player++) {
+                in[player] = !game.isOver() && game.isAsked(player);
+            }
+            boolean same = line != null && isSame(line);
+            RecordedTurn turn = same ? null : replay.turn(line);
+            if (!same && turn == null && replay.result() == null) {
+                break;
+            }
+            for (int player = 0; asked != null && player < in.length; player++) {
+                asked[player] += in[player] && (turn == null || turn.asked(player)) ? 1 : 0;
+            }
+            if (same) {
+                replay.passed(turns + 1);
+            } else if (turn == null) {
+                difference = result(faults);
+                whole = difference == null;
+            } else {
+                difference = turn(line, turn);
+            }
+            if (difference == null && !whole) {
+                turns += views == null || views.difference() == null ? 1 : 0;
+                states += server == null && OutcomeJson.hasState(game) ? 1 : 0;
+                for (int player = 0; turn != null && player < faults.length; player++) {
+                    faults[player] = faults[player] == null ? turn.faults()[player] : faults[player];
+                }
+            }
+        }
+        return new Verification(turns, views == null ? states : views.turns(), whole,
+            views == null || views.difference() == null ? difference : views.difference(), replay.warning(),
+            views == null ? ViewCounts.NONE : views.counts(), null, signed.check(whole));
+    }
+
+    Difference header() {
         read(replay.headerLine());
         lines.header(game, again.codec());
         boolean agrees = agrees(replay.headerLine().json());
@@ -76,7 +123,7 @@ final class LineCheck {
         }
     }
 
-    public boolean isSame(byte[] line) {
+    boolean isSame(byte[] line) {
         played = null;
         int number = game.turn() + 1;
         int at = server != null || game.isOver() ? -1 : LineScanner.commands(line, number);
@@ -112,7 +159,7 @@ final class LineCheck {
         outcomeTo = lines.line().size();
     }
 
-    public Difference turn(byte[] line, RecordedTurn recorded) {
+    Difference turn(byte[] line, RecordedTurn recorded) {
         if (server != null) {
             read(new JsonLine(recorded.where(), line));
         }
@@ -162,12 +209,7 @@ final class LineCheck {
         }
     }
 
-    /** Comparison of an imported match with what a server has shown; {@code null} where there is none. */
-    ViewComparison views() {
-        return views;
-    }
-
-    public Difference result(String[] turnFaults) {
+    private Difference result(String[] turnFaults) {
         JsonLine result = replay.result();
         read(result);
         String[] recorded = result.textsOf("players", "fault");

@@ -1,9 +1,6 @@
 package steward.replay.verify;
 
-import steward.game.Game;
 import steward.game.GameTypes;
-import steward.replay.OutcomeJson;
-import steward.replay.RecordedTurn;
 import steward.replay.ReplayException;
 import steward.replay.ReplayReader;
 
@@ -63,7 +60,11 @@ public record Verification(int turns, int states, boolean whole, Difference diff
             Resimulation again = new Resimulation(replay.header(), null, types, replay.source(),
                 !replay.imported() ? null : types.viewWriter(replay.header().game()).orElse(null));
             try {
-                return of(replay, again, asked);
+                if (asked != null && asked.length != again.game().players()) {
+                    throw new ReplayException(replay.source() + ":1: players: found " + again.game().players()
+                        + ", expected " + asked.length);
+                }
+                return new LineCheck(replay, again).verify(asked);
             } finally {
                 again.game().close();
             }
@@ -75,68 +76,5 @@ public record Verification(int turns, int states, boolean whole, Difference diff
     private static Verification uncompared(ReplayReader replay, String olderLaw) {
         return new Verification(0, 0, false, null, replay.warning(), ViewCounts.NONE, olderLaw,
             SignatureCheck.UNSIGNED);
-    }
-
-    private static Verification of(ReplayReader replay, Resimulation again, int... asked) {
-        if (asked != null && asked.length != again.game().players()) {
-            throw new ReplayException(replay.source() + ":1: players: found " + again.game().players() + ", expected "
-                + asked.length);
-        }
-        SignedLines signed = new SignedLines(replay);
-        LineCheck check = new LineCheck(replay, again, signed);
-        Difference difference = check.header();
-        String[] faults = new String[again.game().players()];
-        int turns = 0;
-        int states = 0;
-        boolean[] in = new boolean[faults.length];
-        boolean whole = false;
-        while (difference == null && !whole) {
-            byte[] line = replay.nextLine();
-            ask(again.game(), in);
-            if (line != null && check.isSame(line)) {
-                count(in, null, asked);
-                states += OutcomeJson.hasState(again.game()) ? 1 : 0;
-                replay.passed(++turns);
-                continue;
-            }
-            RecordedTurn turn = replay.turn(line);
-            if (turn == null && replay.result() == null) {
-                break;
-            }
-            count(in, turn, asked);
-            difference = turn == null ? check.result(faults) : check.turn(line, turn);
-            whole = turn == null && difference == null;
-            if (turn != null && difference == null) {
-                turns += isServers(check) ? 1 : 0;
-                states += !replay.imported() && OutcomeJson.hasState(again.game()) ? 1 : 0;
-                for (int player = 0; player < faults.length; player++) {
-                    faults[player] = faults[player] == null ? turn.faults()[player] : faults[player];
-                }
-            }
-        }
-        ViewComparison views = check.views();
-        return views == null ? new Verification(turns, states, whole, difference, replay.warning(), ViewCounts.NONE,
-            null, signed.check(whole))
-            : new Verification(turns, views.turns(), whole, views.difference() != null ? views.difference()
-                : difference, replay.warning(), views.counts(), null, signed.check(whole));
-    }
-
-    /** False from the turn on in which a server has shown something else. */
-    private static boolean isServers(LineCheck check) {
-        return check.views() == null || check.views().difference() == null;
-    }
-
-    /** Marks who is in before the next turn, if there is one. */
-    private static void ask(Game game, boolean... in) {
-        for (int player = 0; player < in.length; player++) {
-            in[player] = !game.isOver() && game.isAsked(player);
-        }
-    }
-
-    /** @param turn {@code null} if all who were in answered */
-    private static void count(boolean[] in, RecordedTurn turn, int... asked) {
-        for (int player = 0; asked != null && player < asked.length; player++) {
-            asked[player] += in[player] && (turn == null || turn.asked(player)) ? 1 : 0;
-        }
     }
 }

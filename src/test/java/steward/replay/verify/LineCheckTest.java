@@ -50,7 +50,7 @@ class LineCheckTest {
     private LineCheck check() {
         ReplayReader reader = Recorded.reader(match.bytes());
         LineCheck check = new LineCheck(reader,
-            new Resimulation(reader.header(), null, TestScenes.TYPES, "r.jsonl"), new SignedLines(reader));
+            new Resimulation(reader.header(), null, TestScenes.TYPES, "r.jsonl"));
         assertNull(check.header());
         return check;
     }
