@@ -233,13 +233,14 @@ class ClientTest {
     @Tag("campaign")
     void aResidentThatIsKilledInTheMatchIsALossForEveryBot() throws IOException, InterruptedException {
         takeAnInstallationOfItsOwn();
-        Path slow = Files.writeString(folder.resolve("slow.sh"), ": >'" + folder + "/started'; sleep 9\n");
-        Process client = home.builder(match(REFEREE, "sh " + slow, 1)).start();
-        await("a match", () -> Files.exists(folder.resolve("started")));
+        Path slow = Files.writeString(folder.resolve("slow.sh"), "while read -r line; do sleep 9; done\n");
+        Process client = home.builder(match(REFEREE, "sh " + slow, 1, "-scene", "mean-max", "-p3",
+            "no-such-bot")).start();
+        client.getErrorStream().read();                  // the warning of the third bot
         home.close();
         ClientHome.Said said = ClientHome.end(client);
 
-        assertEquals("-1\n-1\n", said.out());
+        assertEquals("-1\n-1\n-1\n", said.out());
         assertTrue(said.err().endsWith("steward: the resident referee has ended before the match\n"), said.err());
         assertEquals(1, said.status());
     }
