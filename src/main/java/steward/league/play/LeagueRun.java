@@ -117,7 +117,7 @@ public final class LeagueRun {
         play = new GamePlay(season.season(), contest, new KeptGames(season.folder()), machine,
             System::currentTimeMillis);
         GameQueries queries = season.queries();
-        queries.attempts((decision, count, lineup) -> attempts.put(key(decision, lineup), count));
+        readAttempts();
         PastDecisions past = queries.past();
         results = new RunResults(season.season(), queries, Looks.settled(past.next(), settings.lag()),
             settings.adaptive() && players > 1 || rules.end().isAny());
@@ -133,6 +133,11 @@ public final class LeagueRun {
         use(roster);
         end = limits.nanos() == Long.MAX_VALUE ? Long.MAX_VALUE : System.nanoTime() + limits.nanos();
         writer = new GameWriter(season.store(), season.number(), past.next());
+    }
+
+    private void readAttempts() {
+        attempts.clear();
+        season.queries().attempts((decision, count, lineup) -> attempts.put(key(decision, lineup), count));
     }
 
     private static List<Integer> key(int decision, int... lineup) {
@@ -416,6 +421,7 @@ public final class LeagueRun {
                 schedule.again(new Schedule.Task(game.decision(), game.seed(), lineup));
             }
         }
+        readAttempts();                                // suspended games were counted as such until now
         notifyAll();
         return games;
     }

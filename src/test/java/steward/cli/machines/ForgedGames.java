@@ -63,8 +63,10 @@ public final class ForgedGames extends MachinesProof {
             check(said.contains("worker bad is caught and revoked"), "the forger is not caught: " + said);
         }
         List<Row> counting = rows("many").stream().filter(Row::counts).toList();
-        check(counting.stream().map(Row::game).sorted().toList()
-            .equals(rows("alone").stream().map(Row::game).sorted().toList()), "games are others than on one machine");
+        List<String> games = counting.stream().map(Row::game).sorted().toList();
+        List<String> alone = rows("alone").stream().map(Row::game).sorted().toList();
+        check(games.equals(alone), "games are others than on one machine: " + without(games, alone) + " for "
+            + without(alone, games));
         check(counting.stream().noneMatch(row -> row.machine().startsWith("worker bad")), "a forger's game counts");
         for (String honest : List.of("one", "two")) {
             check(counting.stream().anyMatch(row -> row.machine().startsWith("worker " + honest)),
@@ -73,6 +75,10 @@ public final class ForgedGames extends MachinesProof {
         check(WorkerList.read(new LeagueFolder(folder.resolve("many"))).workers().stream()
             .filter(worker -> worker.revoked() != null).map(WorkerList.Worker::name).toList().equals(List.of("bad")),
             "others than the forger are revoked");
+    }
+
+    private static List<String> without(List<String> games, List<String> others) {
+        return games.stream().filter(game -> !others.contains(game)).toList();
     }
 
     /** Plays the league to its end. @return what it said */
