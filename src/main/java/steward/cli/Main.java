@@ -24,6 +24,7 @@ import steward.cli.replay.ImportCommand;
 import steward.cli.replay.KeyCommand;
 import steward.cli.replay.ReplayCommand;
 import steward.cli.resident.ResidentCommand;
+import steward.cli.sequential.SeedsCommand;
 import steward.cli.sequential.SprtCommand;
 import steward.cli.sequential.TuneCommand;
 import steward.cli.setup.AdoptCommand;
@@ -58,7 +59,7 @@ public final class Main {
     static final int WIDTH = 80;
 
     private static final List<String> COMMANDS = List.of("match", "run", "replay", "feed", "scene", "explain", "demo",
-        "league", "worker", "sprt", "tune", "check", "tournament",
+        "league", "worker", "sprt", "tune", "seeds", "check", "tournament",
         "simulate", "import", "key", "referee", "play", "resident", "stability", "tradeoff", "bench", "new", "adopt",
         "doctor",
         CompletionCommand.NAME, HelpCommand.NAME);
@@ -173,6 +174,7 @@ public final class Main {
             case "worker" -> new WorkerCommand();
             case "sprt" -> new SprtCommand();
             case "tune" -> new TuneCommand();
+            case "seeds" -> new SeedsCommand();
             case "check" -> new CheckCommand();
             case "tournament" -> new TournamentCommand();
             case "simulate" -> new SimulateCommand();

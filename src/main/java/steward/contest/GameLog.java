@@ -14,6 +14,7 @@ import steward.bot.isolation.Isolation;
 import steward.bot.isolation.MissingFiles;
 import steward.bot.isolation.SandboxLevel;
 import steward.contest.Contest.Entrant;
+import steward.contest.loss.LeadLog;
 import steward.contest.repeat.GameFacts;
 import steward.game.Game;
 import steward.game.GameJson;
@@ -50,6 +51,8 @@ public final class GameLog implements MatchListener {
     private Game game;
     private GameJson codec;
     private GameFacts facts;
+    /** {@code null} unless it is asked for. */
+    private LeadLog leads;
 
     /** @param rotation by how many places the bots have moved up */
     public GameLog(Contest contest, int rotation) {
@@ -86,6 +89,11 @@ public final class GameLog implements MatchListener {
         for (int player = 0; player < players; player++) {
             times[player] = new AnswerTimes();
         }
+    }
+
+    /** Notes from now on who leads. */
+    void followLeads() {
+        leads = new LeadLog(protocols.size());
     }
 
     @Override
@@ -129,6 +137,9 @@ public final class GameLog implements MatchListener {
     public void played(Turn turn) {
         turns = turn.number();
         digest.played(game);
+        if (leads != null) {
+            leads.note(game);
+        }
     }
 
     @Override
@@ -136,7 +147,7 @@ public final class GameLog implements MatchListener {
         for (int player = 0; player < result.players().size(); player++) {
             thrownOut(player, result.players().get(player).fault());
         }
-        facts = GameFacts.of(game, digest);
+        facts = GameFacts.of(game, digest).behind(leads == null ? List.of() : leads.behindFrom());
     }
 
     /** Adds a failure of which no turn tells: the referee has thrown the player out. It failed in its last turn. */

@@ -12,20 +12,18 @@ import java.util.TreeMap;
 import java.util.function.Consumer;
 import steward.contest.repeat.GameFacts;
 import steward.contest.repeat.Repeats;
+import steward.contest.seeds.Seeds;
 import steward.match.MatchResult;
 
 /**
- * Play of some bots on one seed after the other, each seed from all seats, until the taker of the results has enough.
- * Results come to it in the order of seeds, however many threads play: when it says that it has enough, nothing that is
- * played besides counts.
+ * Play of some bots on one seed after the other, each seed from all seats, until the taker of the results has enough or
+ * there is none any more. Results come to it in the order of seeds, however many threads play: when it says that it has
+ * enough, nothing that is played besides counts.
  */
 public final class PairedPlay {
 
-    private final Contest contest;
-    private final long first;
+    private final Tables tables;
     private final Hiccups hiccups;
-    private final Known known;
-    private final Consumer<Series.Played> keeper;
     private final Taker taker;
 
     /** Guarded by this, as is all below: games that are to be begun. */
@@ -33,13 +31,35 @@ public final class PairedPlay {
     /** Seeds that are not over, by number. */
     private final TreeMap<Integer, Seed> open = new TreeMap<>();
     /** Games of these that were played here and in which a bot failed. */
-    private final Map<Integer, Map<Series.Played, List<Failure>>> failed = new HashMap<>();
+    private final Map<Integer, Map<Contest, Map<Series.Played, List<Failure>>>> failed = new HashMap<>();
     /** How many of their games are not over. */
     private final TreeMap<Integer, Integer> missing = new TreeMap<>();
     private int begun;
     private boolean over;
-    private final FailureCounts failures;
     private final ProgramWatch watch;
+
+    /**
+     * Contests that all play a seed.
+     *
+     * @param contests whose games on it belong together, in their order
+     */
+    public record Table(long seed, List<Contest> contests) { }
+
+    /** Source of what is played, and the place for what has been played. */
+    public interface Tables {
+
+        /** Returns who plays at a place from 0 on; {@code null} if that is behind the last. */
+        Table at(int place);
+
+        /** Returns how a game went that need not be played, or {@code null}. */
+        Outcome known(Contest contest, long seed, int rotation);
+
+        /** Takes a game that is over, from any thread; what it throws ends everything. */
+        void keep(Contest contest, Series.Played game);
+
+        /** Returns where failures are counted, with games numbered in the order of seeds and rotations. */
+        FailureCounts failures(Contest contest);
+    }
 
     /**
      * A game that is over.
@@ -73,7 +93,7 @@ public final class PairedPlay {
      * All games of a seed.
      *
      * @param seed  it
-     * @param games by rotation
+     * @param games by rotation; of several contests, those of the first stand first
      */
     public record Seed(long seed, Outcome... games) {
 
@@ -116,6 +136,38 @@ public final class PairedPlay {
             return sum / games.length;
         }
 
+        /**
+         * Advantage of a seat, 0..1/2: the greatest distance of the mean points of a seat from 1/2, whoever sits there.
+         * It is 0 where each plays alone.
+         */
+        public double seatAdvantage() {
+            double most = 0;
+            for (int player = 0; games[0].values().length > 1 && player < games[0].values().length; player++) {
+                double sum = 0;
+                for (Outcome game : games) {
+                    sum += points(game.values(), player);
+                }
+                most = Math.max(most, Math.abs(sum / games.length - 0.5));
+            }
+            return most;
+        }
+
+        /**
+         * Sum of a bot's points over the games of one contest.
+         *
+         * @param first place of its first game among those of the seed
+         */
+        public double points(Contest contest, int bot, int first) {
+            double sum = 0;
+            for (int rotation = 0; rotation < PairedPlay.games(contest); rotation++) {
+                for (int player = 0; player < contest.players(); player++) {
+                    sum += contest.entrantOf(player, rotation) == bot
+                        ? points(games[first + rotation].values(), player) : 0;
+                }
+            }
+            return sum;
+        }
+
         private static double points(double[] values, int player) {
             double points = 0;
             for (int other = 0; other < values.length; other++) {
@@ -126,23 +178,49 @@ public final class PairedPlay {
         }
     }
 
-    private record Game(int number, long seed, int rotation) { }
+    /**
+     * A game to be played.
+     *
+     * @param first place of its contest's first game among those of the seed
+     */
+    private record Game(int number, Contest contest, long seed, int rotation, int first) { }
 
     /**
-     * @param first  the first seed
+     * @param seeds  in the order in which they are played
      * @param known  games that need not be played
      * @param keeper is told of every game that is over, by any thread; what it throws ends everything
      * @param failures takes the failures of games, numbered in the order of seeds and rotations
      * @param watch    over the programs: when one becomes another, no further game is begun
      */
-    public PairedPlay(Contest contest, long first, Hiccups hiccups, Known known, Consumer<Series.Played> keeper,
+    public PairedPlay(Contest contest, Seeds seeds, Hiccups hiccups, Known known, Consumer<Series.Played> keeper,
                       FailureCounts failures, ProgramWatch watch, Taker taker) {
-        this.contest = contest;
-        this.first = first;
+        this(new Tables() {
+            @Override
+            public Table at(int place) {
+                return place < seeds.count() ? new Table(seeds.at(place), List.of(contest)) : null;
+            }
+
+            @Override
+            public Outcome known(Contest any, long seed, int rotation) {
+                return known.outcome(seed, rotation);
+            }
+
+            @Override
+            public void keep(Contest any, Series.Played game) {
+                keeper.accept(game);
+            }
+
+            @Override
+            public FailureCounts failures(Contest any) {
+                return failures;
+            }
+        }, hiccups, watch, taker);
+    }
+
+    /** A play of several contests. @param watch over the programs of all */
+    public PairedPlay(Tables tables, Hiccups hiccups, ProgramWatch watch, Taker taker) {
+        this.tables = tables;
         this.hiccups = hiccups;
-        this.known = known;
-        this.keeper = keeper;
-        this.failures = failures;
         this.watch = watch;
         this.taker = taker;
     }
@@ -169,35 +247,50 @@ public final class PairedPlay {
         over = true;
     }
 
+    /** True if no game is left to begin. */
     private synchronized boolean isOver() {
-        return over;
+        return over || waiting.isEmpty() && tables.at(begun) == null;
+    }
+
+    /** Number of games of a contest on a seed. */
+    static int games(Contest contest) {
+        return contest.isAlone() ? contest.entrants().size() : contest.players();
     }
 
     private synchronized Game next() {
-        while (!over && waiting.isEmpty()) {
-            long seed = first + begun;
-            int games = contest.isAlone() ? contest.entrants().size() : contest.players();
-            Outcome[] outcomes = new Outcome[games];
-            open.put(begun, new Seed(seed, outcomes));
+        for (Table table = next(waiting.isEmpty()); table != null; table = next(waiting.isEmpty())) {
+            Outcome[] outcomes = new Outcome[table.contests().stream().mapToInt(PairedPlay::games).sum()];
+            open.put(begun, new Seed(table.seed(), outcomes));
             missing.put(begun, 0);
-            for (int rotation = 0; rotation < games; rotation++) {
-                outcomes[rotation] = known.outcome(seed, rotation);
-                if (outcomes[rotation] == null) {
-                    waiting.add(new Game(begun, seed, rotation));
-                    missing.merge(begun, 1, Integer::sum);
+            int first = 0;
+            for (Contest contest : table.contests()) {
+                for (int rotation = 0; rotation < games(contest); rotation++) {
+                    outcomes[first + rotation] = tables.known(contest, table.seed(), rotation);
+                    if (outcomes[first + rotation] == null) {
+                        waiting.add(new Game(begun, contest, table.seed(), rotation, first));
+                        missing.merge(begun, 1, Integer::sum);
+                    }
                 }
+                first += games(contest);
             }
             begun++;
             deliver();
         }
-        return over ? null : waiting.remove();
+        return over || waiting.isEmpty() ? null : waiting.remove();
+    }
+
+    private Table next(boolean isWanted) {
+        return over || !isWanted ? null : tables.at(begun);
     }
 
     private void deliver() {
         while (!over && !open.isEmpty() && missing.get(open.firstKey()) == 0) {
             missing.remove(open.firstKey());
-            Map<Series.Played, List<Failure>> found = failed.remove(open.firstKey());
-            failures.addSeed(open.firstEntry().getValue().games().length, found == null ? Map.of() : found);
+            Map<Contest, Map<Series.Played, List<Failure>>> found = failed.remove(open.firstKey());
+            for (Contest contest : tables.at(open.firstKey()).contests()) {
+                tables.failures(contest).addSeed(games(contest), found == null ? Map.of()
+                    : found.getOrDefault(contest, Map.of()));
+            }
             over = !taker.take(open.pollFirstEntry().getValue());
         }
     }
@@ -206,6 +299,7 @@ public final class PairedPlay {
         Series.Played before = null;
         Series.Played played = null;
         List<Failure> found = List.of();
+        Contest contest = game.contest();
         Attempts attempts = new Attempts(contest, hiccups, game.rotation());
         String mark = watch.mark();
         boolean again = true;
@@ -237,18 +331,19 @@ public final class PairedPlay {
             played = played.without(attempts.discarded());
             found = List.of();
         }
-        keeper.accept(played);
+        tables.keep(contest, played);
         synchronized (this) {
-            open.get(game.number()).games()[game.rotation()] = outcome(played);
+            open.get(game.number()).games()[game.first() + game.rotation()] = outcome(contest, played);
             if (!found.isEmpty()) {
-                failed.computeIfAbsent(game.number(), any -> new LinkedHashMap<>()).put(played, found);
+                failed.computeIfAbsent(game.number(), any -> new LinkedHashMap<>())
+                    .computeIfAbsent(contest, any -> new LinkedHashMap<>()).put(played, found);
             }
             missing.merge(game.number(), -1, Integer::sum);
             deliver();
         }
     }
 
-    private Outcome outcome(Series.Played game) {
+    private static Outcome outcome(Contest contest, Series.Played game) {
         MatchResult result = game.result();
         if (result == null) {
             return Outcome.NONE;
@@ -257,11 +352,11 @@ public final class PairedPlay {
         for (int player = 0; player < faults.length; player++) {
             faults[player] = result.players().get(player).fault() != null;
         }
-        return new Outcome(game.allFailed() ? null : values(result), game.allFailed(), game.facts().transcript(),
-            faults);
+        return new Outcome(game.allFailed() ? null : values(contest, result), game.allFailed(),
+            game.facts().transcript(), faults);
     }
 
-    private double[] values(MatchResult result) {
+    private static double[] values(Contest contest, MatchResult result) {
         if (!contest.isAlone()) {
             return result.players().stream().mapToDouble(player -> -player.rank()).toArray();
         }

@@ -5,22 +5,23 @@ import java.nio.file.Path;
 import java.util.List;
 import steward.Internal;
 import steward.contest.repeat.GameFacts;
+import steward.contest.seeds.Seeds;
 import steward.files.OutputFiles;
 import steward.match.MatchResult;
 
 /**
- * Many games between the same bots. Game k, counted from 0, has the seed {@code first + k}; with {@code swap} each seed
- * is played once for every way to move the bots up, one after the other. In a scene for one player each seed is played
+ * Many games between the same bots. Game k, counted from 0, has seed k; with {@code swap} each seed is played once for
+ * every way to move the bots up, one after the other. In a scene for one player each seed is played
  * by each bot alone, one after the other.
  *
- * @param first   seed of the first game
+ * @param starts  the seeds: numbers in a row from that of the first game on, or a list
  * @param seeds   how many seeds
  * @param swap    whether the bots change sides
  * @param folder  for the replays, or {@code null}
  * @param keep    which replays are kept when their games are over
  * @param hiccups what becomes of games that a bot lost on time while other programs used the processors
  */
-public record Series(Contest contest, long first, int seeds, boolean swap, Path folder, KeptReplays keep,
+public record Series(Contest contest, @Internal Seeds starts, int seeds, boolean swap, Path folder, KeptReplays keep,
                      Hiccups hiccups) {
 
     private static final int LEAST_DIGITS = 4;
@@ -97,9 +98,21 @@ public record Series(Contest contest, long first, int seeds, boolean swap, Path 
         this(contest, first, seeds, swap, folder, keep, Hiccups.REPLAY);
     }
 
+    /** A series with seeds in a row. */
+    public Series(Contest contest, long first, int seeds, boolean swap, Path folder, KeptReplays keep,
+                  Hiccups hiccups) {
+        this(contest, Seeds.from(first), seeds, swap, folder, keep, hiccups);
+    }
+
     /** Without a folder where nothing is to be kept. */
+    @Internal
     public Series {
         folder = keep == KeptReplays.NONE ? null : folder;
+    }
+
+    /** The seed of the first game. */
+    public long first() {
+        return starts.at(0);
     }
 
     public int games() {
@@ -112,7 +125,7 @@ public record Series(Contest contest, long first, int seeds, boolean swap, Path 
 
     /** The seed of a game, counted from 1. */
     public long seed(int number) {
-        return first + (number - 1) / sides();
+        return starts.at((number - 1) / sides());
     }
 
     /** By how many places the bots have moved up in a game, counted from 1. */

@@ -41,6 +41,7 @@ public final class SeriesPlay {
     private final boolean overwrite;
     private final Standings standings;
     private final ProgramWatch watch;
+    private boolean leads;
 
     /** Guarded by this, as is all below: games that are under way. */
     private final Set<Game> underWay = new LinkedHashSet<>();
@@ -88,6 +89,12 @@ public final class SeriesPlay {
 
     public Series series() {
         return series;
+    }
+
+    /** Notes in each game who leads; to be called before {@link #play}. */
+    @Internal
+    public void followLeads() {
+        leads = true;
     }
 
     /** The games that are over. */
@@ -191,8 +198,12 @@ public final class SeriesPlay {
             refused = problem.getMessage();
         }
         int rotation = series.rotation(number);
-        Game game = new Game(number, series.seed(number), rotation, attempts,
-            new GameLog(series.contest(), rotation), file, refused, before, watch.mark());
+        GameLog log = new GameLog(series.contest(), rotation);
+        if (leads) {
+            log.followLeads();
+        }
+        Game game = new Game(number, series.seed(number), rotation, attempts, log, file, refused, before,
+            watch.mark());
         underWay.add(game);
         return game;
     }

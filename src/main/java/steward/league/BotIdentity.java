@@ -14,6 +14,7 @@ import java.util.stream.Stream;
 import steward.bot.command.BotCommand;
 import steward.bot.command.BuiltinBots;
 import steward.bot.command.Program;
+import steward.contest.Contest;
 import steward.files.InputException;
 
 /**
@@ -59,6 +60,14 @@ public final class BotIdentity {
             hash.add(file.toString()).add(content(bot, bot.program().folder().resolve(file)));
         }
         return hash.hex();
+    }
+
+    /** The identity of a contest's bot as a program, whatever its limits and its environment are. */
+    public static String ofProgram(Contest.Entrant entrant) {
+        String command = BotCommand.parse(entrant.bot()).name() == null ? entrant.bot()
+            : entrant.bot().substring(entrant.bot().indexOf('=') + 1);
+        return new BotIdentity(Map.of()).of(new LeagueBot("bot", command, null, false, false)
+            .in(none -> entrant.program().folder().toString()));
     }
 
     /** Returns a stamp of the bot: it changes when a file of any platform has been touched. No file is read. */

@@ -9,6 +9,8 @@ import java.util.Locale;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import steward.contest.seeds.SeedFile;
+import steward.contest.seeds.Seeds;
 import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.scene.SceneFiles;
@@ -30,6 +32,8 @@ public record LeagueFolder(Path path) {
     public static final String PROGRAMS = "programs";
     /** A scene of the league's own. */
     public static final String SCENE = "scene.json";
+    /** A list of seeds of the league's own. */
+    public static final String SEEDS = "seeds.txt";
 
     /** File systems of other machines: SQLite's write-ahead log needs memory that all its users share. */
     private static final Set<String> REMOTE = Set.of("nfs", "nfs3", "nfs4", "cifs", "smb", "smb2", "smb3", "smbfs",
@@ -90,6 +94,16 @@ public record LeagueFolder(Path path) {
     public String scene(String named) {
         Path own = path.resolve(named);
         return !SceneFiles.shipped().contains(named) && Files.isRegularFile(own) ? own.toString() : named;
+    }
+
+    /** Returns the list of seeds that the settings name; {@code null} if they name none. */
+    public SeedFile seeds(LeagueSettings settings) {
+        return settings.seedFile() == null ? null : SeedFile.read(path.resolve(settings.seedFile()));
+    }
+
+    /** Returns the seeds that are played: the list, or numbers in a row. */
+    public Seeds starts(LeagueSettings settings) {
+        return settings.seedFile() == null ? Seeds.from(settings.seed()) : seeds(settings).seeds();
     }
 
     /**

@@ -48,6 +48,9 @@ public final class LeagueReader {
     private static final String PLATFORM = "platform";
     private static final String PAIRING = "pairing";
     private static final String SEED = "seed";
+    static final String SEEDS = "seeds";
+    /** Name of a file without folders. */
+    private static final Pattern FILE_NAME = Pattern.compile("[\\p{L}\\p{M}\\p{N}_-][\\p{L}\\p{M}\\p{N}._ -]*");
     private static final String FACTOR = "factor";
     private static final String HOLD = "hold";
     /** Name of the policy {@code always} before 0.2.0. */
@@ -71,6 +74,7 @@ public final class LeagueReader {
         root.integer("league", FORM, FORM);
         String scene = root.text("scene");
         long seed = seed();
+        String seedFile = root.has(SEEDS) ? seedFile() : null;
         int lag = root.integer("lag", 1, LeagueSettings.MOST_LAG, LeagueSettings.USUAL_LAG);
         Block time = root.optionalBlock("time").orElse(null);
         Hiccups hiccups = root.choice("hiccups", words(Hiccups.values(), Hiccups::word), Hiccups.REPLAY);
@@ -88,7 +92,7 @@ public final class LeagueReader {
             }
             known(replays, "of", loser, bots);
         }
-        LeagueSettings settings = new LeagueSettings(scene, seed, gauntlet, adaptive, lag, factor(time),
+        LeagueSettings settings = new LeagueSettings(scene, seed, seedFile, gauntlet, adaptive, lag, factor(time),
             basis(time), hiccups, sandbox, keep, losers, bots);
         root.done();
         return settings;
@@ -109,6 +113,15 @@ public final class LeagueReader {
         } catch (NumberFormatException problem) {
             throw root.error(SEED, root.shown(SEED), "a whole number of 64 bits as a text, such as \"7\"");
         }
+    }
+
+    private String seedFile() {
+        String file = root.text(SEEDS);
+        if (!FILE_NAME.matcher(file).matches()) {
+            throw root.error(SEEDS, root.shown(SEEDS), "the name of a file in the league's folder, such as \""
+                + LeagueFolder.SEEDS + "\"");
+        }
+        return file;
     }
 
     private static double factor(Block time) {

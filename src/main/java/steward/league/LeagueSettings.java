@@ -14,6 +14,8 @@ import steward.contest.KeptReplays;
  *
  * @param scene    a shipped scene's name, or a file in the league's folder
  * @param seed     of the first decision; each decision has the next one
+ * @param seedFile a file in the league's folder with the seeds that every group plays, in their order; {@code null} for
+ *                 numbers in a row
  * @param gauntlet the bot that all others play against, or {@code null} where everyone plays everyone
  * @param adaptive whether those play most whose order is in doubt; otherwise all equally often
  * @param lag      how many decisions back results are known when a decision is made, 1..10000
@@ -24,10 +26,9 @@ import steward.contest.KeptReplays;
  * @param keepOf   with {@link KeptReplays#LOST}: the bots whose lost games are meant; none for those of any bot
  * @param bots     all of them, in the order of the file
  */
-public record LeagueSettings(String scene, long seed, String gauntlet, boolean adaptive, int lag, double factor,
-                             TimeBasis basis, Hiccups hiccups, List<String> sandbox, KeptReplays keep,
-                             List<String> keepOf,
-                             List<LeagueBot> bots) {
+public record LeagueSettings(String scene, long seed, String seedFile, String gauntlet, boolean adaptive, int lag,
+                             double factor, TimeBasis basis, Hiccups hiccups, List<String> sandbox, KeptReplays keep,
+                             List<String> keepOf, List<LeagueBot> bots) {
 
     /** The lag of a new league: more than the games that a large machine plays at the same time. */
     public static final int USUAL_LAG = 64;
@@ -44,7 +45,7 @@ public record LeagueSettings(String scene, long seed, String gauntlet, boolean a
 
     /** Returns the settings of a new league without bots. */
     public static LeagueSettings usual(String scene, long seed) {
-        return new LeagueSettings(scene, seed, null, true, USUAL_LAG, 1, TimeBasis.WALL, Hiccups.REPLAY,
+        return new LeagueSettings(scene, seed, null, null, true, USUAL_LAG, 1, TimeBasis.WALL, Hiccups.REPLAY,
             List.of("--sandbox", "auto"), KeptReplays.FAILED, List.of(), List.of());
     }
 
@@ -57,7 +58,7 @@ public record LeagueSettings(String scene, long seed, String gauntlet, boolean a
     }
 
     public LeagueSettings withBots(List<LeagueBot> others) {
-        return new LeagueSettings(scene, seed, gauntlet, adaptive, lag, factor, basis, hiccups, sandbox, keep,
+        return new LeagueSettings(scene, seed, seedFile, gauntlet, adaptive, lag, factor, basis, hiccups, sandbox, keep,
             keepOf, others);
     }
 
@@ -77,13 +78,13 @@ public record LeagueSettings(String scene, long seed, String gauntlet, boolean a
     public LeagueSettings replaced(String name, LeagueBot by) {
         String hero = name.equals(gauntlet) ? by.name() : gauntlet;
         List<String> losers = keepOf.stream().map(each -> each.equals(name) ? by.name() : each).toList();
-        return new LeagueSettings(scene, seed, hero, adaptive, lag, factor, basis, hiccups, sandbox, keep, losers,
-            bots.stream().map(bot -> bot.name().equals(name) ? by : bot).toList());
+        return new LeagueSettings(scene, seed, seedFile, hero, adaptive, lag, factor, basis, hiccups, sandbox, keep,
+            losers, bots.stream().map(bot -> bot.name().equals(name) ? by : bot).toList());
     }
 
     /** Returns these settings with other rules of pairing, time and replays, as a new league may be told. */
     public LeagueSettings with(String newGauntlet, double newFactor, KeptReplays newKeep) {
-        return new LeagueSettings(scene, seed, newGauntlet, adaptive, lag, newFactor, basis, hiccups, sandbox,
+        return new LeagueSettings(scene, seed, seedFile, newGauntlet, adaptive, lag, newFactor, basis, hiccups, sandbox,
             newKeep, keepOf, bots);
     }
 
@@ -99,6 +100,12 @@ public record LeagueSettings(String scene, long seed, String gauntlet, boolean a
         return option < 0 ? HoldPolicy.BURNERS : HoldPolicy.of(sandbox.get(option + 1)).orElse(HoldPolicy.BURNERS);
     }
 
+    /** Returns these settings with the seeds of a file, or numbers in a row for {@code null}. */
+    public LeagueSettings listing(String file) {
+        return new LeagueSettings(scene, seed, file, gauntlet, adaptive, lag, factor, basis, hiccups, sandbox, keep,
+            keepOf, bots);
+    }
+
     public LeagueSettings holding(HoldPolicy policy) {
         List<String> words = new ArrayList<>(sandbox);
         int option = words.indexOf(HOLD);
@@ -106,8 +113,8 @@ public record LeagueSettings(String scene, long seed, String gauntlet, boolean a
             words.subList(option, option + 2).clear();
         }
         words.addAll(List.of(HOLD, policy.word()));
-        return new LeagueSettings(scene, seed, gauntlet, adaptive, lag, factor, basis, hiccups, words, keep, keepOf,
-            bots);
+        return new LeagueSettings(scene, seed, seedFile, gauntlet, adaptive, lag, factor, basis, hiccups, words, keep,
+            keepOf, bots);
     }
 
     /** Returns how bots are paired, as it is written in the file. */

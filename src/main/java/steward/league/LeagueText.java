@@ -28,6 +28,9 @@ final class LeagueText {
         fields.add(field("league", Integer.toString(LeagueReader.FORM)));
         fields.add(field("scene", text(settings.scene())));
         fields.add(field("seed", text(Long.toString(settings.seed()))));
+        if (settings.seedFile() != null) {
+            fields.add(field(LeagueReader.SEEDS, text(settings.seedFile())));
+        }
         fields.add(field("pairing", text(settings.pairing())));
         fields.add(field("lag", Integer.toString(settings.lag())));
         fields.add(field("time", time(settings)));

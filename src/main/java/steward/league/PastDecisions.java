@@ -151,6 +151,17 @@ public final class PastDecisions {
         return byGroup;
     }
 
+    /** Returns how many there are of each group, dropped ones included. */
+    Map<List<Integer>, Integer> decided() {
+        Map<List<Integer>, Integer> decided = new LinkedHashMap<>();
+        for (int number = 0; number < next; number++) {
+            if (groups[number] != NONE) {
+                decided.merge(Lineups.group(players, lineups.get(lineup(number)).versions()), 1, Integer::sum);
+            }
+        }
+        return decided;
+    }
+
     private List<int[]> missing(int number, int[] group, Collection<Integer> roster, PausedBots pauses) {
         List<int[]> missing = new ArrayList<>();
         if (players == 1) {

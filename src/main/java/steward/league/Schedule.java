@@ -15,6 +15,7 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.IntPredicate;
 import java.util.function.Predicate;
+import steward.contest.seeds.Seeds;
 
 /**
  * The games of a season in their order. Decisions are numbered, and each is made once: those of earlier runs are there,
@@ -25,7 +26,7 @@ import java.util.function.Predicate;
  */
 public final class Schedule {
 
-    private final long firstSeed;
+    private final Seeds seeds;
     private final int players;
     private final int lag;
     private final PastDecisions past;
@@ -35,6 +36,8 @@ public final class Schedule {
     private final TreeMap<Integer, Row> rows = new TreeMap<>();
     /** Decisions with games that wait or are under way, by number. */
     private final TreeMap<Integer, Row> open = new TreeMap<>();
+    /** Decisions by group, all of them, where seeds are listed: each group plays the list from its beginning. */
+    private final Map<List<Integer>, Integer> decided;
     /** Decisions by group, but for those that were dropped before they had a game. */
     private final Map<List<Integer>, Integer> made = new LinkedHashMap<>();
     private final List<Decision> news = new ArrayList<>();
@@ -97,16 +100,17 @@ public final class Schedule {
     /**
      * A schedule that goes on; nobody plays yet.
      *
-     * @param firstSeed of decision 0
-     * @param players   of a game
-     * @param lag       in decisions
-     * @param past      the decisions of earlier runs
-     * @param pauses    with the games of earlier runs
-     * @param listener  is told of each version when it is paused
+     * @param seeds    of the decisions from 0 on; of a list each group plays all
+     * @param players  of a game
+     * @param lag      in decisions
+     * @param past     the decisions of earlier runs
+     * @param pauses   with the games of earlier runs
+     * @param listener is told of each version when it is paused
      */
-    public Schedule(long firstSeed, int players, int lag, PastDecisions past, PausedBots pauses,
+    public Schedule(Seeds seeds, int players, int lag, PastDecisions past, PausedBots pauses,
                     Consumer<Integer> listener) {
-        this.firstSeed = firstSeed;
+        this.seeds = seeds;
+        decided = seeds.isListed() ? past.decided() : Map.of();
         this.players = players;
         this.lag = lag;
         this.past = past;
@@ -117,9 +121,9 @@ public final class Schedule {
         games = past.games();
     }
 
-    /** A schedule that pauses nobody. */
+    /** A schedule that pauses nobody, with seeds in a row. */
     public Schedule(long firstSeed, int players, int lag, PastDecisions past) {
-        this(firstSeed, players, lag, past, new PausedBots(0, lag), version -> { });
+        this(Seeds.from(firstSeed), players, lag, past, new PausedBots(0, lag), version -> { });
     }
 
     /**
@@ -268,12 +272,23 @@ public final class Schedule {
     }
 
     private boolean isWanted(int... group) {
-        return mayMeet.test(group) && (plan == null ? !repeated.isRepeated(group) : left(Lineups.group(2, group)) > 0);
+        return mayMeet.test(group) && (plan != null ? left(Lineups.group(2, group)) > 0
+            : !repeated.isRepeated(group) && hasSeed(Lineups.group(2, group)));
     }
 
     /** Returns how often a plan has a group still to be decided on. */
     private int left(List<Integer> group) {
-        return Math.max(0, plan.decisions(group) - made.getOrDefault(group, 0));
+        return Math.max(0, Math.min(plan.decisions(group) - made.getOrDefault(group, 0), seeds.count()
+            - decided.getOrDefault(group, 0)));
+    }
+
+    /** True if there is a seed that a group has not played. */
+    private boolean hasSeed(List<Integer> group) {
+        return decided.getOrDefault(group, 0) < seeds.count();
+    }
+
+    private long seed(List<Integer> group) {
+        return seeds.at(seeds.isListed() ? decided.merge(group, 1, Integer::sum) - 1 : next);
     }
 
     /** Number of games that the plan has still to come; before the first is given out. */
@@ -283,9 +298,15 @@ public final class Schedule {
                 .mapToLong(group -> (long) players * left(Lineups.group(players, group))).sum());
     }
 
+    /** True if it has ended since groups that do not only repeat games have played all seeds of a list. */
+    public boolean isPlayedOut() {
+        return ended && plan == null && seeds.isListed() && (players == 1 ? !repeated.isRepeated() : pairing != null
+            && pairing.choose(group -> mayMeet.test(group) && !repeated.isRepeated(group)) != null);
+    }
+
     /** True if it has ended since all groups only repeat games. */
     public boolean isRepeated() {
-        return ended && plan == null && (players == 1 ? repeated.isRepeated()
+        return ended && plan == null && !isPlayedOut() && (players == 1 ? repeated.isRepeated()
             : pairing != null && pairing.choose(this::isWanted) == null);
     }
 
@@ -319,12 +340,13 @@ public final class Schedule {
 
     private boolean decide() {
         repeated.goTo(next - lag + 1);
-        boolean over = players == 1 && (plan == null ? repeated.isRepeated() : left(List.of()) == 0);
+        boolean over = players == 1 && (plan == null ? repeated.isRepeated() || !hasSeed(List.of())
+            : left(List.of()) == 0);
         int[] group = over || end.test(next) ? null : players == 1 ? versions(active) : choose();
         ended = group == null;
         if (!ended) {
-            Decision decision = new Decision(next, firstSeed + next, Arrays.stream(group).boxed().toList(),
-                List.copyOf(paused));
+            Decision decision = new Decision(next, seed(Lineups.group(players, group)),
+                Arrays.stream(group).boxed().toList(), List.copyOf(paused));
             next++;
             news.add(decision);
             Row row = new Row(decision.number(), Lineups.group(players, group), 0);

@@ -1,4 +1,4 @@
-// One bot: its games, its failures by kind, and against whom it does worst.
+// One bot: its games, its failures by kind, against whom it does worst, and how it lost.
 
 import { find, fixed, make, paint, signed, state, thousands } from './words.js';
 
@@ -38,6 +38,14 @@ export function drawBot(onClose) {
   const columns = make(box, 'div', null, 'bot-columns');
   list(columns, 'Worst opponents', worstOf(league, index), 'has met nobody yet');
   list(columns, 'Failures by kind, in the last games', failuresOf(league, bot), 'none');
+  const why = league.why?.[bot.version];
+  if (!why) return;
+  make(box, 'h3', 'Lost games, of the last ones');
+  const lines = make(box, 'div', null, 'scroll');
+  lines.tabIndex = 0;
+  lines.setAttribute('role', 'group');
+  lines.setAttribute('aria-label', 'Lost games');
+  make(lines, 'pre', why.join('\n'));
 }
 
 function list(parent, title, lines, none) {

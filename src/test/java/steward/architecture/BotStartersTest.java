@@ -96,7 +96,7 @@ class BotStartersTest {
         Set<String> with = new TreeSet<>();
         Set<String> without = new TreeSet<>();
         addWithBots(program(), "--in", with, without);
-        assertEquals(new TreeSet<>(Set.of("add", "check", "feed", "match", "sprt", "tune")), with);
+        assertEquals(new TreeSet<>(Set.of("add", "check", "feed", "match", "seeds", "sprt", "tune")), with);
         assertEquals(WITHOUT_FOLDER, without);
     }
 
@@ -111,7 +111,7 @@ class BotStartersTest {
         Set<String> with = new TreeSet<>();
         Set<String> without = new TreeSet<>();
         addWithBots(program(), "--time-limit", with, without);
-        assertEquals(new TreeSet<>(Set.of("add", "check", "match", "play", "sprt", "tune")), with);
+        assertEquals(new TreeSet<>(Set.of("add", "check", "match", "play", "seeds", "sprt", "tune")), with);
         assertEquals(new TreeSet<>(Set.of("feed", "games", "help", "prune")), without);
         program().getSubcommands().forEach((name, command) -> assertEquals(
             command.getCommandSpec().findOption("--time-factor") != null,

@@ -33,7 +33,7 @@ final class House {
         "game.pokerchiprace", "game.pokerchiprace.protocol", "game.searchrace", "game.searchrace.protocol",
         "files", "bot", "bot.command", "bot.accounting", "bot.hold", "bot.isolation", "bot.process", "match",
         "guest.project", "guest", "replay.sign", "replay", "replay.verify", "replay.feed", "replay.page",
-        "contest.repeat", "contest", "live",
+        "contest.repeat", "contest.seeds", "contest.loss", "contest", "live",
         "codingame.recording", "codingame",
         "league", "league.rating", "league.sequential", "league.pairing",
         "league.tune", "league.store", "league.play", "league.page",

@@ -21,7 +21,7 @@ class LeagueReaderTest {
     private static final String WHOLE = """
         {
           "league": 1, "scene": "duel", "seed": "-9223372036854775808", "pairing": "gauntlet a", "lag": 7,
-          "time": { "factor": 2.5, "basis": "cpu" }, "hiccups": "count",
+          "time": { "factor": 2.5, "basis": "cpu" }, "hiccups": "count", "seeds": "chosen.txt",
           "sandbox": { "level": "strict", "memory": "2G", "processes": 9, "network": true, "environment": ["X", "Y"] },
           "replays": { "keep": "lost", "of": ["a"] },
           "bots": [ { "name": "a", "command": "python3 'b c.py'", "files": ["b c.py"], "answerMs": 60, \
@@ -43,7 +43,8 @@ class LeagueReaderTest {
     @Test
     void everyFieldIsReadAndWritten() {
         LeagueSettings settings = read(WHOLE);
-        assertEquals(new LeagueSettings("duel", Long.MIN_VALUE, "a", false, 7, 2.5, TimeBasis.CPU, Hiccups.COUNT,
+        assertEquals(new LeagueSettings("duel", Long.MIN_VALUE, "chosen.txt", "a", false, 7, 2.5, TimeBasis.CPU,
+            Hiccups.COUNT,
             List.of("--sandbox", "strict", "--memory", "2G", "--processes", "9", "--network", "--env", "X", "--env",
                 "Y"),
             KeptReplays.LOST, List.of("a"), List.of(

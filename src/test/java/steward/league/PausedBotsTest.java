@@ -14,6 +14,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import steward.contest.seeds.Seeds;
 import steward.league.Schedule.Task;
 
 /** Bots are paused at decisions that neither threads nor interruptions change. */
@@ -43,7 +44,7 @@ class PausedBotsTest {
             learn(version, latestFirst, pauses, past.next());
         }
         List<Integer> paused = new ArrayList<>();
-        Schedule schedule = new Schedule(100, players, lag, past, pauses, paused::add);
+        Schedule schedule = new Schedule(Seeds.from(100), players, lag, past, pauses, paused::add);
         schedule.play(List.of(1, 2, 3, 4, 5), versions -> Pairing.roundRobin(versions, players));
         List<Task> underWay = new ArrayList<>();
         while (league.games().size() < kill) {

@@ -13,11 +13,13 @@ import picocli.CommandLine.Option;
 import steward.cli.league.view.LeagueArgument;
 import steward.cli.options.ProgramCommand;
 import steward.cli.options.SceneOptions;
+import steward.cli.options.SeedFileOption;
 import steward.cli.options.SeedOption;
 import steward.cli.options.ShippedScenes;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Games;
 import steward.contest.KeptReplays;
+import steward.contest.seeds.SeedFile;
 import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.league.LeagueFolder;
@@ -45,6 +47,10 @@ final class InitCommand extends ProgramCommand {
     @Mixin
     private final SeedOption seed = new SeedOption();
 
+    @Option(names = SeedFileOption.NAME, paramLabel = "FILE", description = "Every group of bots plays the seeds of "
+        + "this file, one a line, which is copied into the folder.")
+    private String list;
+
     @Option(names = "--time-factor", paramLabel = "X", description = "Multiplies the scene's time limits.")
     private Double factor;
 
@@ -66,6 +72,11 @@ final class InitCommand extends ProgramCommand {
     public Integer call() {
         check.that(factor == null || factor > 0 && factor < Double.POSITIVE_INFINITY,
             "--time-factor: found " + factor + ", expected a finite number above 0");
+        check.exclusive("--seed", seed.isGiven(), SeedFileOption.NAME, list != null);
+        Path seeds = list == null ? null : OutputFiles.path(list);
+        if (seeds != null) {
+            SeedFile.read(seeds);
+        }
         KeptReplays kept = keep == null ? KeptReplays.FAILED : keepOf(keep);
         Games.warn(Games.open(scene), streams);
         Path path = league.path();
@@ -73,13 +84,16 @@ final class InitCommand extends ProgramCommand {
         prepare(path);
         boolean file = SceneFiles.file(scene).isPresent();
         LeagueSettings settings = LeagueSettings.usual(file ? LeagueFolder.SCENE : name(scene), seed.orDrawn())
-            .with(null, factor == null ? 1 : factor, kept);
+            .with(null, factor == null ? 1 : factor, kept).listing(seeds == null ? null : LeagueFolder.SEEDS);
         try {
             if (file) {
                 SceneFiles.copy(Path.of(scene), path.resolve(LeagueFolder.SCENE));
             }
+            if (seeds != null) {
+                Files.copy(seeds, path.resolve(LeagueFolder.SEEDS));
+            }
         } catch (IOException problem) {
-            throw new InputException(path.resolve(LeagueFolder.SCENE) + ": cannot be written: "
+            throw new InputException(path + ": cannot be written: "
                 + OutputFiles.reason(path, problem));
         }
         folder.write(settings);

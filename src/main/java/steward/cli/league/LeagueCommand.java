@@ -10,6 +10,7 @@ import steward.cli.league.view.GamesCommand;
 import steward.cli.league.view.LeagueSprtCommand;
 import steward.cli.league.view.PageCommand;
 import steward.cli.league.view.TableCommand;
+import steward.cli.league.view.WhyCommand;
 import steward.cli.options.ProgramCommand;
 
 /** {@code steward league}: bots that play each other for as long as one likes, every game kept. */
@@ -59,6 +60,7 @@ public final class LeagueCommand extends ProgramCommand {
         commands.put("run", null);                      // its options are known further up
         commands.put("table", new TableCommand());
         commands.put("games", new GamesCommand());
+        commands.put("why", new WhyCommand());
         commands.put("page", new PageCommand());
         commands.put("export", new ExportCommand());
         commands.put("import", new ImportGamesCommand());

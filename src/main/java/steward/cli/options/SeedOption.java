@@ -12,6 +12,11 @@ public final class SeedOption {
     @Option(names = "--seed", paramLabel = "N", description = "What is drawn by lot follows from it (default: drawn).")
     private Long seed;
 
+    /** True if a seed was given. */
+    public boolean isGiven() {
+        return seed != null;
+    }
+
     /** The given seed, or a drawn one. */
     public long orDrawn() {
         return seed == null ? draw() : seed;

@@ -14,6 +14,7 @@ import steward.cli.options.ProgramCommand;
 import steward.cli.options.ProtocolWord;
 import steward.cli.options.SandboxOptions;
 import steward.cli.options.SceneOptions;
+import steward.cli.options.SeedFileOption;
 import steward.cli.options.SeedOption;
 import steward.cli.options.TimeLimitOptions;
 import steward.cli.shared.Games;
@@ -21,6 +22,7 @@ import steward.cli.shared.Verbosity;
 import steward.cli.streams.StandardFiles;
 import steward.contest.Contest;
 import steward.contest.Series;
+import steward.contest.seeds.Seeds;
 import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.game.GameSetup;
@@ -77,6 +79,9 @@ public final class MatchCommand extends ProgramCommand {
     @Mixin
     private final SeedOption seed = new SeedOption();
 
+    @Mixin
+    private final SeedFileOption list = new SeedFileOption();
+
     @Option(names = "--out", paramLabel = "FILE",
         description = "Writes the replay to this file, - for the standard output; with --games or --swap, one for each "
             + "game into this folder.")
@@ -114,7 +119,8 @@ public final class MatchCommand extends ProgramCommand {
     public Integer call() throws InterruptedException {
         check.exclusive("--json", json, "--quiet", quiet);
         double factor = pace.factor();
-        many.check(out != null);
+        many.check(out != null, list.isGiven());
+        list.check(seed.isGiven());
         check.that(!overwrite || out != null || show.view() != null, "--overwrite: expected --out or --view with it");
         check.that(sign == null || out != null || show.isAny(), "--sign: expected --out with it");
         boolean piped = StandardFiles.is(out);
@@ -123,6 +129,7 @@ public final class MatchCommand extends ProgramCommand {
         check.that(!StandardFiles.is(show.view()),
             "--view: found -, expected a file: the standard output is for the result");
         show.check(check, many.isAny());
+        check.exclusive("--why", many.why(), "--quiet", quiet);
         check.that(level == null || level >= 1 && level <= MOST_LEVEL, "--league-level: found " + level
             + ", expected 1 to " + MOST_LEVEL);
         GameSetup setup = Games.warn(scene.open(streams), streams);
@@ -147,12 +154,14 @@ public final class MatchCommand extends ProgramCommand {
         contest = pace.limit(contest);
         contest = sign == null ? contest : contest.signedWith(SigningKey.read(OutputFiles.path(sign)));
         contest = contest.isolatedBy(sandbox.isolation(streams));
+        List<String> choosers = list.choosers(contest.entrants());
         long first = alone && TestScores.count(setup) > 0 ? seed.or(1) : seed.orDrawn();
         Path path = out == null || piped ? null : OutputFiles.path(out);
         Verbosity report = json ? Verbosity.JSON : quiet ? Verbosity.LINE : Verbosity.FULL;
         if (many.isAny()) {
-            Series series = new Series(contest, first, many.games(), many.swap(), path, many.keep(), many.hiccups());
-            SeriesRun run = new SeriesRun(streams, series, report, strict, many.random());
+            Seeds starts = list.isGiven() ? list.seeds() : Seeds.from(first);
+            Series series = new Series(contest, starts, count(), many.swap(), path, many.keep(), many.hiccups());
+            SeriesRun run = new SeriesRun(streams, series, report, strict, many.random(), choosers, many.why());
             if (many.into() == null) {
                 return run.play(many.threads(streams), overwrite);
             }
@@ -163,5 +172,13 @@ public final class MatchCommand extends ProgramCommand {
         }
         SingleMatch game = new SingleMatch(streams, contest, report, strict, piped, many.hiccups());
         return show.isAny() ? game.play(first, path, overwrite, show) : game.play(first, path, overwrite);
+    }
+
+    /** Number of seeds that are played: without {@code --games}, all of a list. */
+    private int count() {
+        if (list.isGiven() && many.areCounted()) {
+            list.atLeast(many.games(), ", one for each of --games");
+        }
+        return list.isGiven() && !many.areCounted() ? list.seeds().count() : many.games();
     }
 }

@@ -11,6 +11,7 @@ import steward.contest.Series;
 import steward.contest.SeriesPlay;
 import steward.contest.Standings;
 import steward.contest.Tally;
+import steward.contest.loss.Losses;
 import steward.league.sequential.ScoreRange;
 import steward.json.JsonNumbers;
 import steward.json.JsonObject;
@@ -26,12 +27,14 @@ final class SeriesJson {
 
     private static final double NANOS_PER_MS = 1e6;
 
-    static void print(Streams streams, Series series, SeriesPlay play) {
+    static void print(Streams streams, Series series, SeriesPlay play, List<String> choosers,
+                      Losses why) {
         Standings standings = play.standings();
         MatchJson.printObject(streams, out -> {
             out.writeStringProperty("scene", series.contest().sceneName());
             out.writeStringProperty("seed", Long.toString(series.first()));
             out.writeNumberProperty("seeds", series.seeds());
+            JsonObject.writeTexts(out, "choosers", choosers);
             out.writeBooleanProperty("swap", series.swap());
             out.writeBooleanProperty("alone", series.contest().isAlone());
             out.writeNumberProperty("planned", series.games());
@@ -53,6 +56,11 @@ final class SeriesJson {
             JsonObject.writeAll(out, "bots", series.contest().entrants().size(),
                 k -> writeBot(out, series, series.contest().entrants().get(k), standings.tally(k)));
             FailureReport.json(out, standings.failures());
+            if (why != null) {
+                out.writeObjectPropertyStart("why");
+                why.json(out);
+                out.writeEndObject();
+            }
             JsonObject.writeAll(out, "list", standings.games(), game -> writeGame(out, series, game));
             JsonObject.writeAll(out, "times", series.contest().entrants().size(),
                 k -> writeTimes(out, standings.times(k)));

@@ -39,6 +39,7 @@ final class SeriesOptions {
     private static final List<String> KEEPS = Arrays.stream(KeptReplays.values()).map(KeptReplays::word).toList();
 
     private final CallCheck check = CallCheck.withHelp();
+    private boolean isListed;
 
     @Option(names = "--games", paramLabel = "N",
         description = "Plays N games with the seeds SEED, SEED + 1, ... and prints who scored how many points.")
@@ -57,6 +58,10 @@ final class SeriesOptions {
             + "(lost), in which a bot failed or that have no result (failed), or none.")
     private String keep;
 
+    @Option(names = "--why", description = "Also says of the games that the first bot lost how they ended, from which "
+        + "turn on it was behind, and which was the worst of each kind; and compares its values in lost and won games.")
+    private boolean why;
+
     @Option(names = "--hiccups", paramLabel = "replay|count", completionCandidates = HiccupWords.class,
         description = "What becomes of a game, also of a single one, that a bot lost on time while it waited a tenth "
             + "of its limit or more for a processor that other programs used: it is played again with the same seed, "
@@ -74,14 +79,17 @@ final class SeriesOptions {
     /**
      * Refuses options that are out of range or do not go together.
      *
-     * @param out whether {@code --out} is there
+     * @param out    whether {@code --out} is there
+     * @param listed whether there is a list of seeds: then there are many games
      */
-    void check(boolean out) {
+    void check(boolean out, boolean listed) {
+        isListed = listed;
         check.games(games);
         threads.check();
         check.that(isAny() || !threads.isGiven(), "--threads is for many games, expected --games or --swap with it");
         check.that(isAny() || into == null, "--into is for many games, expected --games or --swap with it");
         check.that(isAny() || !random, "--random is for many games, expected --games or --swap with it");
+        check.that(isAny() || !why, "--why is for many games, expected --games or --swap with it");
         check.that(isAny() || keep == null, "--keep is for many games, expected --games or --swap with it");
         check.that(hiccups == null || Hiccups.of(hiccups).isPresent(),
             "--hiccups: found '" + hiccups + "', expected replay or count");
@@ -94,6 +102,7 @@ final class SeriesOptions {
     /** Returns the error of options that do not apply where each bot plays alone, or {@code null}. */
     String problemAlone() {
         return swap ? "--swap: the scene is for one player, and each bot plays alone: there are no sides to change"
+            : why ? "--why: the scene is for one player, and a game alone has no loser"
             : keep().equals(KeptReplays.LOST) ? "--keep lost: the scene is for one player, and a game alone has no "
                 + "loser, "
                 + "expected all, failed or none" : null;
@@ -101,7 +110,12 @@ final class SeriesOptions {
 
     /** True if there is to be more than one match. */
     boolean isAny() {
-        return games != null || swap;
+        return games != null || swap || isListed;
+    }
+
+    /** True if it is said how many seeds. */
+    boolean areCounted() {
+        return games != null;
     }
 
     /** Returns how many seeds. */
@@ -112,6 +126,11 @@ final class SeriesOptions {
     /** True if a bot draws by lot. */
     boolean random() {
         return random;
+    }
+
+    /** True if it is to be said why the first bot lost. */
+    boolean why() {
+        return why;
     }
 
     boolean swap() {

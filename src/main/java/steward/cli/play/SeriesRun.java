@@ -4,15 +4,18 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Consumer;
+import steward.cli.options.SeedFileOption;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Verbosity;
 import steward.cli.streams.Interruption;
 import steward.cli.streams.ProgressLine;
 import steward.cli.streams.Streams;
+import steward.contest.Losers;
 import steward.contest.ProgramWatch;
 import steward.contest.Series;
 import steward.contest.SeriesPlay;
 import steward.contest.Standings;
+import steward.contest.loss.Losses;
 import steward.text.TextFormat;
 
 /**
@@ -21,8 +24,11 @@ import steward.text.TextFormat;
  * @param report how much is said
  * @param strict whether a bot that fails makes the exit status 1
  * @param random whether bots draw by lot, so that equal games are no repeats
+ * @param choosers names of the bots by whose games the seeds were chosen
+ * @param why    whether it is said why the first bot lost
  */
-record SeriesRun(Streams streams, Series series, Verbosity report, boolean strict, boolean random) {
+record SeriesRun(Streams streams, Series series, Verbosity report, boolean strict, boolean random,
+                 List<String> choosers, boolean why) {
 
     /** How many games without a result are reported one by one. */
     private static final int PROBLEMS_SHOWN = 10;
@@ -48,6 +54,9 @@ record SeriesRun(Streams streams, Series series, Verbosity report, boolean stric
         SeriesPlay play = new SeriesPlay(series, overwrite, watch);
         if (random) {
             play.standings().random();
+        }
+        if (why && !series.contest().setup().isHosted()) {
+            play.followLeads();                        // nobody knows the standing of a guest's game before its end
         }
         AtomicBoolean told = new AtomicBoolean();
         if (report == Verbosity.FULL && series.games() != series.seeds()) {
@@ -107,10 +116,25 @@ record SeriesRun(Streams streams, Series series, Verbosity report, boolean stric
 
     private void tell(SeriesPlay play) {
         switch (report) {
-            case JSON -> SeriesJson.print(streams, series, play);
-            case LINE -> streams.out().println(SeriesText.headline(series, play.standings()));
-            default -> SeriesText.print(streams.out(), streams.outColour(), series, play.standings());
+            case JSON -> SeriesJson.print(streams, series, play, choosers, losses(play));
+            case LINE -> streams.out().println(SeriesText.headline(series, play.standings())
+                + (choosers.isEmpty() ? "" : "; " + SeedFileOption.flag(choosers)));
+            default -> {
+                SeriesText.print(streams.out(), streams.outColour(), series, play.standings());
+                if (why) {
+                    streams.out().println();
+                    losses(play).lines().forEach(streams.out()::println);
+                }
+                if (!choosers.isEmpty()) {
+                    streams.out().println(streams.outColour().warning(SeedFileOption.flag(choosers)));
+                }
+            }
         }
+    }
+
+    /** The account of the games that the first bot lost, or {@code null}. */
+    private Losses losses(SeriesPlay play) {
+        return why ? Losers.of(series.contest(), play.standings().games(), 0) : null;
     }
 
     private void tellProblems(SeriesPlay play) {

@@ -53,10 +53,9 @@ final class SeriesText {
     }
 
     static void print(PrintStream out, Colour colour, Series series, Standings standings) {
-        long last = series.first() + series.seeds() - 1;
         int without = standings.games().size() - standings.results();
         out.println(colour.strong(TextFormat.plain(games(series, standings))) + ", "
-            + (series.seeds() == 1 ? "seed " + series.first() : "seeds " + series.first() + " to " + last)
+            + seeds(series)
             + (series.swap() ? ", each with every order of sides" : "")
             + (series.contest().isAlone() ? ", each bot alone" : "")
             + (without > 0 ? ", " + colour.bad(without + " without a result") : "")
@@ -80,6 +79,12 @@ final class SeriesText {
         FailureReport.print(out, colour, series.contest(), standings.failures());
         playedAgain(out, series, standings.playedAgain());
         replays(out, series, standings.games());
+    }
+
+    private static String seeds(Series series) {
+        long last = series.starts().at(series.seeds() - 1);
+        return series.starts().isListed() ? TextFormat.count(series.seeds(), "listed seed")
+            : series.seeds() == 1 ? "seed " + series.first() : "seeds " + series.first() + " to " + last;
     }
 
     private static String legend(Contest contest) {

@@ -107,8 +107,8 @@ public final class StoredSeries implements AutoCloseable {
         LeagueSettings played = settings.with(settings.gauntlet(), factor, settings.keep())
             .holding(contest.staging().isolation().get().hold());
         Season season = Season.of(contest.setup(), new LeagueSettings(played.scene(), played.seed(),
-            played.gauntlet(), played.adaptive(), played.lag(), factor, contest.time().basis(), played.hiccups(),
-            played.sandbox(), played.keep(), played.keepOf(), played.bots()));
+            played.seedFile(), played.gauntlet(), played.adaptive(), played.lag(), factor, contest.time().basis(),
+            played.hiccups(), played.sandbox(), played.keep(), played.keepOf(), played.bots()));
         Season own = Season.of(Games.open(folder.scene(settings.scene())), settings);
         if (!own.key().equals(season.key())) {
             throw new InputException("--into: found a league of other games, expected one of the same scene and "
@@ -130,6 +130,16 @@ public final class StoredSeries implements AutoCloseable {
             store.close();
             throw problem;
         }
+    }
+
+    /** Returns the store of games between some of these bots, which is closed with this one. */
+    public StoredSeries between(Contest some) {
+        StoredSeries other = new StoredSeries(store, season, number, some, machine);
+        for (int k = 0; k < some.entrants().size(); k++) {
+            other.versions.put(k, versions.get(contest.entrants().indexOf(some.entrants().get(k))));
+        }
+        other.random = random;
+        return other;
     }
 
     private void find(LeagueSettings settings, BotIdentity identity) {

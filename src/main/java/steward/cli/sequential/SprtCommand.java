@@ -9,10 +9,12 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import steward.cli.options.BotFolders;
 import steward.cli.options.BuiltinBotWords;
+import steward.cli.options.CallCheck;
 import steward.cli.options.ProgramCommand;
 import steward.cli.options.ProtocolWord;
 import steward.cli.options.SandboxOptions;
 import steward.cli.options.SceneOptions;
+import steward.cli.options.SeedFileOption;
 import steward.cli.options.SeedOption;
 import steward.cli.options.ThreadsOption;
 import steward.cli.options.TimeLimitOptions;
@@ -20,11 +22,15 @@ import steward.cli.play.StoredSeries;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Games;
 import steward.cli.shared.Verbosity;
+import steward.contest.Contest.Entrant;
 import steward.contest.Contest;
+import steward.contest.seeds.Seeds;
 import steward.files.OutputFiles;
 import steward.game.GameSetup;
 import steward.league.sequential.Gsprt;
 import steward.league.sequential.ScoreCounts;
+import steward.match.Protocol;
+import steward.text.TextFormat;
 
 /** {@code steward sprt}: is the new bot better than the old one? */
 @Command(name = "sprt", description = "Plays two bots until it is clear whether the first is better.",
@@ -34,9 +40,13 @@ import steward.league.sequential.ScoreCounts;
         "mean difference of the points of a seed. It ends when one hypothesis is",
         "accepted, or after --games. With --into the same command goes on after an",
         "interruption, and games that the league has of the two come first.",
+        "With --pool both meet the same opponents, which take turns: each seed is played",
+        "by both from all seats against one of them, and what counts is the difference",
+        "of their points a game.",
         "", "Examples:",
         "  steward sprt --bot new=./new --bot old=./old --threads auto",
         "  steward sprt --bot ./new --bot ./old --elo0 -5 --elo1 5 --into night",
+        "  steward sprt --bot ./new --bot ./old --pool night --points1 0.03",
         "  steward sprt --penta 3,12,40,30,9",
         "", "Exit status: 0 it was decided, or has played --games; 1 games have no result, or",
         "a bot failed in 10 games in a row; 2 wrong call; 130 interrupted."})
@@ -66,6 +76,9 @@ public final class SprtCommand extends ProgramCommand {
 
     @Mixin
     private final SeedOption seed = new SeedOption();
+
+    @Mixin
+    private final SeedFileOption list = new SeedFileOption();
 
     @Mixin
     private final ThreadsOption threads = new ThreadsOption();
@@ -98,12 +111,14 @@ public final class SprtCommand extends ProgramCommand {
     @Override
     public Integer call() throws InterruptedException {
         check.exclusive("--json", json, "--quiet", quiet);
+        list.check(seed.isGiven());
         Gsprt test = options.test();
         threads.check();
         Verbosity report = json ? Verbosity.JSON : quiet ? Verbosity.LINE : Verbosity.FULL;
         if (!penta.isEmpty() || !wdl.isEmpty()) {
             check.exclusive("--penta", !penta.isEmpty(), "--wdl", !wdl.isEmpty());
-            check.that(bots.isEmpty() && into == null, "found --bot or --into beside counts, expected counts alone: "
+            check.that(bots.isEmpty() && into == null && options.pool() == null, "found --bot, --pool or --into beside "
+                + "counts, expected counts alone: "
                 + "nothing is played");
             SprtRun.compute(streams, test, counts(), report);
             return ExitStatus.DONE;
@@ -111,21 +126,52 @@ public final class SprtCommand extends ProgramCommand {
         double factor = pace.factor();
         check.that(bots.size() == 2, "--bot: found " + bots.size() + ", expected two: the new bot and the old one");
         GameSetup setup = Games.warn(scene.open(streams), streams);
-        List<String> all = withFill(setup.scene().players());
+        if (options.pool() != null) {
+            return againstPool(setup, test, report, factor);
+        }
+        List<String> all = withFill(check, bots, fill, setup.scene().players(), "are tested");
         List<Path> own = new ArrayList<>(folders.of("--bot"));
         folders.of("--fill").forEach(folder -> own.addAll(Collections.nCopies(all.size() - bots.size(), folder)));
         Contest contest = pace.limit(Contest.ofSeries(setup, all, own, ProtocolWord.parse(protocol), factor))
             .isolatedBy(sandbox.isolation(streams));
+        List<String> choosers = list.choosers(contest.entrants());
         if (into == null) {
-            return new SprtRun(streams, contest, test, options.ending(), null, report)
-                .play(seed.orDrawn(), threads.count(streams), StoredSeries.watch(contest, streams));
+            return new SprtRun(streams, contest, test, options.ending(), null, report).flagged(choosers)
+                .play(list.isGiven() ? list.seeds() : Seeds.from(seed.orDrawn()), threads.count(streams),
+                    StoredSeries.watch(contest, streams));
         }
         return StoredSeries.play(OutputFiles.path(into), contest, factor, sandbox.variables(), streams,
             (store, watch) -> {
                 store.refuseTwins();
-                return new SprtRun(streams, contest, test, options.ending(), store, report)
-                    .play(seed.or(store.ownSeed()), threads.count(streams), watch);
+                return new SprtRun(streams, contest, test, options.ending(), store, report).flagged(choosers)
+                    .play(list.isGiven() ? list.seeds() : Seeds.from(seed.or(store.ownSeed())), threads.count(streams),
+                        watch);
             });
+    }
+
+    private int againstPool(GameSetup setup, Gsprt test, Verbosity report, double factor) throws InterruptedException {
+        int players = setup.scene().players();
+        check.that(fill == null, "--fill: expected none with --pool, whose bots take all other seats");
+        check.that(players > 1, "--pool: found a scene for " + TextFormat.count(players, "player")
+            + ", expected one for two or more");
+        Path league = into == null ? null : OutputFiles.path(into);
+        Protocol usual = setup.isHosted() ? Protocol.CODINGAME : ProtocolWord.parse(protocol);
+        List<Entrant> entrants = Pool.find(bots, folders.of("--bot"), options.pool(), league, usual);
+        Contest.checkPlayable(setup, entrants);
+        check.that(entrants.size() - 2 >= players - 1, "--pool: found " + TextFormat.count(entrants.size() - 2, "bot")
+            + ", expected at least " + (players - 1) + ", one for each other seat");
+        Contest everyone = pace.limit(Contest.withoutBots(setup, factor).between(entrants))
+            .isolatedBy(sandbox.isolation(streams));
+        PoolText text = new PoolText(test, options.points0(), options.points1(), entrants.get(0).name(),
+            entrants.get(1).name(), list.choosers(everyone.entrants().subList(0, 2)));
+        if (league == null) {
+            Seeds seeds = list.isGiven() ? list.seeds() : Seeds.from(seed.orDrawn());
+            return new PoolRun(streams, everyone, test, options.ending(), text, seeds, null, report)
+                .play(threads.count(streams), StoredSeries.watch(everyone, streams));
+        }
+        return StoredSeries.play(league, everyone, factor, sandbox.variables(), streams, (store, watch) ->
+            new PoolRun(streams, everyone, test, options.ending(), text, list.isGiven() ? list.seeds()
+                : Seeds.from(seed.or(store.ownSeed())), store, report).play(threads.count(streams), watch));
     }
 
     /** Counts that were given: the lowest score first. */
@@ -145,11 +191,12 @@ public final class SprtCommand extends ProgramCommand {
         return scores;
     }
 
-    private List<String> withFill(int players) {
+    /** Two bots, and another on all other seats. @param which what is done with the two */
+    static List<String> withFill(CallCheck check, List<String> bots, String fill, int players, String which) {
         check.that(fill == null || players > 2, "--fill is for scenes of three and more players, found one of "
             + players);
         check.that(fill != null || players <= 2, "found no --fill, expected one: the scene is for " + players
-            + " players, and two are tested");
+            + " players, and two " + which);
         List<String> all = new ArrayList<>(bots);
         all.addAll(Collections.nCopies(Math.max(0, players - 2), fill));
         return all;

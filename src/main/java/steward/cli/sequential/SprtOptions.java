@@ -24,16 +24,29 @@ public final class SprtOptions {
     private static final List<String> MODELS = List.of("normalized", "logistic");
     private static final double MOST_ELO = 1000;
     private static final double HALF = 0.5;
+    private static final double ELO = 10;
+    /** Points a game, in Elo of even bots some 7: as much as a change of a good bot brings. */
+    private static final double POINTS = 0.02;
+    private static final double MOST_POINTS = 0.9;
 
     private final CallCheck check = CallCheck.withHelp();
 
-    @Option(names = "--elo0", paramLabel = "X", defaultValue = "0",
-        description = "What is accepted as not enough, H0 (default: ${DEFAULT-VALUE}).")
-    private double elo0;
+    @Option(names = "--elo0", paramLabel = "X", description = "What is accepted as not enough, H0 (default: 0).")
+    private Double elo0;
 
-    @Option(names = "--elo1", paramLabel = "X", defaultValue = "10",
-        description = "What is accepted as a gain, H1 (default: ${DEFAULT-VALUE}).")
-    private double elo1;
+    @Option(names = "--elo1", paramLabel = "X", description = "What is accepted as a gain, H1 (default: 10).")
+    private Double elo1;
+
+    @Option(names = "--pool", paramLabel = "DIR|NAMES", description = "Lets both bots meet the same opponents in place "
+        + "of each other: those of a league, the programs of a folder, or bots apart by commas.")
+    private String pool;
+
+    @Option(names = "--points0", paramLabel = "P", description = "With --pool: points a game by which the first bot is "
+        + "ahead against the pool, as H0 (default: 0).")
+    private Double points0;
+
+    @Option(names = "--points1", paramLabel = "P", description = "What H1 says of these points (default: 0.02).")
+    private Double points1;
 
     @Option(names = "--alpha", paramLabel = "P", defaultValue = "0.05",
         description = "How often H1 may be accepted where H0 is true (default: ${DEFAULT-VALUE}).")
@@ -43,7 +56,7 @@ public final class SprtOptions {
         description = "How often H0 may be accepted where H1 is true (default: ${DEFAULT-VALUE}).")
     private double beta;
 
-    @Option(names = "--elo-model", paramLabel = "normalized|logistic", defaultValue = "normalized",
+    @Option(names = "--elo-model", paramLabel = "normalized|logistic",
         completionCandidates = Models.class, description = "What Elo means: normalized (default), by the spread of the "
             + "scores of a game, 347 points for a standard deviation; or logistic, by the mean score.")
     private String model;
@@ -64,17 +77,47 @@ public final class SprtOptions {
         return new SprtRun.Ending(games == null ? Long.MAX_VALUE : games, keepGoing, random);
     }
 
-    /** Refuses what cannot be tested. */
+    /** The opponents as they were typed, or {@code null}. */
+    String pool() {
+        return pool;
+    }
+
+    double points0() {
+        return points0 == null ? 0 : points0;
+    }
+
+    double points1() {
+        return points1 == null ? POINTS : points1;
+    }
+
+    /** Refuses what cannot be tested; a test against a pool is one of mean scores. */
     public Gsprt test() {
+        check.that(pool != null || points0 == null && points1 == null, "--points0 and --points1 are for --pool, "
+            + "expected it with them");
+        check.that(pool == null || elo0 == null && elo1 == null && model == null, "--elo0, --elo1 and --elo-model are "
+            + "for two bots that meet, expected --points0 and --points1 with --pool");
+        check.that(alpha > 0 && alpha < HALF, "--alpha: found " + alpha + ", expected more than 0 and less than 0.5");
+        check.that(beta > 0 && beta < HALF, "--beta: found " + beta + ", expected more than 0 and less than 0.5");
+        check.games(games);
+        return pool == null ? testOfElo(elo0 == null ? 0 : elo0, elo1 == null ? ELO : elo1) : testOfPoints();
+    }
+
+    private Gsprt testOfPoints() {
+        check.that(Math.abs(points0()) <= MOST_POINTS, "--points0: found " + points0() + ", expected -0.9 to 0.9");
+        check.that(Math.abs(points1()) <= MOST_POINTS, "--points1: found " + points1() + ", expected -0.9 to 0.9");
+        check.that(points0() < points1(), "--points0: found " + points0() + ", expected less than --points1, which is "
+            + points1());
+        return Gsprt.ofScores((1 + points0()) / 2, (1 + points1()) / 2, alpha, beta);
+    }
+
+    private Gsprt testOfElo(double elo0, double elo1) {
         check.that(Math.abs(elo0) <= MOST_ELO, "--elo0: found " + elo0 + ", expected -1000 to 1000");
         check.that(Math.abs(elo1) <= MOST_ELO, "--elo1: found " + elo1 + ", expected -1000 to 1000");
         check.that(elo0 < elo1, "--elo0: found " + elo0 + ", expected less than --elo1, which is " + elo1);
-        check.that(alpha > 0 && alpha < HALF, "--alpha: found " + alpha + ", expected more than 0 and less than 0.5");
-        check.that(beta > 0 && beta < HALF, "--beta: found " + beta + ", expected more than 0 and less than 0.5");
-        check.that(MODELS.contains(model), "--elo-model: found '" + model + "', expected normalized or logistic"
-            + NearestName.question(model, MODELS, "'"));
-        check.games(games);
+        String named = model == null ? MODELS.get(0) : model;
+        check.that(MODELS.contains(named), "--elo-model: found '" + model + "', expected normalized or logistic"
+            + NearestName.question(named, MODELS, "'"));
         return new Gsprt(elo0, elo1, alpha, beta,
-            model.equals("logistic") ? Gsprt.Model.LOGISTIC : Gsprt.Model.NORMALIZED);
+            named.equals("logistic") ? Gsprt.Model.LOGISTIC : Gsprt.Model.NORMALIZED);
     }
 }

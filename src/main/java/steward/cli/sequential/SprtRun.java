@@ -1,11 +1,13 @@
 package steward.cli.sequential;
 
 import java.util.Arrays;
+import java.util.List;
 import java.util.Objects;
 import java.util.SortedSet;
 import java.util.TreeSet;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
+import steward.cli.options.SeedFileOption;
 import steward.cli.play.FailureReport;
 import steward.cli.play.StoredSeries;
 import steward.cli.shared.ExitStatus;
@@ -20,6 +22,8 @@ import steward.contest.Hiccups;
 import steward.contest.PairedPlay;
 import steward.contest.ProgramWatch;
 import steward.contest.repeat.Repeats;
+import steward.contest.seeds.Seeds;
+import steward.json.JsonObject;
 import steward.league.sequential.Gsprt;
 import steward.league.sequential.ScoreCounts;
 import steward.text.TextFormat;
@@ -42,9 +46,11 @@ public final class SprtRun {
     private final Verbosity report;
     private final SprtText text;
     private final boolean random;
+    private List<String> choosers = List.of();
     /** Guarded by this, as is all below. */
     private final ScoreCounts scores;
     private final Repeats seen = new Repeats();
+    private int taken;
     private long repeats;
     private int repeatsInARow;
     private final FailureStreaks streaks = new FailureStreaks();
@@ -81,6 +87,12 @@ public final class SprtRun {
         text = new SprtText(test, contest.entrants().get(0).name(), contest.entrants().get(1).name());
     }
 
+    /** Flags the result. @param bots names of those by whose games the seeds were chosen */
+    SprtRun flagged(List<String> bots) {
+        choosers = bots;
+        return this;
+    }
+
     /** Tells the state of a test whose scores were counted elsewhere. */
     static void compute(Streams streams, Gsprt test, ScoreCounts scores, Verbosity report) {
         SprtText text = new SprtText(test, "the first", "the second");
@@ -95,21 +107,21 @@ public final class SprtRun {
     /**
      * Plays.
      *
-     * @param first the first seed of the test's own
+     * @param seeds the test's own: with a list, games on others do not count
      * @param watch over the programs: when one becomes another, the test ends
      * @return the exit status
      */
     @SuppressWarnings("try")                           // only closed, never used
-    public int play(long first, int threads, ProgramWatch watch) throws InterruptedException {
+    public int play(Seeds seeds, int threads, ProgramWatch watch) throws InterruptedException {
         if (report == Verbosity.FULL) {
             streams.err().println(text.heading());
         }
         AtomicBoolean over = new AtomicBoolean();
-        PairedPlay play = new PairedPlay(contest, first, Hiccups.REPLAY,
+        PairedPlay play = new PairedPlay(contest, seeds, Hiccups.REPLAY,
             store == null ? (seed, rotation) -> null : store::outcome, store == null ? game -> { } : store::add,
             failures, watch, this::take);
-        if (!takeStored(first)) {
-            return end(null);
+        if (!seeds.isListed() && !takeStored(seeds.at(0))) {
+            return end(null, seeds);
         }
         try (Interruption interruption = new Interruption(streams, () -> over.getAndSet(true) ? null
                 : interrupted(play))) {
@@ -118,7 +130,7 @@ public final class SprtRun {
                 return ExitStatus.FAILED;              // the process is about to end, with the status of its signal
             }
         }
-        return end(watch.changed());
+        return end(watch.changed(), seeds);
     }
 
     /** Takes what the league has besides the test's own seeds; returns whether more is wanted. */
@@ -141,6 +153,7 @@ public final class SprtRun {
     }
 
     private synchronized boolean take(PairedPlay.Seed seed) {
+        taken++;
         if (seed.isWhole() && !random && seed.isRepeat(seen)) {
             repeats++;
             repeatsInARow++;
@@ -168,7 +181,7 @@ public final class SprtRun {
     }
 
     /** @param changed the file that made a program another one before the test was over, or {@code null} */
-    private synchronized int end(String changed) {
+    private synchronized int end(String changed, Seeds seeds) {
         if (withoutInARow >= MOST_WITHOUT) {
             tell();
             streams.err().println("steward: the test ends: " + MOST_WITHOUT + " seeds in a row tell nothing: their "
@@ -193,6 +206,9 @@ public final class SprtRun {
         } else if (test.state(scores) == Gsprt.State.OPEN && !ending.keepGoing() && streaks.failing() != null) {
             streams.err().println("steward: " + streaks.ending("the test"));
             return ExitStatus.FAILED;
+        } else if (test.state(scores) == Gsprt.State.OPEN && taken == seeds.count()) {
+            streams.err().println("steward: the test ends undecided: all " + TextFormat.count(taken, "seed")
+                + " of the list have been played");
         }
         return ExitStatus.DONE;
     }
@@ -202,11 +218,16 @@ public final class SprtRun {
         switch (report) {
             case JSON -> Json.print(streams, out -> {
                 text.json(out, scores, unused);
+                JsonObject.writeTexts(out, "choosers", choosers);
                 FailureReport.json(out, failures.kinds());
             });
-            case LINE -> streams.out().println(text.lines(scores, unused, streams.outColour()).get(1));
+            case LINE -> streams.out().println(text.lines(scores, unused, streams.outColour()).get(1)
+                + (choosers.isEmpty() ? "" : "; " + SeedFileOption.flag(choosers)));
             default -> {
                 text.lines(scores, unused, streams.outColour()).forEach(streams.out()::println);
+                if (!choosers.isEmpty()) {
+                    streams.out().println(streams.outColour().warning(SeedFileOption.flag(choosers)));
+                }
                 FailureReport.print(streams.out(), streams.outColour(), contest, failures.kinds());
             }
         }

@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.IntStream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -22,6 +23,7 @@ import steward.cli.options.ProgramCommand;
 import steward.cli.options.ProtocolWord;
 import steward.cli.options.SandboxOptions;
 import steward.cli.options.SceneOptions;
+import steward.cli.options.SeedFileOption;
 import steward.cli.options.SeedOption;
 import steward.cli.options.ThreadsOption;
 import steward.cli.options.TimeLimitOptions;
@@ -40,9 +42,11 @@ import steward.contest.Hiccups;
 import steward.contest.PairedPlay;
 import steward.contest.ProgramWatch;
 import steward.contest.repeat.Repeats;
+import steward.contest.seeds.Seeds;
 import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.game.GameSetup;
+import steward.json.JsonObject;
 import steward.league.sequential.Gsprt;
 import steward.league.tune.Spsa;
 import steward.league.tune.TunedCommand;
@@ -60,7 +64,8 @@ import steward.text.TextFormat;
         "the middle. Each step tries two sets of values against the same bots on the same",
         "seeds from all seats, and goes on towards the better one (SPSA). At the end the",
         "result is tested against the start. With --into the same command goes on after",
-        "an interruption.",
+        "an interruption. Of --seed-file the search plays the first half, again and",
+        "again, and the test the second.",
         "", "Example:",
         "  steward tune --bot 'mine=./mine --aggression {a:0.2..2} --look {n:1..9}' \\",
         "      --against builtin:veteran --games 4000 --into night",
@@ -122,6 +127,9 @@ public final class TuneCommand extends ProgramCommand {
     private final SeedOption seed = new SeedOption();
 
     @Mixin
+    private final SeedFileOption list = new SeedFileOption();
+
+    @Mixin
     private final ThreadsOption threads = new ThreadsOption();
 
     @Option(names = "--into", paramLabel = "DIR",
@@ -162,6 +170,8 @@ public final class TuneCommand extends ProgramCommand {
     /** Steps in which both sets of values scored alike, so that they told nothing. */
     private int tied;
     private long told = System.nanoTime();
+    /** Names of the bots by whose games the seeds were chosen. */
+    private List<String> choosers = List.of();
 
     private record Failures(Contest contest, FailureCounts counts) { }
 
@@ -171,6 +181,7 @@ public final class TuneCommand extends ProgramCommand {
         check.range("--seeds", seeds, 1, MOST_SEEDS);
         check.range("--test-games", testGames, 0, CallCheck.MOST_GAMES);
         threads.check();
+        list.check(seed.isGiven());
         factor = pace.factor();
         try {
             command = TunedCommand.parse(bot);
@@ -194,6 +205,10 @@ public final class TuneCommand extends ProgramCommand {
             + TextFormat.count(against.size(), "bot") + " against them, from all seats");
         limits = limits();
         checkBots();
+        choosers = list.choosers(everyone().entrants().stream().distinct().toList());
+        if (list.isGiven()) {
+            list.atLeast(2L * seeds, ": the search takes one half, " + seeds + " a step, the test the other");
+        }
         long first = seed.or(into == null ? SeedOption.draw() : 1);
         for (;;) {
             watch = StoredSeries.watch(everyone(), streams);
@@ -251,6 +266,7 @@ public final class TuneCommand extends ProgramCommand {
         if (json) {
             Json.print(streams, out -> {
                 TuneJson.write(out, command, search, tied, search.step() >= LEAST_STEPS);
+                JsonObject.writeTexts(out, "choosers", choosers);
                 FailureReport.json(out, failures.values().stream().flatMap(each -> each.counts().kinds().stream())
                     .toList());
             });
@@ -274,7 +290,7 @@ public final class TuneCommand extends ProgramCommand {
         tied = 0;
         while (!search.isOver() && stale < STALE) {
             fresh = false;
-            long at = first + (long) search.step() * seeds;
+            Seeds at = ofStep(first, search.step());
             double plus = score(search.trial(1), at);
             if (watch.changed() != null) {
                 return;
@@ -343,8 +359,15 @@ public final class TuneCommand extends ProgramCommand {
         return contest.entrants().stream().map(entrant -> String.join(" ", entrant.words())).toList();
     }
 
+    /** The seeds of a step; of a list those of its first half, again and again. */
+    private Seeds ofStep(long first, int step) {
+        return !list.isGiven() ? Seeds.from(first + (long) step * seeds)
+            : Seeds.of(IntStream.range(0, seeds).mapToObj(k -> list.seeds()
+                .at((int) (((long) step * seeds + k) % (list.seeds().count() / 2)))).toList());
+    }
+
     /** Mean score of these values on some seeds, 0..1. */
-    private double score(double[] places, long firstSeed) throws InterruptedException {
+    private double score(double[] places, Seeds ofStep) throws InterruptedException {
         double[] sum = new double[1];
         int[] count = new int[1];
         for (int k = 0; k < against.size(); k++) {
@@ -353,7 +376,7 @@ public final class TuneCommand extends ProgramCommand {
             try (StoredSeries store = into == null ? null
                     : StoredSeries.open(OutputFiles.path(into), contest, factor, sandbox.variables(), streams)) {
                 int[] over = new int[1];
-                new PairedPlay(contest, firstSeed, Hiccups.REPLAY,
+                new PairedPlay(contest, ofStep, Hiccups.REPLAY,
                     store == null ? (number, rotation) -> null : store::outcome,
                     store == null ? game -> { } : store::add,
                     failures.computeIfAbsent(other, bot -> new Failures(contest, new FailureCounts(contest))).counts(),
@@ -404,6 +427,9 @@ public final class TuneCommand extends ProgramCommand {
                 + command.parameters().get(k).value(result[k] + 2 * spread[k]));
         }
         streams.out().println("Bot:    " + command.with(result));
+        if (!choosers.isEmpty()) {
+            streams.out().println(streams.outColour().warning(SeedFileOption.flag(choosers)));
+        }
         printFailures();
         streams.out().flush();
     }
@@ -427,14 +453,19 @@ public final class TuneCommand extends ProgramCommand {
             streams.out().println();
         }
         if (into == null) {
-            return new SprtRun(streams, contest, test, ending, null, report)
-                .play(first + games, threads.count(streams), watch);
+            return new SprtRun(streams, contest, test, ending, null, report).flagged(choosers)
+                .play(list.isGiven() ? ofTest() : Seeds.from(first + games), threads.count(streams), watch);
         }
         try (StoredSeries store = StoredSeries.open(OutputFiles.path(into), contest, factor, sandbox.variables(),
                 streams)) {
-            return new SprtRun(streams, contest, test, ending, store, report)
-                .play(store.ownSeed(), threads.count(streams), watch);
+            return new SprtRun(streams, contest, test, ending, store, report).flagged(choosers)
+                .play(list.isGiven() ? ofTest() : Seeds.from(store.ownSeed()), threads.count(streams), watch);
         }
+    }
+
+    /** The seeds of a list that the search does not use. */
+    private Seeds ofTest() {
+        return list.seeds().after(list.seeds().count() / 2);
     }
 
     private static String bare(String text) {

@@ -23,6 +23,7 @@ import steward.cli.league.view.LeagueOpening;
 import steward.cli.league.view.PageCommand;
 import steward.cli.options.ProgramCommand;
 import steward.cli.options.ProtocolWord;
+import steward.cli.options.SeedFileOption;
 import steward.cli.options.ShippedScenes;
 import steward.cli.options.ThreadsOption;
 import steward.cli.options.TimeLimitOptions;
@@ -142,6 +143,9 @@ public final class TournamentCommand extends ProgramCommand {
     private final TimeLimitOptions pace = new TimeLimitOptions();
 
     @Mixin
+    private final SeedFileOption list = new SeedFileOption();
+
+    @Mixin
     private final ThreadsOption threads = new ThreadsOption();
 
     @Mixin
@@ -149,6 +153,8 @@ public final class TournamentCommand extends ProgramCommand {
 
     /** By the names of programs that have their own. */
     private Map<String, OwnLimits> limits;
+    /** Flags the table if games of programs chose the seeds; {@code null} otherwise. */
+    private String flag;
 
     /**
      * A program of the tournament.
@@ -191,6 +197,7 @@ public final class TournamentCommand extends ProgramCommand {
         check.range("--most-files", mostFiles, 1, MOST_FILES);
         check.range("--rounds", rounds, 1, MOST_ROUNDS);
         threads.check();
+        list.check(false);
         watch.check(check);
         Path from = OutputFiles.path(folder);
         Path into = page == null ? from.resolveSibling(from.toAbsolutePath().normalize().getFileName() + "-tournament")
@@ -202,6 +209,11 @@ public final class TournamentCommand extends ProgramCommand {
         if (rounds != null && opened.players() < 2) {
             throw new InputException("--rounds: found " + opened.name() + ", which each plays alone, expected a scene "
                 + "for several players");
+        }
+        int seats = Math.max(1, opened.players());
+        if (list.isGiven()) {
+            list.atLeast((long) (games + seats - 1) / seats * (rounds == null ? 1 : rounds), ", one for each game of "
+                + "a group from the same seats");
         }
         flags();                                       // refused before anything is written
         LeagueFolder league = new LeagueFolder(into.resolve("league"));
@@ -227,6 +239,7 @@ public final class TournamentCommand extends ProgramCommand {
             throw new FailedException("found " + TextFormat.count(bots.size(), "program") + " that can run, expected "
                 + "at least " + empty.players() + "; see " + into.resolve(INDEX));
         }
+        List<String> choosers = list.choosers(bots.stream().map(LeagueBot::entrant).toList());
         league.write(settings.withBots(bots));
         new IndexPage(entries, null, List.of("The games are not over yet: the table comes when they are. If they were "
             + "interrupted, the same command goes on.")).write(into.resolve(INDEX));
@@ -238,6 +251,7 @@ public final class TournamentCommand extends ProgramCommand {
             streams.err().println("steward: " + TextFormat.plain(empty.hold()));
         }
         int status = rounds == null ? run.playAll() : run.playRounds(rounds, into);
+        flag = SeedFileOption.flag(choosers);
         finish(league, into, entries, run);
         if (wall != null) {
             wall.end(run.played());
@@ -294,9 +308,14 @@ public final class TournamentCommand extends ProgramCommand {
         }
         String named = file ? LeagueFolder.SCENE : SceneFiles.shipped().contains(scene) ? scene
             : scene.replaceFirst("\\.json$", "");
-        LeagueSettings settings = new LeagueSettings(named, known.seed(), null, false, known.lag(), pace.factor(),
-            pace.basis(), Hiccups.REPLAY, List.of("--sandbox", sandbox), games > ALL_KEPT ? KeptReplays.FAILED
-                : KeptReplays.ALL, List.of(), known.bots());
+        if (list.isGiven()) {
+            OutputFiles.replace(league.path().resolve(LeagueFolder.SEEDS),
+                Files.readAllBytes(OutputFiles.path(list.read().source())));
+        }
+        String seeds = list.isGiven() ? LeagueFolder.SEEDS : known.seedFile();
+        LeagueSettings settings = new LeagueSettings(named, known.seed(), seeds, null, false, known.lag(),
+            pace.factor(), pace.basis(), Hiccups.REPLAY, List.of("--sandbox", sandbox), games > ALL_KEPT
+                ? KeptReplays.FAILED : KeptReplays.ALL, List.of(), known.bots());
         league.write(settings);
         return settings;
     }
@@ -358,7 +377,11 @@ public final class TournamentCommand extends ProgramCommand {
         Scores scores = run.scores(played);
         LeagueTable ratings = played.ratings();
         Files.writeString(into.resolve("table.csv"), scores.csv(played, ratings));
-        new IndexPage(entries, scores, scores.notes(played)).write(into.resolve(INDEX));
+        List<String> notes = new ArrayList<>(scores.notes(played));
+        if (flag != null) {
+            notes.add(flag);
+        }
+        new IndexPage(entries, scores, notes).write(into.resolve(INDEX));
         if (json) {
             Json.print(streams, out -> {
                 out.writeStringProperty("folder", into.toString());
@@ -369,6 +392,7 @@ public final class TournamentCommand extends ProgramCommand {
                 });
                 scores.json(out);
                 LeagueJson.table(out, played.season(), ratings, List.of());
+                out.writeStringProperty("flag", flag);
             });
         }
         for (Entry entry : entries) {
@@ -377,7 +401,7 @@ public final class TournamentCommand extends ProgramCommand {
         leaguePage(played, ratings, league, into.resolve("league.html"));
         if (!json) {
             scores.lines().forEach(streams.out()::println);
-            scores.notes(played).forEach(streams.out()::println);
+            notes.forEach(streams.out()::println);
             streams.out().println("Written: " + into.resolve(INDEX) + ", league.html, table.csv, and a page for "
                 + "each author in " + PAGES);
         }

@@ -123,7 +123,7 @@ final class TournamentRun {
             if (wall != null) {
                 wall.add(game);
             }
-        }).run(streams, league.path().toString(), "--pause-after", "0", "--threads", threads);
+        }).run(streams, league.path().toString(), "--pause-after", "0", "--anyway", "--threads", threads);
     }
 
     /** The games that table and pages are made from: of Swiss rounds, those of who met in them. */

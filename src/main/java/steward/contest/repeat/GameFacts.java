@@ -14,13 +14,20 @@ import steward.replay.TranscriptDigest;
  *
  * @param transcript digest of all commands and states, see {@link TranscriptDigest}; 0 if it is not known
  * @param values     the game's own values by player, see {@link Game#ownValues}; empty if they are not known
+ * @param behindFrom by player, the turn from which on another was ahead to the end; empty if that was not looked at
  */
-public record GameFacts(long transcript, List<SortedMap<String, Double>> values) {
+public record GameFacts(long transcript, List<SortedMap<String, Double>> values, List<Integer> behindFrom) {
 
-    public static final GameFacts UNKNOWN = new GameFacts(0, List.of());
+    public static final GameFacts UNKNOWN = new GameFacts(0, List.of(), List.of());
 
     public GameFacts {
         values = List.copyOf(values);
+        behindFrom = List.copyOf(behindFrom);
+    }
+
+    /** Returns these facts, and from which turn on each player was behind. */
+    public GameFacts behind(List<Integer> turns) {
+        return new GameFacts(transcript, values, turns);
     }
 
     /** Own values of a player; empty if they are not known. */
@@ -37,6 +44,6 @@ public record GameFacts(long transcript, List<SortedMap<String, Double>> values)
             }
             values.add(own);
         }
-        return new GameFacts(digest.value(), values);
+        return new GameFacts(digest.value(), values, List.of());
     }
 }

@@ -2,6 +2,7 @@ package steward.league.page;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.TreeMap;
 import java.util.function.BiConsumer;
 import java.util.function.Function;
 import java.util.stream.IntStream;
@@ -168,6 +169,10 @@ public final class LeagueJson {
         table(out, view.season(), view.table(), view.workers());
         JsonNumbers.writeOrNull(out, "rate", view.rate());
         path(out, view.path());
+        out.writeObjectPropertyStart("why");
+        new TreeMap<>(view.why()).forEach((version, lines) ->
+            JsonObject.writeTexts(out, Integer.toString(version), lines));
+        out.writeEndObject();
         JsonObject.writeAll(out, "list", view.games(), game -> game(out, game, replay.apply(game), errors));
     }
 

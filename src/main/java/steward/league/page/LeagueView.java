@@ -1,6 +1,7 @@
 package steward.league.page;
 
 import java.util.List;
+import java.util.Map;
 import steward.league.Season;
 import steward.league.StoredGame;
 import steward.league.rating.LeagueTable;
@@ -14,12 +15,20 @@ import steward.league.rating.RatingPath;
  * @param games   the last games, the latest first
  * @param rate    games a second, or NaN when it is not being played
  * @param workers those that play on other machines
+ * @param why     by version, lines on the games that it lost; none where that is not looked at
  */
 public record LeagueView(Season season, LeagueTable table, RatingPath path, List<StoredGame> games, double rate,
-                         List<WorkerRow> workers) {
+                         List<WorkerRow> workers, Map<Integer, List<String>> why) {
 
     public LeagueView {
         games = List.copyOf(games);
         workers = List.copyOf(workers);
+        why = Map.copyOf(why);
+    }
+
+    /** A view that does not look at lost games. */
+    public LeagueView(Season season, LeagueTable table, RatingPath path, List<StoredGame> games, double rate,
+                      List<WorkerRow> workers) {
+        this(season, table, path, games, rate, workers, Map.of());
     }
 }

@@ -122,7 +122,8 @@ public final class LeagueRun {
         results = new RunResults(season.season(), queries, Looks.settled(past.next(), settings.lag()),
             settings.adaptive() && players > 1 || rules.end().isAny());
         pauses = new Pauses(rules.pauseAfter(), settings.lag(), past.next(), season, teller);
-        schedule = new Schedule(settings.seed(), players, settings.lag(), past, pauses.bots(), pauses::tell);
+        schedule = new Schedule(season.folder().starts(settings), players, settings.lag(), past, pauses.bots(),
+            pauses::tell);
         schedule.without(results.repeated());
         leagueEnd = rules.end().isAny() ? new LeagueEnd(rules.end(), results.known(), settings.lag(), schedule::active)
             : null;
@@ -175,6 +176,11 @@ public final class LeagueRun {
     /** The rule that ended the run with what was known, or {@code null}. */
     public synchronized LeagueEnd ended() {
         return leagueEnd != null && leagueEnd.met() != null ? leagueEnd : null;
+    }
+
+    /** True if the run has ended since every group has played all seeds of the league's list. */
+    public synchronized boolean isPlayedOut() {
+        return schedule.isPlayedOut();
     }
 
     /** True if the run has ended since the bots only repeat games that were played before. */

@@ -5,6 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.BasicFileAttributes;
 import java.util.List;
+import java.util.Objects;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import steward.contest.ProgramWatch;
@@ -131,6 +132,8 @@ final class RosterWatch {
             : !read.limits().equals(old.limits()) ? "the time limit"
             : !read.sandbox().equals(old.sandbox()) ? "the sandbox"
             : read.adaptive() && !old.adaptive() && !learns ? "the pairing"
-            : read.seed() != old.seed() ? "the seed" : read.lag() != old.lag() ? "the lag" : null;
+            : read.seed() != old.seed() ? "the seed"
+            : !Objects.equals(read.seedFile(), old.seedFile()) ? "the list of seeds"
+            : read.lag() != old.lag() ? "the lag" : null;
     }
 }

@@ -64,6 +64,11 @@ public record Gsprt(double elo0, double elo1, double alpha, double beta, Model m
         }
     }
 
+    /** A test of two mean scores, each more than 0 and less than 1. */
+    public static Gsprt ofScores(double zero, double one, double alpha, double beta) {
+        return new Gsprt(logistic(zero), logistic(one), alpha, beta, Model.LOGISTIC);
+    }
+
     /** H0 is accepted at or below this. */
     public double lower() {
         return StrictMath.log(beta / (1 - alpha));

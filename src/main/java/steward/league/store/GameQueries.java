@@ -98,11 +98,24 @@ public final class GameQueries {
         clusters.give(results);
     }
 
-    /** Seeds of games outside of the schedule: somebody chose them, perhaps for several pairings. */
+    /** Seeds that several pairings may have: of games outside of the schedule, and of a list. */
     private Set<Long> chosenSeeds() throws SQLException {
-        Set<Long> seeds = new HashSet<>();
+        Set<Long> seeds = listedSeeds();
         try (ResultSet row = database.query("SELECT seed FROM game NOT INDEXED WHERE season = ? AND decision IS NULL",
             season)) {
+            while (row.next()) {
+                seeds.add(row.getLong(1));
+            }
+        }
+        return seeds;
+    }
+
+    /** Seeds of several decisions; there are none where those are in a row, which costs less to see. */
+    private Set<Long> listedSeeds() throws SQLException {
+        Set<Long> seeds = new HashSet<>();
+        try (ResultSet row = database.query("SELECT seed FROM decision WHERE season = ?1 AND EXISTS (SELECT 1 FROM "
+            + "decision WHERE season = ?1 AND seed - number <> (SELECT seed - number FROM decision WHERE season = ?1 "
+            + "LIMIT 1)) GROUP BY seed HAVING count(*) > 1", season)) {
             while (row.next()) {
                 seeds.add(row.getLong(1));
             }
@@ -242,7 +255,7 @@ public final class GameQueries {
                 return null;
             }
             Lineups lineups = lineups();
-            ClusterCounts clusters = new ClusterCounts(lineups.versions(), Set.of(), false);
+            ClusterCounts clusters = new ClusterCounts(lineups.versions(), listedSeeds(), false);
             try (ResultSet row = database.query(CLUSTER + " AND decision < ?" + AS_DECIDED, season, decision)) {
                 while (row.next()) {
                     if (!lineups.isRepeat(results, row.getInt(5), row.getLong(4))) {

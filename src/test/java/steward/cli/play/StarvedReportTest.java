@@ -101,7 +101,7 @@ class StarvedReportTest {
     private static JsonNode json(SeriesPlay play) {
         ByteArrayOutputStream out = new ByteArrayOutputStream();
         Streams streams = new Streams(out, out, false, false);
-        SeriesJson.print(streams, play.series(), play);
+        SeriesJson.print(streams, play.series(), play, List.of(), null);
         streams.out().flush();
         return JsonMapper.shared().readTree(out.toString(StandardCharsets.UTF_8));
     }

@@ -45,8 +45,8 @@ class CommandPlatformsTest {
         return switch (command) {
             case "run", "replay", "scene", "explain", "simulate", "import", "key", "stability", "tradeoff", "new",
                 "doctor", "help" -> Need.JAVA;
-            case "match", "feed", "demo", "league", "worker", "sprt", "tune", "check", "tournament", "referee", "play",
-                "adopt" -> Need.BOTS;
+            case "match", "feed", "demo", "league", "worker", "sprt", "tune", "seeds", "check", "tournament", "referee",
+                "play", "adopt" -> Need.BOTS;
             case "bench", "completion" -> Need.POSIX;
             case "resident" -> Need.LINUX_ONLY;
             default -> throw new IllegalArgumentException("no platforms are told for " + command);

@@ -97,4 +97,30 @@ class StoredClustersTest {
                 table.rows().get(0).entry().version() - 1], 1e-9);
         }
     }
+
+    /** Three pairings on one list of ten seeds: a seed is one cluster, however the games are read. */
+    @Test
+    void pairingsThatPlayAListShareItsSeeds() {
+        try (GameStore store = GameStore.write(new LeagueFolder(path))) {
+            int season = store.open(SEASON);
+            List<Version> bots = List.of(MadeUpGames.bot(store, 1), MadeUpGames.bot(store, 2),
+                MadeUpGames.bot(store, 3));
+            List<StoredGame> games = new ArrayList<>();
+            for (int decision = 0; decision < 30; decision++) {
+                long seed = 1000 + 7 * (decision / 3);
+                for (int seat = 0; seat < 2; seat++) {
+                    Version one = bots.get((decision + seat) % 3);
+                    Version other = bots.get((decision + 1 - seat) % 3);
+                    StoredGame game = GameStoreTest.game(one, other, decision, seed % 2 == 0 ? -1 : 1, 1, true);
+                    games.add(new StoredGame(0, GameName.of(SEASON, seed, List.of(one.identity(), other.identity()),
+                        1), decision, seed, 1, true, 50, null, 1, "here", null, 0, game.seats()));
+                }
+            }
+            store.add(season, games);
+            GameQueries queries = new GameQueries(store, season, SEASON);
+            assertEquals(10, queries.results().clusters());
+            assertEquals(10, queries.resultsBefore(30).clusters());
+            assertEquals(60, queries.results().games());
+        }
+    }
 }

@@ -15,6 +15,7 @@ import picocli.CommandLine.Option;
 import steward.cli.league.view.LeagueArgument;
 import steward.cli.league.view.LeagueOpening;
 import steward.cli.league.view.RoundText;
+import steward.cli.league.view.TableCommand;
 import steward.cli.league.view.TableText;
 import steward.cli.league.view.WorkerBooks;
 import steward.cli.options.CallCheck;
@@ -94,6 +95,10 @@ public final class RunCommand extends ProgramCommand {
         + "old games stay.")
     private boolean anew;
 
+    @Option(names = "--anyway", description = "Plays also if the games of a bot chose the league's list of seeds, and "
+        + "flags the table.")
+    private boolean anyway;
+
     @Mixin
     private final WatchOptions watch = new WatchOptions();
 
@@ -116,6 +121,8 @@ public final class RunCommand extends ProgramCommand {
     private Consumer<StoredGame> follower = game -> { };
     /** True if the caller says what begins and what was played. */
     private boolean part;
+    /** Names of the bots by whose games the list of seeds was chosen. */
+    private List<String> choosers = List.of();
 
     /** @param serving an object with options that let other machines play */
     public RunCommand(Serving serving) {
@@ -152,6 +159,12 @@ public final class RunCommand extends ProgramCommand {
         LeagueFolder.refuseRemote(folder.path());
         LeagueSettings settings = folder.read();
         Contest contest = LeagueOpening.contest(folder, settings, streams);
+        choosers = LeagueOpening.choosers(folder, settings);
+        if (!choosers.isEmpty() && !anyway) {
+            throw new InputException(folder.path().resolve(settings.seedFile()) + ": found seeds that were chosen by "
+                + "games of " + TextFormat.plain(String.join(" and ", choosers)) + ", expected others: such seeds tell "
+                + "of a bot what its own games told; --anyway plays on them and flags the table");
+        }
         Season season = Season.of(contest.setup(), settings);
         try (FolderLock lock = FolderLock.take(folder);
              GameStore store = durable ? GameStore.durable(folder) : GameStore.write(folder);
@@ -314,6 +327,10 @@ public final class RunCommand extends ProgramCommand {
             : UntilOptions.missing(until.rule(), Ratings.of(table.results(), run.roster().versions()), run.roster()))
             .forEach(streams.out()::println);
         RoundText.unfinished(table, run.roster().settings(), season.players()).ifPresent(streams.out()::println);
+        TableCommand.flag(choosers, streams);
+        if (run.isPlayedOut()) {
+            streams.out().println("The bots have played all seeds of " + run.roster().settings().seedFile() + ".");
+        }
         if (run.isRepeated()) {
             streams.out().println("The bots only repeat games that were played before, whatever the seed is: more of "
                 + "them tell nothing. A bot that draws by lot is to be marked, \"random\": true in league.json.");

@@ -62,7 +62,8 @@ final class GameFilter {
         return version(against, entries);
     }
 
-    private static int version(String name, List<LeagueTable.Entry> entries) {
+    /** The version of a name; -1 for {@code null}. */
+    static int version(String name, List<LeagueTable.Entry> entries) {
         if (name == null) {
             return -1;
         }

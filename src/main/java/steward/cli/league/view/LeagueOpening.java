@@ -12,10 +12,12 @@ import picocli.CommandLine;
 import steward.bot.isolation.ChosenLocale;
 import steward.bot.isolation.Isolation;
 import steward.cli.options.SandboxOptions;
+import steward.cli.options.SeedFileOption;
 import steward.cli.shared.CallException;
 import steward.cli.shared.Games;
 import steward.cli.streams.Streams;
 import steward.contest.Contest;
+import steward.contest.seeds.SeedFile;
 import steward.files.InputException;
 import steward.game.GameSetup;
 import steward.league.LeagueBot;
@@ -68,6 +70,15 @@ public final class LeagueOpening {
         return passed;
     }
 
+    /** Names of the bots that play by whose games the league's list of seeds was chosen. */
+    public static List<String> choosers(LeagueFolder folder, LeagueSettings settings) {
+        SeedFile list = folder.seeds(settings);
+        return list == null ? List.of() : settings.active().stream().map(LeagueBot::entrant)
+            .filter(entrant -> entrant.problem() == null)
+            .filter(entrant -> !SeedFileOption.choosers(list.choosers(), List.of(entrant)).isEmpty())
+            .map(Contest.Entrant::name).toList();
+    }
+
     public static LeagueBot bot(LeagueSettings settings, String name) {
         List<String> names = settings.bots().stream().map(LeagueBot::name).toList();
         return settings.bot(name).orElseThrow(() -> new InputException("found no bot '" + name + "' in the league, "
@@ -107,6 +118,15 @@ public final class LeagueOpening {
 
         public List<WorkerRow> workers() {
             return WorkerBooks.rows(WorkerBooks.read(games, store));
+        }
+
+        /** See {@link LeagueOpening#choosers}; none where the list or a bot is gone. */
+        public List<String> choosers() {
+            try {
+                return LeagueOpening.choosers(folder, settings);
+            } catch (InputException gone) {
+                return List.of();
+            }
         }
 
         public LeagueTable table() {

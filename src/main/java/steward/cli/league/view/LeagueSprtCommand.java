@@ -14,6 +14,7 @@ import steward.cli.sequential.SprtOptions;
 import steward.cli.sequential.SprtRun;
 import steward.cli.shared.Verbosity;
 import steward.contest.Contest;
+import steward.contest.seeds.Seeds;
 import steward.files.InputException;
 import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
@@ -72,7 +73,7 @@ public final class LeagueSprtCommand extends ProgramCommand {
                 store.refuseTwins();
                 return new SprtRun(streams, contest, test, options.ending(), store,
                     json ? Verbosity.JSON : Verbosity.FULL)
-                    .play(store.ownSeed(), threads.count(streams), watch);
+                    .play(Seeds.from(store.ownSeed()), threads.count(streams), watch);
             });
     }
 

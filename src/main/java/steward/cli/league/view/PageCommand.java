@@ -30,7 +30,8 @@ import steward.text.TextFormat;
 @Command(name = "page", description = "Writes a league as one page for a browser, with everything in it.",
     footer = {"",
         "The page has the table, who beats whom, the ratings over games, the last games,",
-        "and of the kept replays the latest, each one click away.",
+        "why each bot lost (a click on its name), and of the kept replays the latest, each",
+        "one click away.",
         "", "Example:", "  steward league page night --out night.html --open"})
 public final class PageCommand extends ProgramCommand {
 
@@ -85,7 +86,8 @@ public final class PageCommand extends ProgramCommand {
         EmbeddedReplays replays = EmbeddedReplays.of(games, folder, Games.types(), null);
         try {
             RatingPath path = opened.games().path(opened.entries(), table.reference());
-            LeaguePage.write(new LeagueView(opened.season(), table, path, games, Double.NaN, opened.workers()), folder,
+            LeaguePage.write(new LeagueView(opened.season(), table, path, games, Double.NaN, opened.workers(),
+                WhyCommand.ofPage(opened, games)), folder,
                 replays, html, title(opened.folder().path()));
             return replays.replays().size();
         } catch (IOException problem) {

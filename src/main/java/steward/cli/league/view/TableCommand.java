@@ -8,8 +8,11 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import steward.cli.options.ProgramCommand;
+import steward.cli.options.SeedFileOption;
 import steward.cli.shared.ExitStatus;
 import steward.cli.streams.Json;
+import steward.cli.streams.Streams;
+import steward.json.JsonObject;
 import steward.league.StoredGame;
 import steward.league.page.LeagueJson;
 import steward.league.rating.Difference;
@@ -64,6 +67,7 @@ public final class TableCommand extends ProgramCommand {
             if (json) {
                 Json.print(streams, out -> {
                     LeagueJson.table(out, opened.season(), table, opened.workers());
+                    JsonObject.writeTexts(out, "choosers", opened.choosers());
                     if (values) {
                         own.json(out, table);
                     }
@@ -81,6 +85,7 @@ public final class TableCommand extends ProgramCommand {
                     RoundText.unfinished(table, opened.settings(), opened.season().players())
                         .ifPresent(streams.out()::println);
                 }
+                flag(opened.choosers(), streams);
                 if (values) {
                     streams.out().println();
                     own.lines(table).forEach(streams.out()::println);
@@ -88,6 +93,13 @@ public final class TableCommand extends ProgramCommand {
             }
         }
         return ExitStatus.DONE;
+    }
+
+    /** Flags a table if bots of it have chosen the seeds. */
+    public static void flag(List<String> choosers, Streams streams) {
+        if (!choosers.isEmpty()) {
+            streams.out().println(streams.outColour().warning(SeedFileOption.flag(choosers)));
+        }
     }
 
     private void each(LeagueOpening.Opened opened, Consumer<StoredGame> taker) {

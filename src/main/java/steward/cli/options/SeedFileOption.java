@@ -1,0 +1,91 @@
+package steward.cli.options;
+
+import java.util.List;
+import java.util.Map;
+import picocli.CommandLine.Option;
+import steward.contest.Contest;
+import steward.contest.seeds.SeedFile;
+import steward.contest.seeds.Seeds;
+import steward.files.InputException;
+import steward.files.OutputFiles;
+import steward.league.BotIdentity;
+import steward.text.TextFormat;
+
+/** The option for a list of seeds, and what is refused of bots by whose games it was chosen. */
+public final class SeedFileOption {
+
+    /** The option's name. */
+    public static final String NAME = "--seed-file";
+
+    private final CallCheck check = CallCheck.withHelp();
+
+    @Option(names = NAME, paramLabel = "FILE", description = "Plays the seeds of this file in place of numbers in a "
+        + "row: one a line, behind # a comment; 'steward seeds' chooses some.")
+    private String file;
+
+    @Option(names = "--anyway", description = "Plays also with a bot by whose games the seeds of " + NAME + " were "
+        + "chosen, and flags the result.")
+    private boolean anyway;
+
+    private SeedFile read;
+
+    /** True if there is a list. */
+    public boolean isGiven() {
+        return file != null;
+    }
+
+    /** Refuses options that do not go together. @param seed whether a first seed is named, too */
+    public void check(boolean seed) {
+        check.exclusive("--seed", seed, NAME, isGiven());
+        check.that(!anyway || isGiven(), "--anyway: expected " + NAME + " with it");
+    }
+
+    /** Returns the file; {@code null} if there is none. */
+    public SeedFile read() {
+        read = read == null && file != null ? SeedFile.read(OutputFiles.path(file)) : read;
+        return read;
+    }
+
+    /** Returns the seeds of the file. */
+    public Seeds seeds() {
+        return read().seeds();
+    }
+
+    /** Refuses a file with fewer seeds. @param why ends the refusal, such as ", one for each game" */
+    public void atLeast(long count, String why) {
+        if (seeds().count() < count) {
+            throw new InputException(read().source() + ": found " + TextFormat.count(seeds().count(), "seed")
+                + ", expected at least " + count + why);
+        }
+    }
+
+    /**
+     * Names of the bots by whose games the seeds were chosen; none without a file.
+     *
+     * @throws InputException if there is one, and nobody wants it anyway
+     */
+    public List<String> choosers(List<Contest.Entrant> bots) {
+        if (read() == null) {
+            return List.of();
+        }
+        List<String> found = choosers(read().choosers(), bots);
+        if (!found.isEmpty() && !anyway) {
+            throw new InputException(read().source() + ": found seeds that were chosen by games of "
+                + TextFormat.plain(String.join(" and ", found)) + ", expected others: such seeds tell of a bot what "
+                + "its own games told; --anyway plays on them and flags the result");
+        }
+        return found;
+    }
+
+    /** Names of the bots that are among those that chose. @param choosers by identity */
+    public static List<String> choosers(Map<String, String> choosers, List<Contest.Entrant> bots) {
+        return choosers.isEmpty() ? List.of() : bots.stream()
+            .filter(bot -> choosers.containsKey(BotIdentity.ofProgram(bot))).map(Contest.Entrant::name).toList();
+    }
+
+    /** Returns a line that flags a result; {@code null} where no bot chose the seeds. */
+    public static String flag(List<String> choosers) {
+        return choosers.isEmpty() ? null : "Flagged: the seeds were chosen by games of "
+            + TextFormat.plain(String.join(" and ", choosers)) + "; the result is of these seeds alone.";
+    }
+}

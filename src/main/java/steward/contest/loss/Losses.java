@@ -1,0 +1,223 @@
+package steward.contest.loss;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import steward.json.JsonNumbers;
+import steward.json.JsonObject;
+import steward.text.TextFormat;
+import tools.jackson.core.JsonGenerator;
+
+/**
+ * Account of the games that one bot lost: how they ended, from which turn on the bot was behind to the end, the worst
+ * of each kind, and the bot's values in won and lost games side by side. The worst game of a kind is the one with the
+ * greatest distance to the winner's score, of equal ones the shortest. Not thread-safe.
+ */
+public final class Losses {
+
+    /** Kinds and values that are listed: with them the account fits a screen. */
+    private static final int KINDS = 5;
+    private static final int VALUES = 8;
+    private static final int LONGEST = 60;
+    private static final int NAME = 18;
+    private static final int COLUMN = 22;
+
+    private final String bot;
+    private final Map<String, List<Game>> kinds = new TreeMap<>();
+    private final Map<String, Mean> won = new TreeMap<>();
+    private final Map<String, Mean> lost = new TreeMap<>();
+    private int wins;
+    private int draws;
+    private int losses;
+    private int skipped;
+
+    /** Result of a game for the bot. */
+    public enum Outcome {
+        WON, DRAWN, LOST;
+
+        /** Returns that of a player. @param sharers players on the first rank */
+        public static Outcome of(int rank, long sharers) {
+            return rank > 0 ? LOST : sharers > 1 ? DRAWN : WON;
+        }
+    }
+
+    /**
+     * A game of the bot.
+     *
+     * @param name       as it is listed, such as {@code game 7 (seed 12)}
+     * @param kind       how it ended for the bot
+     * @param turns      that were played
+     * @param behindFrom the turn from which on another was ahead to the end; {@link LeadLog#UNKNOWN} if not known
+     * @param score      of the bot
+     * @param winner     the best score of another bot
+     * @param values     of the bot, by name
+     * @param replay     where it is, or {@code null}
+     */
+    public record Game(String name, Outcome outcome, String kind, int turns, int behindFrom, double score,
+                       double winner, Map<String, Double> values, String replay) { }
+
+    /** Mean and spread of a value (Welford 1962). */
+    private static final class Mean {
+        private long count;
+        private double mean;
+        private double squares;
+
+        private void add(double value) {
+            count++;
+            double before = value - mean;
+            mean += before / count;
+            squares += before * (value - mean);
+        }
+
+        private String text() {
+            return TextFormat.fixed(mean, 2) + " ± " + TextFormat.fixed(deviation(), 2);
+        }
+
+        private double deviation() {
+            return count < 2 ? Double.NaN : Math.sqrt(squares / (count - 1));
+        }
+    }
+
+    /** None yet of a bot. */
+    public Losses(String bot) {
+        this.bot = bot;
+    }
+
+    /** Returns how a game ended for a player: its failure, why it is out, or how the game ended. */
+    public static String kind(String fault, String out, String ending) {
+        return fault != null ? "failed: " + fault : out != null ? "out: " + out : ending == null ? "not known" : ending;
+    }
+
+    /** Adds a game. */
+    public void add(Game game) {
+        switch (game.outcome()) {
+            case WON -> wins++;
+            case DRAWN -> draws++;
+            default -> {
+                losses++;
+                kinds.computeIfAbsent(game.kind(), kind -> new ArrayList<>()).add(game);
+            }
+        }
+        if (game.outcome() != Outcome.DRAWN) {
+            Map<String, Mean> means = game.outcome() == Outcome.WON ? won : lost;
+            add(means, "score", game.score());
+            add(means, "turns", game.turns());
+            game.values().forEach((name, value) -> add(means, name, value));
+        }
+    }
+
+    private static void add(Map<String, Mean> means, String name, double value) {
+        if (Double.isFinite(value)) {
+            means.computeIfAbsent(name, any -> new Mean()).add(value);
+        }
+    }
+
+    /** Adds lost games of which only the number is known, as their replays are not read. */
+    public void skip(int games) {
+        skipped += games;
+    }
+
+    /** Number of lost games. */
+    public int losses() {
+        return losses;
+    }
+
+    private List<List<Game>> byNumber() {
+        return kinds.values().stream().sorted(Comparator.comparing((List<Game> games) -> -games.size())).toList();
+    }
+
+    private static Game worst(List<Game> games) {
+        return games.stream().min(Comparator.comparingDouble((Game game) -> -Math.abs(game.winner() - game.score()))
+            .thenComparingInt(Game::turns)).orElseThrow();
+    }
+
+    private static int[] behind(List<Game> games) {
+        return games.stream().mapToInt(Game::behindFrom).filter(turn -> turn != LeadLog.UNKNOWN).sorted().toArray();
+    }
+
+    private List<String> names() {
+        List<String> names = new ArrayList<>(List.of("score", "turns"));
+        lost.keySet().stream().filter(name -> !names.contains(name)).forEach(names::add);
+        won.keySet().stream().filter(name -> !names.contains(name)).forEach(names::add);
+        return names.stream().filter(name -> lost.containsKey(name) || won.containsKey(name)).toList();
+    }
+
+    /** Returns the account, lines of a screen. */
+    public List<String> lines() {
+        List<String> lines = new ArrayList<>();
+        lines.add(TextFormat.plain(bot) + " lost " + losses + " of " + TextFormat.count(wins + draws + losses, "game")
+            + ", drew " + draws + ", won " + wins + (losses == 0 ? "" : ":"));
+        if (losses == 0) {
+            return lines;
+        }
+        lines.add("  lost   behind for good from turn   how it ended");
+        List<List<Game>> all = byNumber();
+        for (List<Game> games : all.subList(0, Math.min(KINDS, all.size()))) {
+            Game worst = worst(games);
+            lines.add(TextFormat.right(Integer.toString(games.size()), 6) + "   " + TextFormat.left(text(behind(games)),
+                25) + "   " + TextFormat.plain(TextFormat.shorten(worst.kind(), LONGEST)));
+            lines.add("         worst: " + worst.name() + ", " + TextFormat.count(worst.turns(), "turn") + ", score "
+                + TextFormat.number(worst.score(), 2) + " to " + TextFormat.number(worst.winner(), 2)
+                + (worst.behindFrom() == LeadLog.UNKNOWN ? "" : ", behind from turn " + worst.behindFrom())
+                + (worst.replay() == null ? "" : ", replay " + TextFormat.plain(worst.replay())));
+        }
+        if (all.size() > KINDS) {
+            lines.add("         and " + TextFormat.count(all.size() - KINDS, "kind") + " more");
+        }
+        if (skipped > 0) {
+            lines.add("  Of " + TextFormat.count(skipped, "lost game") + " no replay was read: nobody knows how they "
+                + "ended.");
+        }
+        lines.add(TextFormat.left("value", NAME) + TextFormat.right("in " + TextFormat.count(losses, "lost game"),
+            COLUMN) + TextFormat.right("in " + TextFormat.count(wins, "won game"), COLUMN));
+        names().stream().limit(VALUES).forEach(name -> lines.add(TextFormat.left(TextFormat.plain(
+            TextFormat.shorten(name, NAME)), NAME) + TextFormat.right(text(lost.get(name)), COLUMN)
+            + TextFormat.right(text(won.get(name)), COLUMN)));
+        return lines;
+    }
+
+    private static String text(Mean mean) {
+        return mean == null ? "-" : mean.text();
+    }
+
+    /** Median and range. */
+    private static String text(int... sorted) {
+        return sorted.length == 0 ? "not known" : sorted.length == 1 ? Integer.toString(sorted[0])
+            : "median " + sorted[sorted.length / 2] + " (" + sorted[0] + " to " + sorted[sorted.length - 1] + ")";
+    }
+
+    /** Writes the account as fields. */
+    public void json(JsonGenerator out) {
+        out.writeStringProperty("bot", bot);
+        out.writeNumberProperty("won", wins);
+        out.writeNumberProperty("drawn", draws);
+        out.writeNumberProperty("lost", losses);
+        out.writeNumberProperty("unread", skipped);
+        JsonObject.writeAll(out, "kinds", byNumber(), games -> {
+            Game worst = worst(games);
+            out.writeStringProperty("kind", worst.kind());
+            out.writeNumberProperty("games", games.size());
+            int[] turns = behind(games);
+            JsonNumbers.writeOrNull(out, "behindFromMedian", turns.length == 0 ? Double.NaN : turns[turns.length / 2]);
+            out.writeStringProperty("worst", worst.name());
+            out.writeNumberProperty("turns", worst.turns());
+            JsonNumbers.writeOrNull(out, "behindFrom", worst.behindFrom() == LeadLog.UNKNOWN ? Double.NaN
+                : worst.behindFrom());
+            JsonNumbers.writeOrNull(out, "score", worst.score());
+            JsonNumbers.writeOrNull(out, "winner", worst.winner());
+            out.writeStringProperty("replay", worst.replay());
+        });
+        JsonObject.writeAll(out, "values", names(), name -> {
+            out.writeStringProperty("name", name);
+            write(out, "lost", lost.get(name));
+            write(out, "won", won.get(name));
+        });
+    }
+
+    private static void write(JsonGenerator out, String name, Mean mean) {
+        JsonNumbers.writeOrNull(out, name + "Mean", mean == null ? Double.NaN : mean.mean);
+        JsonNumbers.writeOrNull(out, name + "Deviation", mean == null ? Double.NaN : mean.deviation());
+    }
+}

@@ -1,0 +1,45 @@
+package steward.contest.seeds;
+
+import java.util.List;
+
+/** Seeds of a series of games, by their places from 0 on: numbers in a row, or a list that has an end. */
+public final class Seeds {
+
+    private final long first;
+    private final List<Long> listed;
+
+    private Seeds(long first, List<Long> listed) {
+        this.first = first;
+        this.listed = listed;
+    }
+
+    /** Returns the seeds {@code first}, {@code first + 1} and so on. */
+    public static Seeds from(long first) {
+        return new Seeds(first, null);
+    }
+
+    /** Returns the seeds of a list, in its order. */
+    public static Seeds of(List<Long> listed) {
+        return new Seeds(0, List.copyOf(listed));
+    }
+
+    /** True if they are those of a list. */
+    public boolean isListed() {
+        return listed != null;
+    }
+
+    /** Returns how many there are; {@code Integer.MAX_VALUE} in a row. */
+    public int count() {
+        return listed == null ? Integer.MAX_VALUE : listed.size();
+    }
+
+    /** Returns the seed at a place from 0 on. */
+    public long at(int place) {
+        return listed == null ? first + place : listed.get(place);
+    }
+
+    /** Returns those from a place on. */
+    public Seeds after(int place) {
+        return listed == null ? from(first + place) : of(listed.subList(Math.min(place, count()), count()));
+    }
+}
