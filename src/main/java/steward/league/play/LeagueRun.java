@@ -178,14 +178,9 @@ public final class LeagueRun {
         return leagueEnd != null && leagueEnd.met() != null ? leagueEnd : null;
     }
 
-    /** True if the run has ended since every group has played all seeds of the league's list. */
-    public synchronized boolean isPlayedOut() {
-        return schedule.isPlayedOut();
-    }
-
-    /** True if the run has ended since the bots only repeat games that were played before. */
-    public synchronized boolean isRepeated() {
-        return schedule.isRepeated();
+    /** True if the run has ended since bots only repeat games, or, if listed, have played all seeds of the list. */
+    public synchronized boolean isExhausted(boolean listed) {
+        return listed ? schedule.isPlayedOut() : schedule.isRepeated();
     }
 
     /** Plays until an end is reached. Call once. */

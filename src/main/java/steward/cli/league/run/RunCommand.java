@@ -328,10 +328,10 @@ public final class RunCommand extends ProgramCommand {
             .forEach(streams.out()::println);
         RoundText.unfinished(table, run.roster().settings(), season.players()).ifPresent(streams.out()::println);
         TableCommand.flag(choosers, streams);
-        if (run.isPlayedOut()) {
+        if (run.isExhausted(true)) {
             streams.out().println("The bots have played all seeds of " + run.roster().settings().seedFile() + ".");
         }
-        if (run.isRepeated()) {
+        if (run.isExhausted(false)) {
             streams.out().println("The bots only repeat games that were played before, whatever the seed is: more of "
                 + "them tell nothing. A bot that draws by lot is to be marked, \"random\": true in league.json.");
         }
