@@ -2,9 +2,16 @@ package steward.json;
 
 import steward.physics.Bodies;
 import tools.jackson.core.JsonGenerator;
+import tools.jackson.core.io.SerializedString;
 
 /** The shapes of a drawing and of a state, for any game to write; walls are written by {@link WallJson}. */
 public final class DrawingJson {
+
+    private static final SerializedString ID = new SerializedString("id");
+    private static final SerializedString X = new SerializedString("x");
+    private static final SerializedString Y = new SerializedString("y");
+    private static final SerializedString VX = new SerializedString("vx");
+    private static final SerializedString VY = new SerializedString("vy");
 
     private DrawingJson() { }
 
@@ -90,10 +97,15 @@ public final class DrawingJson {
 
     /** The fields {@code id}, {@code x}, {@code y}, {@code vx}, {@code vy} of one of the {@code bodies} of a state. */
     public static void motion(JsonGenerator out, Bodies bodies, int body) {
-        out.writeNumberProperty("id", bodies.id(body));
-        JsonNumbers.write(out, "x", bodies.x[body]);
-        JsonNumbers.write(out, "y", bodies.y[body]);
-        JsonNumbers.write(out, "vx", bodies.vx[body]);
-        JsonNumbers.write(out, "vy", bodies.vy[body]);
+        JsonNumbers.write(out, ID, bodies.id(body));
+        flight(out, bodies, body);
+    }
+
+    /** The fields {@code x}, {@code y}, {@code vx}, {@code vy} of a body. */
+    public static void flight(JsonGenerator out, Bodies bodies, int body) {
+        JsonNumbers.write(out, X, bodies.x[body]);
+        JsonNumbers.write(out, Y, bodies.y[body]);
+        JsonNumbers.write(out, VX, bodies.vx[body]);
+        JsonNumbers.write(out, VY, bodies.vy[body]);
     }
 }

@@ -9,27 +9,21 @@ import steward.game.bodies.Zone;
 import steward.json.DrawingJson;
 import steward.json.JsonNumbers;
 import steward.json.JsonObject;
-import steward.json.ObjectFields;
 import steward.json.WallJson;
 import steward.physics.Bodies;
 import steward.scene.Field;
 import tools.jackson.core.JsonGenerator;
-import tools.jackson.core.io.SerializedString;
 
 /** All JSON of bodies: frames, commands and states, and the drawing; answers are read by {@link BodiesAnswer}. */
 public final class BodiesJson extends CommandsJson<Thrust> {
 
-    private static final SerializedString BODIES = new SerializedString("bodies");
-
     private final BodiesGame game;
     private final Field field;
-    private final ObjectFields discs;
 
     BodiesJson(BodiesGame game, Field field) {
         super(game.players(), new BodiesAnswer(game), new BodiesAnswer(game));
         this.game = game;
         this.field = field;
-        discs = new ObjectFields().whole("id", game.bodies()::id).motion(game.bodies());
     }
 
     /** State of a game. @param points per player, whole ones */
@@ -98,26 +92,24 @@ public final class BodiesJson extends CommandsJson<Thrust> {
     @Override
     public void writeTurn(JsonGenerator out, int player) {
         JsonNumbers.writeAll(out, "scores", game.scores());
-        JsonObject.writeEach(out, "bodies", game.discs().size(), id -> {
+        JsonObject.writeAll(out, "bodies", game.discs().size(), id -> {
             Zone taker = game.taker(id);
             if (taker == null) {
-                discs.write(out, game.bodies().indexOf(id), false);
+                DrawingJson.motion(out, game.bodies(), game.bodies().indexOf(id));
                 return;
             }
-            out.writeStartObject();
             out.writeNumberProperty("id", id);
             JsonNumbers.write(out, "x", taker.x());
             JsonNumbers.write(out, "y", taker.y());
             JsonNumbers.write(out, "vx", 0);
             JsonNumbers.write(out, "vy", 0);
             out.writeBooleanProperty("out", true);
-            out.writeEndObject();
         });
     }
 
     @Override
     public void writeState(JsonGenerator out) {
-        discs.writeAll(out, BODIES, game.discsLeft(), true);
+        JsonObject.writeAll(out, "bodies", game.discsLeft(), k -> DrawingJson.motion(out, game.bodies(), k));
         JsonObject.writeEach(out, "points", game.players(), player -> out.writeNumber(game.points(player)));
     }
 

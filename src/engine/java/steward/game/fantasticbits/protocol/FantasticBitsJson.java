@@ -1,7 +1,6 @@
 package steward.game.fantasticbits.protocol;
 
 import java.util.List;
-import java.util.function.IntPredicate;
 import steward.game.CommandsJson;
 import steward.game.fantasticbits.Captures;
 import steward.game.fantasticbits.EntityKind;
@@ -14,7 +13,6 @@ import steward.game.fantasticbits.WizardCommand;
 import steward.json.DrawingJson;
 import steward.json.JsonNumbers;
 import steward.json.JsonObject;
-import steward.json.ObjectFields;
 import steward.json.WallJson;
 import steward.physics.Bodies;
 import steward.physics.Segment;
@@ -37,34 +35,27 @@ public final class FantasticBitsJson extends CommandsJson<WizardCommand> {
         wall(0, 0, 0, Pitch.MOUTH_TOP), wall(0, Pitch.MOUTH_BOTTOM, 0, Pitch.HEIGHT),
         wall(Pitch.WIDTH, 0, Pitch.WIDTH, Pitch.MOUTH_TOP),
         wall(Pitch.WIDTH, Pitch.MOUTH_BOTTOM, Pitch.WIDTH, Pitch.HEIGHT));
+    private static final SerializedString ID = new SerializedString("id");
+    private static final SerializedString KIND = new SerializedString("kind");
+    private static final SerializedString PLAYER = new SerializedString("player");
+    private static final SerializedString SNAFFLE = new SerializedString("snaffle");
+    private static final SerializedString WAIT = new SerializedString("captureWait");
+    private static final SerializedString SPELLS = new SerializedString("spells");
+    private static final SerializedString CAST = new SerializedString("cast");
+    private static final SerializedString HELD = new SerializedString("held");
+    private static final SerializedString IGNORED = new SerializedString("ignored");
+    private static final SerializedString VICTIM = new SerializedString("lastVictim");
     private static final SerializedString SPELL = new SerializedString("spell");
     private static final SerializedString TURNS = new SerializedString("turns");
     private static final SerializedString TARGET = new SerializedString("target");
 
     private final FantasticBits game;
     private final Pitch pitch;
-    private final ObjectFields entities;
 
     FantasticBitsJson(FantasticBits game) {
         super(game.players(), new FantasticBitsAnswer(game), new FantasticBitsAnswer(null));
         this.game = game;
         pitch = game.pitch();
-        Bodies bodies = pitch.bodies();
-        IntPredicate wizard = k -> pitch.kind(k) == EntityKind.WIZARD;
-        IntPredicate bludger = k -> pitch.kind(k) == EntityKind.BLUDGER;
-        IntPredicate snaffle = wizard.or(bludger).negate();
-        entities = new ObjectFields().whole("id", bodies::id)
-            .text("kind", k -> pitch.kind(k).text())
-            .whole("player", Pitch::playerOf).where(wizard)
-            .motion(bodies)
-            .whole("snaffle", pitch::held).where(wizard)
-            .whole("captureWait", k -> (int) bodies.columns[Pitch.WAIT][k]).where(wizard)
-            .value("spells", this::writeSpells).where(wizard)
-            .value("cast", this::writeCast).where(wizard.and(k -> pitch.spells().cast(k) != null))
-            .whole("lastVictim", k -> (int) bodies.columns[Pitch.LAST_VICTIM][k]).where(bludger)
-            .flag("held", k -> pitch.kind(k) == EntityKind.HELD_SNAFFLE)
-            .where(snaffle.and(k -> pitch.kind(k) != EntityKind.LOST_SNAFFLE))
-            .value("ignored", this::writeIgnored).where(snaffle).inStates();
     }
 
     /** State of a game. @param bodies wizards, snaffles in play and bludgers */
@@ -135,13 +126,43 @@ public final class FantasticBitsJson extends CommandsJson<WizardCommand> {
         out.writeArrayPropertyStart(name);
         for (int k = 0; k < pitch.entities(); k++) {
             if (pitch.kind(k) == EntityKind.LOST_SNAFFLE == lost) {
-                entities.write(out, k, whole);
+                out.writeStartObject();
+                writeEntity(out, k, whole);
+                out.writeEndObject();
             }
         }
         out.writeEndArray();
     }
 
+    /** @param whole with what bots do not see: the snaffles that one has yet to leave */
+    private void writeEntity(JsonGenerator out, int entity, boolean whole) {
+        Bodies bodies = pitch.bodies();
+        EntityKind kind = pitch.kind(entity);
+        JsonNumbers.write(out, ID, bodies.id(entity));
+        out.writeName(KIND);
+        out.writeString(kind.text());
+        if (kind == EntityKind.WIZARD) {
+            JsonNumbers.write(out, PLAYER, Pitch.playerOf(entity));
+        }
+        DrawingJson.flight(out, bodies, entity);
+        if (kind == EntityKind.WIZARD) {
+            JsonNumbers.write(out, SNAFFLE, pitch.held(entity));
+            JsonNumbers.write(out, WAIT, (int) bodies.columns[Pitch.WAIT][entity]);
+            writeSpells(out, entity);
+        } else if (kind == EntityKind.BLUDGER) {
+            JsonNumbers.write(out, VICTIM, (int) bodies.columns[Pitch.LAST_VICTIM][entity]);
+        } else {
+            if (kind != EntityKind.LOST_SNAFFLE) {
+                JsonNumbers.write(out, HELD, kind == EntityKind.HELD_SNAFFLE);
+            }
+            if (whole) {
+                writeIgnored(out, entity);
+            }
+        }
+    }
+
     private void writeIgnored(JsonGenerator out, int snaffle) {
+        out.writeName(IGNORED);
         out.writeStartArray();
         for (int other = Pitch.WIZARDS; other < Pitch.WIZARDS + pitch.snaffles(); other++) {
             if (Pitch.ignores(pitch.bodies(), snaffle, other)) {
@@ -151,9 +172,10 @@ public final class FantasticBitsJson extends CommandsJson<WizardCommand> {
         out.writeEndArray();
     }
 
-    /** The spells at work. */
+    /** The spells at work, and the one that begins with the next turn. */
     private void writeSpells(JsonGenerator out, int wizard) {
         SpellBook spells = pitch.spells();
+        out.writeName(SPELLS);
         out.writeStartArray();
         for (int k = 0; k < Spell.count(); k++) {
             Spell spell = Spell.of(k);
@@ -162,11 +184,10 @@ public final class FantasticBitsJson extends CommandsJson<WizardCommand> {
             }
         }
         out.writeEndArray();
-    }
-
-    /** The spell that begins with the next turn. */
-    private void writeCast(JsonGenerator out, int wizard) {
-        writeSpell(out, pitch.spells().cast(wizard), 0, pitch.spells().castAt(wizard));
+        if (spells.cast(wizard) != null) {
+            out.writeName(CAST);
+            writeSpell(out, spells.cast(wizard), 0, spells.castAt(wizard));
+        }
     }
 
     private static void writeSpell(JsonGenerator out, Spell spell, int turns, int target) {

@@ -1,8 +1,6 @@
 package steward.game.meanmax.protocol;
 
 import java.util.List;
-import java.util.function.IntPredicate;
-import java.util.function.IntUnaryOperator;
 import steward.game.CommandsJson;
 import steward.game.meanmax.LooterCommand;
 import steward.game.meanmax.MeanMax;
@@ -14,7 +12,6 @@ import steward.game.meanmax.Wreck;
 import steward.json.DrawingJson;
 import steward.json.JsonNumbers;
 import steward.json.JsonObject;
-import steward.json.ObjectFields;
 import steward.physics.Bodies;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.io.SerializedString;
@@ -26,42 +23,22 @@ public final class MeanMaxJson extends CommandsJson<LooterCommand> {
     private static final double MARGIN = 2000;
     private static final SerializedString UNITS = new SerializedString("units");
     private static final SerializedString BODIES = new SerializedString("bodies");
-    private static final SerializedString WRECKS = new SerializedString("wrecks");
-    private static final SerializedString EFFECTS = new SerializedString("effects");
+    private static final SerializedString ID = new SerializedString("id");
+    private static final SerializedString KIND = new SerializedString("kind");
+    private static final SerializedString PLAYER = new SerializedString("player");
+    private static final SerializedString MASS = new SerializedString("mass");
+    private static final SerializedString RADIUS = new SerializedString("radius");
+    private static final SerializedString WATER = new SerializedString("water");
+    private static final SerializedString SIZE = new SerializedString("size");
+    private static final SerializedString FOR = new SerializedString("spawnedFor");
 
     private final MeanMax game;
     private final MeanMaxWorld world;
-    private final ObjectFields units;
-    private final ObjectFields wrecks;
-    private final ObjectFields effects;
 
     MeanMaxJson(MeanMax game) {
         super(game.players(), new MeanMaxAnswer(), new MeanMaxAnswer());
         this.game = game;
         world = game.world();
-        Bodies bodies = world.bodies();
-        IntPredicate tanker = world::isTanker;
-        IntUnaryOperator owner = unit -> (int) bodies.columns[MeanMaxWorld.OWNER][unit];
-        units = new ObjectFields().whole("id", bodies::id)
-            .text("kind", unit -> UnitKind.of(bodies.kind[unit]).text())
-            .whole("player", owner).where(tanker.negate())
-            .motion(bodies)
-            .number("mass", unit -> bodies.mass[unit])
-            .number("radius", unit -> bodies.radius[unit])
-            .whole("water", unit -> (int) bodies.columns[MeanMaxWorld.WATER][unit]).where(tanker)
-            .whole("size", unit -> (int) bodies.columns[MeanMaxWorld.SIZE][unit]).where(tanker)
-            .whole("spawnedFor", owner).where(tanker).inStates();
-        wrecks = new ObjectFields().whole("id", k -> world.wrecks().get(k).id())
-            .number("x", k -> world.wrecks().get(k).x())
-            .number("y", k -> world.wrecks().get(k).y())
-            .number("radius", k -> world.wrecks().get(k).radius())
-            .whole("water", k -> world.wrecks().get(k).water());
-        effects = new ObjectFields().whole("id", k -> world.effects().get(k).id())
-            .text("skill", k -> world.effects().get(k).skill().text())
-            .number("x", k -> world.effects().get(k).x())
-            .number("y", k -> world.effects().get(k).y())
-            .whole("duration", k -> world.effects().get(k).duration())
-            .whole("looter", k -> world.effects().get(k).looter());
     }
 
     /** State of a game. @param bodies its units in play */
@@ -111,8 +88,38 @@ public final class MeanMaxJson extends CommandsJson<LooterCommand> {
     @Override
     public void writeTurn(JsonGenerator out, int player) {
         writePlayers(out);
-        units.writeAll(out, UNITS, game.bodies().size(), false);
+        writeUnits(out, UNITS, false);
         writePlaces(out);
+    }
+
+    /** @param whole with what bots do not see: the player that a tanker was spawned for */
+    private void writeUnits(JsonGenerator out, SerializedString name, boolean whole) {
+        Bodies bodies = world.bodies();
+        out.writeName(name);
+        out.writeStartArray();
+        for (int unit = 0; unit < bodies.size(); unit++) {
+            boolean tanker = world.isTanker(unit);
+            int owner = (int) bodies.columns[MeanMaxWorld.OWNER][unit];
+            out.writeStartObject();
+            JsonNumbers.write(out, ID, bodies.id(unit));
+            out.writeName(KIND);
+            out.writeString(UnitKind.of(bodies.kind[unit]).text());
+            if (!tanker) {
+                JsonNumbers.write(out, PLAYER, owner);
+            }
+            DrawingJson.flight(out, bodies, unit);
+            JsonNumbers.write(out, MASS, bodies.mass[unit]);
+            JsonNumbers.write(out, RADIUS, bodies.radius[unit]);
+            if (tanker) {
+                JsonNumbers.write(out, WATER, (int) bodies.columns[MeanMaxWorld.WATER][unit]);
+                JsonNumbers.write(out, SIZE, (int) bodies.columns[MeanMaxWorld.SIZE][unit]);
+                if (whole) {
+                    JsonNumbers.write(out, FOR, owner);
+                }
+            }
+            out.writeEndObject();
+        }
+        out.writeEndArray();
     }
 
     private void writePlayers(JsonGenerator out) {
@@ -121,13 +128,36 @@ public final class MeanMaxJson extends CommandsJson<LooterCommand> {
     }
 
     private void writePlaces(JsonGenerator out) {
-        wrecks.writeAll(out, WRECKS, world.wrecks().size(), true);
-        effects.writeAll(out, EFFECTS, world.effects().size(), true);
+        out.writeArrayPropertyStart("wrecks");
+        for (int k = 0; k < world.wrecks().size(); k++) {
+            Wreck wreck = world.wrecks().get(k);
+            out.writeStartObject();
+            JsonNumbers.write(out, ID, wreck.id());
+            JsonNumbers.write(out, "x", wreck.x());
+            JsonNumbers.write(out, "y", wreck.y());
+            JsonNumbers.write(out, RADIUS, wreck.radius());
+            JsonNumbers.write(out, WATER, wreck.water());
+            out.writeEndObject();
+        }
+        out.writeEndArray();
+        out.writeArrayPropertyStart("effects");
+        for (int k = 0; k < world.effects().size(); k++) {
+            SkillEffect effect = world.effects().get(k);
+            out.writeStartObject();
+            JsonNumbers.write(out, ID, effect.id());
+            out.writeStringProperty("skill", effect.skill().text());
+            JsonNumbers.write(out, "x", effect.x());
+            JsonNumbers.write(out, "y", effect.y());
+            out.writeNumberProperty("duration", effect.duration());
+            out.writeNumberProperty("looter", effect.looter());
+            out.writeEndObject();
+        }
+        out.writeEndArray();
     }
 
     @Override
     public void writeState(JsonGenerator out) {
-        units.writeAll(out, BODIES, game.bodies().size(), true);
+        writeUnits(out, BODIES, true);
         writePlaces(out);
         writePlayers(out);
         JsonNumbers.writeAll(out, "tankersLeft", game.players(), world.queue()::left);

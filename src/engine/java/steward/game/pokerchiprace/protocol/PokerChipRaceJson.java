@@ -8,7 +8,6 @@ import steward.game.pokerchiprace.PokerChipRace;
 import steward.json.DrawingJson;
 import steward.json.JsonNumbers;
 import steward.json.JsonObject;
-import steward.json.ObjectFields;
 import steward.json.WallJson;
 import steward.physics.Bodies;
 import steward.physics.PassingPairs;
@@ -22,20 +21,17 @@ public final class PokerChipRaceJson extends CommandsJson<ChipCommand> {
     private static final SerializedString BODIES = new SerializedString("bodies");
     private static final SerializedString CHIPS = new SerializedString("chips");
     private static final SerializedString OWN = new SerializedString("own");
+    private static final SerializedString ID = new SerializedString("id");
+    private static final SerializedString PLAYER = new SerializedString("player");
+    private static final SerializedString RADIUS = new SerializedString("radius");
 
     private final PokerChipRace game;
     private final List<Wall> walls;
-    private final ObjectFields chips;
 
     PokerChipRaceJson(PokerChipRace game, List<Wall> walls) {
         super(game.players(), PokerChipRaceAnswer.ofBot(game), PokerChipRaceAnswer.ofReplay(game));
         this.game = game;
         this.walls = walls;
-        Bodies bodies = game.bodies();
-        chips = new ObjectFields().whole("id", bodies::id)
-            .whole("player", game::ownerOf).where(chip -> game.ownerOf(chip) != ChipTable.NEUTRAL)
-            .number("radius", chip -> bodies.radius[chip])
-            .motion(bodies);
     }
 
     /**
@@ -75,13 +71,32 @@ public final class PokerChipRaceJson extends CommandsJson<ChipCommand> {
             out.writeNumber(table.ownId(player, k));
         }
         out.writeEndArray();
-        chips.writeAll(out, CHIPS, game.bodies().size(), false);
+        writeChips(out, CHIPS);
+    }
+
+    /** All chips in play, in the order of their ids, the same in frames and states. */
+    private void writeChips(JsonGenerator out, SerializedString name) {
+        Bodies bodies = game.bodies();
+        out.writeName(name);
+        out.writeStartArray();
+        for (int chip = 0; chip < bodies.size(); chip++) {
+            int owner = game.ownerOf(chip);
+            out.writeStartObject();
+            JsonNumbers.write(out, ID, bodies.id(chip));
+            if (owner != ChipTable.NEUTRAL) {
+                JsonNumbers.write(out, PLAYER, owner);
+            }
+            JsonNumbers.write(out, RADIUS, bodies.radius[chip]);
+            DrawingJson.flight(out, bodies, chip);
+            out.writeEndObject();
+        }
+        out.writeEndArray();
     }
 
     /** The list of a player's chips is that of its bodies, in their order. */
     @Override
     public void writeState(JsonGenerator out) {
-        chips.writeAll(out, BODIES, game.bodies().size(), true);
+        writeChips(out, BODIES);
         PassingPairs pairs = game.bodies().passing();
         JsonObject.writeEach(out, "contacts", pairs.size(), k -> {
             out.writeStartArray();
