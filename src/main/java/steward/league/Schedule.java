@@ -29,7 +29,6 @@ public final class Schedule {
     private final Seeds seeds;
     private final int players;
     private final int lag;
-    private final PastDecisions past;
     private final PausedBots pauses;
     private final Consumer<Integer> pauseListener;
     /** Decisions that lack games, by number. */
@@ -37,11 +36,14 @@ public final class Schedule {
     /** Decisions with games that wait or are under way, by number. */
     private final TreeMap<Integer, Row> open = new TreeMap<>();
     /** Decisions by group, all of them, where seeds are listed: each group plays the list from its beginning. */
-    private final Map<List<Integer>, Integer> decided;
+    private final Map<List<Integer>, Integer> decided = new HashMap<>();
     /** Decisions by group, but for those that were dropped before they had a game. */
     private final Map<List<Integer>, Integer> made = new LinkedHashMap<>();
     private final List<Decision> news = new ArrayList<>();
     private final Map<Integer, Boolean> marks = new HashMap<>();
+
+    /** Lineups of each group, for decisions of earlier runs. */
+    private final Map<List<Integer>, List<int[]>> rotations = new HashMap<>();
 
     /** Versions that may play, paused ones included. */
     private Collection<Integer> roster;
@@ -98,32 +100,69 @@ public final class Schedule {
     }
 
     /**
-     * A schedule that goes on; nobody plays yet.
+     * A schedule in which nothing is decided and nobody plays yet.
      *
      * @param seeds    of the decisions from 0 on; of a list each group plays all
      * @param players  of a game
      * @param lag      in decisions
-     * @param past     the decisions of earlier runs
+     * @param roster   versions that will play first: where each plays alone, also in decisions of earlier runs
      * @param pauses   with the games of earlier runs
      * @param listener is told of each version when it is paused
      */
-    public Schedule(Seeds seeds, int players, int lag, PastDecisions past, PausedBots pauses,
+    public Schedule(Seeds seeds, int players, int lag, Collection<Integer> roster, PausedBots pauses,
                     Consumer<Integer> listener) {
         this.seeds = seeds;
-        decided = seeds.isListed() ? past.decided() : Map.of();
         this.players = players;
         this.lag = lag;
-        this.past = past;
+        this.roster = List.copyOf(roster);
         this.pauses = pauses;
         pauseListener = listener;
         repeated = new RepeatedGroups(players == 1);
-        next = past.next();
-        games = past.games();
     }
 
-    /** A schedule that pauses nobody, with seeds in a row. */
-    public Schedule(long firstSeed, int players, int lag, PastDecisions past) {
-        this(Seeds.from(firstSeed), players, lag, past, new PausedBots(0, lag), version -> { });
+    /**
+     * Takes a decision of an earlier run, after those before it; its games are held until {@link #over(int, int...)}
+     * or {@link #play}.
+     */
+    public void made(Decision decision, boolean dropped) {
+        Row row = new Row(decision.number(), players == 1 ? List.of() : decision.group(), 0);
+        row.dropped = dropped;
+        lineups(decision).forEach(lineup -> row.held.add(new Task(row.number, decision.seed(), lineup)));
+        rows.put(row.number, row);
+        if (seeds.isListed()) {
+            decided.merge(row.group, 1, Integer::sum);
+        }
+        next = row.number + 1;
+    }
+
+    private List<int[]> lineups(Decision decision) {
+        if (players > 1) {
+            return rotations.computeIfAbsent(decision.group(), group -> Lineups.rotations(versions(group)));
+        }
+        Set<Integer> all = new TreeSet<>(roster);
+        decision.paused().stream().filter(version -> !pauses.isResumed(version, decision.number()))
+            .forEach(all::remove);
+        all.addAll(decision.group());
+        return all.stream().map(version -> new int[] {version}).toList();
+    }
+
+    /** A game of an earlier run is over; its decision is there. */
+    public void over(int decision, int... lineup) {
+        Row row = rows.get(decision);
+        int place = row == null ? -1 : row.held.size() - 1;
+        while (place >= 0 && !Arrays.equals(row.held.get(place).lineup(), lineup)) {
+            place--;
+        }
+        boolean isNew = place >= 0;
+        games += isNew || players == 1 ? 1 : 0;        // alone, one that plays no more may have come later
+        if (isNew) {
+            row.held.remove(place);
+            row.begun++;
+            if (row.held.isEmpty()) {
+                rows.remove(decision);
+                made.merge(row.group, 1, Integer::sum);
+            }
+        }
     }
 
     /**
@@ -134,12 +173,10 @@ public final class Schedule {
      * @param maker    makes a pairing of them
      */
     public void play(Collection<Integer> versions, Function<List<Integer>, Pairing> maker) {
-        boolean first = roster == null;
+        Set<Integer> before = paused;
         roster = List.copyOf(versions);
         make = maker;
-        if (first) {
-            made.putAll(past.incomplete(roster, pauses, this::resume));
-        }
+        ended = false;
         pause(Set.of());
         int known = Math.min(next, firstOpen() + lag - 1);             // all that are lag back are over
         Set<Integer> found = new TreeSet<>();
@@ -147,20 +184,16 @@ public final class Schedule {
         if (!found.isEmpty()) {
             pause(found);
         }
+        tell(before);
     }
 
-    /** Takes a decision of an earlier run that lacks games; they are held at first. */
-    private void resume(int number, int[] group, boolean dropped, int over, List<int[]> missing) {
-        Row row = new Row(number, Lineups.group(players, group), over);
-        row.dropped = dropped;
-        long seed = past.seed(number);
-        missing.forEach(lineup -> row.held.add(new Task(number, seed, lineup)));
-        rows.put(number, row);
+    /** Tells of the versions that have been paused since others were. */
+    private void tell(Set<Integer> before) {
+        paused.stream().filter(version -> !before.contains(version)).forEach(pauseListener);
     }
 
     /** Plays without some. */
     private void pause(Set<Integer> found) {
-        Set<Integer> before = paused;
         paused = found;
         active = roster.stream().filter(version -> !paused.contains(version)).sorted().toList();
         pairing = null;
@@ -178,7 +211,6 @@ public final class Schedule {
             pairing = make.apply(active);
             made.forEach((group, times) -> pairing.made(times, versions(group)));
         }
-        found.stream().filter(version -> !before.contains(version)).forEach(pauseListener);
     }
 
     private static int[] versions(List<Integer> group) {
@@ -247,7 +279,9 @@ public final class Schedule {
             }
         }
         if (!found.equals(paused)) {
+            Set<Integer> before = paused;
             pause(found);
+            tell(before);
         }
         return true;
     }

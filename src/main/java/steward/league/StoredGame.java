@@ -39,6 +39,10 @@ public record StoredGame(long id, byte[] name, int decision, long seed, int atte
     public static final String FORGIVEN_AGAIN = "forgiven, played again: ";
     /** The problem of a further attempt begins so where an earlier one, which had been forgiven, counts again. */
     public static final String REPLACED = "forgiven: game ";
+    /** The problem of a game begins so whose worker was caught; it is played again. */
+    public static final String SET_ASIDE = "set aside: ";
+    /** The problems of games that are played again, or were, begin so. */
+    public static final List<String> AGAIN = List.of(FORGIVEN_AGAIN, REPLACED, SET_ASIDE);
 
     private static final Pattern VALUE = Pattern.compile("([A-Za-z]+)=(-?[0-9]+(?:\\.[0-9]+)?(?:E-?[0-9]+)?)");
 
@@ -126,6 +130,11 @@ public record StoredGame(long id, byte[] name, int decision, long seed, int atte
     public boolean allFailed() {
         return seats.size() > 1 && seats.stream().allMatch(seat -> seat.fault() != null
             && seat.answers() == seats.get(0).answers());
+    }
+
+    /** True if it is not played again: it counts, or there is a reason for its having no result. */
+    public boolean isOver() {
+        return counts || problem != null && AGAIN.stream().noneMatch(problem::startsWith);
     }
 
     /** True if ratings use it. */

@@ -21,7 +21,8 @@ class ListedSeedsTest {
     private static final Seeds LIST = Seeds.of(List.of(70L, 5L, 60L));
 
     private static Schedule schedule(int players, MemoryLeague league, Integer... bots) {
-        Schedule schedule = new Schedule(LIST, players, 4, league.past(), new PausedBots(0, 4), version -> { });
+        Schedule schedule = league.goOn(new Schedule(LIST, players, 4, List.of(bots), new PausedBots(0, 4),
+            version -> { }));
         schedule.play(List.of(bots), versions -> Pairing.roundRobin(versions, players));
         return schedule;
     }

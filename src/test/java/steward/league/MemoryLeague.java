@@ -2,12 +2,14 @@ package steward.league;
 
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.HashMap;
+import java.util.Collection;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.function.Consumer;
+import steward.contest.seeds.Seeds;
 import steward.league.Schedule.Task;
 
 /** The decisions and games of a league without a database: one schedule after the other goes on from them. */
@@ -30,24 +32,26 @@ public final class MemoryLeague {
         this(players, 1);
     }
 
-    /** Decisions and games from which another schedule goes on. */
-    public PastDecisions past() {
-        PastDecisions past = new PastDecisions(players, number -> decisions.get(number).seed());
-        Map<List<Integer>, Integer> numbers = new HashMap<>();
-        decisions.values().forEach(each -> past.decision(each.number(), lineup(past, numbers, each.group()),
-            dropped.contains(each.number())));
-        decisions.values().forEach(each -> past.paused(each.number(),
-            each.paused().stream().mapToInt(version -> version).toArray()));
-        over.forEach(task -> past.game(task.decision(), lineup(past, numbers, Arrays.stream(task.lineup()).boxed()
-            .toList())));
-        return past;
+    /** Another schedule, which goes on from these decisions and games, and pauses nobody. */
+    public Schedule schedule(int lag, Collection<Integer> roster) {
+        return schedule(lag, roster, new PausedBots(0, lag), version -> { });
     }
 
-    private static int lineup(PastDecisions past, Map<List<Integer>, Integer> numbers, List<Integer> versions) {
-        return numbers.computeIfAbsent(versions, key -> {
-            past.lineup(1 + numbers.size(), versions.stream().mapToInt(version -> version).toArray());
-            return 1 + numbers.size();
-        });
+    /** Another schedule, which goes on from these decisions and games. */
+    Schedule schedule(int lag, Collection<Integer> roster, PausedBots pauses, Consumer<Integer> listener) {
+        return goOn(new Schedule(Seeds.from(100), players, lag, roster, pauses, listener));
+    }
+
+    /** Tells a schedule of these decisions and games. */
+    Schedule goOn(Schedule schedule) {
+        decisions.values().forEach(each -> schedule.made(each, dropped.contains(each.number())));
+        over.forEach(task -> schedule.over(task.decision(), task.lineup()));
+        return schedule;
+    }
+
+    /** Number of the next decision. */
+    int next() {
+        return decisions.keySet().stream().mapToInt(number -> number + 1).max().orElse(0);
     }
 
     /** Adds a game of an earlier run, and its decision if that is not there. */

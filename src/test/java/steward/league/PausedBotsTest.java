@@ -14,7 +14,6 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import steward.contest.seeds.Seeds;
 import steward.league.Schedule.Task;
 
 /** Bots are paused at decisions that neither threads nor interruptions change. */
@@ -36,15 +35,14 @@ class PausedBotsTest {
      * those under way are lost.
      */
     private static List<Integer> run(int players, int kill, int threads, int lag, MemoryLeague league, Random random) {
-        PastDecisions past = league.past();
         PausedBots pauses = new PausedBots(MOST, lag);
         List<Task> latestFirst = new ArrayList<>(league.games());
         Collections.reverse(latestFirst);
         for (int version = 1; version <= BOTS; version++) {
-            learn(version, latestFirst, pauses, past.next());
+            learn(version, latestFirst, pauses, league.next());
         }
         List<Integer> paused = new ArrayList<>();
-        Schedule schedule = new Schedule(Seeds.from(100), players, lag, past, pauses, paused::add);
+        Schedule schedule = league.schedule(lag, List.of(1, 2, 3, 4, 5), pauses, paused::add);
         schedule.play(List.of(1, 2, 3, 4, 5), versions -> Pairing.roundRobin(versions, players));
         List<Task> underWay = new ArrayList<>();
         while (league.games().size() < kill) {
@@ -116,6 +114,21 @@ class PausedBotsTest {
         run(2, GAMES, 1, 16, stored, new Random(1));
         assertEquals(List.of(), stored.games().stream().filter(task -> task.decision() >= 60
             && Arrays.stream(task.lineup()).anyMatch(version -> version == 1)).toList());
+    }
+
+    @Test
+    void aPausedBotIsToldOfOnceHoweverOftenTheLeagueIsEdited() {
+        MemoryLeague league = new MemoryLeague(2);
+        List<Integer> told = new ArrayList<>();
+        Schedule schedule = league.schedule(1, List.of(1, 2, 3), new PausedBots(2, 1), told::add);
+        for (int edit = 0; edit < 3; edit++) {
+            schedule.play(List.of(1, 2, 3), versions -> Pairing.roundRobin(versions, 2));
+            for (int k = 0; k < 6; k++) {
+                Task task = league.next(schedule, Long.MAX_VALUE);
+                league.over(schedule, task, task.lineup()[0] == 1, task.lineup()[1] == 1);
+            }
+        }
+        assertEquals(List.of(1), told);
     }
 
     @Test

@@ -26,7 +26,7 @@ class PlannedScheduleTest {
     private MemoryLeague league;
 
     private Schedule schedule(int players, int lag, List<Integer> roster) {
-        Schedule schedule = new Schedule(100, players, lag, league.past());
+        Schedule schedule = league.schedule(lag, roster);
         schedule.following(decided -> group -> TIMES);
         schedule.play(roster, versions -> Pairing.roundRobin(versions, players));
         return schedule;

@@ -34,7 +34,7 @@ class ScheduleTest {
     private static final int GAMES = 60;
 
     private static Schedule schedule(int players, int lag, Integer... bots) {
-        Schedule schedule = new Schedule(100, players, lag, new MemoryLeague(players).past());
+        Schedule schedule = new MemoryLeague(players).schedule(lag, List.of(bots));
         schedule.play(List.of(bots), versions -> Pairing.roundRobin(versions, players));
         return schedule;
     }
@@ -98,7 +98,7 @@ class ScheduleTest {
     @Test
     void groupsThatOnlyRepeatGamesAreNotAskedForMore() {
         MemoryLeague league = new MemoryLeague(2);
-        Schedule schedule = new Schedule(100, 2, 1, league.past());
+        Schedule schedule = league.schedule(1, List.of());
         RepeatedGroups repeated = new RepeatedGroups(false);
         schedule.without(repeated);
         schedule.play(List.of(1, 2, 3), versions -> Pairing.roundRobin(versions, 2));
@@ -118,7 +118,7 @@ class ScheduleTest {
     void aScheduleOfNothingButRepeatsEnds() {
         for (int players = 1; players <= 3; players++) {
             MemoryLeague league = new MemoryLeague(players);
-            Schedule schedule = new Schedule(100, players, 3, league.past());
+            Schedule schedule = league.schedule(3, List.of());
             RepeatedGroups repeated = new RepeatedGroups(players == 1);
             schedule.without(repeated);
             schedule.play(List.of(1, 2, 3), versions -> Pairing.roundRobin(versions, 3));
@@ -146,7 +146,7 @@ class ScheduleTest {
     @Test
     void theGauntletsBotIsInEveryGame() {
         MemoryLeague league = new MemoryLeague(2);
-        Schedule schedule = new Schedule(0, 2, 8, league.past());
+        Schedule schedule = league.schedule(8, List.of());
         schedule.play(List.of(1, 2, 3), versions -> Pairing.gauntlet(versions, 2, 2));
         for (int k = 0; k < GAMES; k++) {
             Schedule.Task task = league.next(schedule, Long.MAX_VALUE);
@@ -258,7 +258,7 @@ class ScheduleTest {
     private static TreeSet<String> interrupted(int players, Integer[] bots, SplittableRandom random) {
         MemoryLeague league = new MemoryLeague(players, 1 + random.nextInt(12));
         while (league.games().size() < GAMES) {
-            Schedule schedule = new Schedule(100, players, 4, league.past());
+            Schedule schedule = league.schedule(4, List.of(bots));
             schedule.play(List.of(bots), versions -> Pairing.roundRobin(versions, players));
             List<Schedule.Task> open = new ArrayList<>();
             int threads = 1 + random.nextInt(5);
@@ -303,10 +303,11 @@ class ScheduleTest {
                 league.add(new Schedule.Task(game[0], 100 + game[0], lineup));
                 plain.stored(game[0], lineup);
             }
-            Schedule schedule = new Schedule(100, players, plain.lag(), league.past());
+            Schedule schedule = null;
             String message = players + " players, seed " + seed;
             for (int change = 0; change < 3; change++) {
                 List<Integer> now = bots(random, players);
+                schedule = schedule == null ? league.schedule(plain.lag(), now) : schedule;
                 schedule.play(now, versions -> Pairing.roundRobin(versions, players));
                 plain.play(now);
                 int most = random.nextInt(4) == 0 ? random.nextInt(150) : Integer.MAX_VALUE;
@@ -383,7 +384,7 @@ class ScheduleTest {
     @Test
     void decisionsWhoseBotsAreGoneAreDroppedAndStayAsTheyAre() {
         MemoryLeague league = new MemoryLeague(2, 6);
-        Schedule schedule = new Schedule(100, 2, 8, league.past());
+        Schedule schedule = league.schedule(8, List.of());
         schedule.play(List.of(1, 2, 3), versions -> Pairing.roundRobin(versions, 2));
         Schedule.Task begun = league.next(schedule, 100);
         assertEquals("0 100 [1, 2]", name(begun));

@@ -7,7 +7,6 @@ import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.SortedMap;
 import java.util.SortedSet;
 import java.util.TreeMap;
@@ -46,6 +45,7 @@ public final class StoredSeries implements AutoCloseable {
     private final GameStore store;
     private final Season season;
     private final int number;
+    private final GameQueries games;
     private final Contest contest;
     private final String machine;
     private final Map<Integer, Version> versions = new HashMap<>();
@@ -57,6 +57,7 @@ public final class StoredSeries implements AutoCloseable {
         this.contest = contest;
         this.machine = machine;
         this.number = number;
+        games = new GameQueries(store, number, season);
     }
 
     /** Play of games that are stored. */
@@ -198,31 +199,26 @@ public final class StoredSeries implements AutoCloseable {
         List<String> identities = IntStream.range(0, season.players())
             .mapToObj(player -> versions.get(contest.entrantOf(player, rotation)).identity()).toList();
         for (int attempt = 1; attempt <= Attempts.MOST; attempt++) {
-            Optional<GameStore.Outcome> found = store.outcome(GameName.of(season, seed, identities, attempt));
-            if (found.isPresent()) {
-                return outcome(found.get());
+            StoredGame found = games.game(GameName.of(season, seed, identities, attempt));
+            if (found != null && found.counts()) {
+                return outcome(found);
             }
         }
         return null;
     }
 
-    private PairedPlay.Outcome outcome(GameStore.Outcome outcome) {
-        double[] values = contest.isAlone() ? outcome.scores().stream()
-            .mapToDouble(score -> season.lowerScoreIsBetter() ? -score : score).toArray()
-            : outcome.ranks().stream().mapToDouble(rank -> -rank).toArray();
-        boolean[] failed = new boolean[values.length];
-        for (int player = 0; player < failed.length; player++) {
-            failed[player] = outcome.failed().get(player);
-        }
-        return new PairedPlay.Outcome(outcome.allFailed() ? null : values, outcome.allFailed(),
-            outcome.transcript(), failed);
+    private PairedPlay.Outcome outcome(StoredGame game) {
+        double[] values = game.seats().stream().mapToDouble(seat -> !contest.isAlone() ? -seat.rank()
+            : season.lowerScoreIsBetter() ? -seat.score() : seat.score()).toArray();
+        return new PairedPlay.Outcome(game.allFailed() ? null : values, game.allFailed(), game.transcript(),
+            game.failed());
     }
 
     /** Seeds of games between these bots that are stored, ascending; not all of them have all games. */
     public SortedSet<Long> seeds() {
         SortedSet<Long> seeds = new TreeSet<>();
         List<Integer> group = versions.values().stream().map(Version::id).sorted().toList();
-        new GameQueries(store, number, season).gamesOf(versions.get(0).id(), game -> {
+        games.gamesOf(versions.get(0).id(), game -> {
             if (contest.isAlone() || Arrays.stream(game.lineup()).sorted().boxed().toList().equals(group)) {
                 seeds.add(game.seed());
             }

@@ -14,7 +14,8 @@ public final class LeagueEnd implements IntPredicate {
     private final Supplier<List<Integer>> versions;
     private Ratings met;
     private int asked = -1;
-    private boolean last;
+    /** Those that played then. */
+    private List<Integer> rated = List.of();
 
     /** @param versions those that play, when it is asked */
     public LeagueEnd(StopRule rule, KnownResults known, int lag, Supplier<List<Integer>> versions) {
@@ -27,17 +28,17 @@ public final class LeagueEnd implements IntPredicate {
     /** True if the schedule ends before a decision. */
     @Override
     public boolean test(int decision) {
-        if (decision == asked) {
-            return last;
+        List<Integer> playing = versions.get();
+        if (decision != asked || !playing.equals(rated)) {
+            asked = decision;
+            rated = playing;
+            met = null;
+            if (Looks.isLook(decision) && decision >= lag && playing.size() > 1) {
+                Ratings ratings = Ratings.of(known.before(decision - lag + 1), playing);
+                met = rule.isMet(ratings) ? ratings : null;
+            }
         }
-        asked = decision;
-        last = false;
-        if (Looks.isLook(decision) && decision >= lag && versions.get().size() > 1) {
-            Ratings ratings = Ratings.of(known.before(decision - lag + 1), versions.get());
-            last = rule.isMet(ratings);
-            met = last ? ratings : met;
-        }
-        return last;
+        return met != null;
     }
 
     /** Returns the ratings when the rule was met, or {@code null}. */

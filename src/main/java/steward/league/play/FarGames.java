@@ -13,32 +13,14 @@ import java.util.concurrent.Future;
  * single thread waits for free places and for games: thousands of waiting threads, each looking several times a second,
  * would keep a processor busy.
  */
-record FarGames(Elsewhere elsewhere) {
-
-    /** Run to which the games belong. */
-    interface Run {
-
-        /** True if no games are begun any more. */
-        boolean isOver();
-
-        /** Waits for games that belong together, at most so many; returns none at the end. */
-        List<Elsewhere.Game> take(int most) throws InterruptedException;
-
-        void play(List<Elsewhere.Game> games) throws InterruptedException;
-
-        /** Notes that there is no place for games. */
-        void waits() throws InterruptedException;
-
-        /** Ends the run, because playing has thrown something. */
-        void fail(RuntimeException problem);
-    }
+record FarGames(LeagueRun run, Elsewhere elsewhere) {
 
     /**
      * Plays until the run is over and all of its games here have ended.
      *
      * @throws Exception what a game failed with
      */
-    Void play(Run run) throws Exception {
+    Void play() throws Exception {
         ExecutorService threads = Executors.newCachedThreadPool(work -> {
             Thread thread = new Thread(work, "league");
             thread.setDaemon(true);
@@ -51,14 +33,13 @@ record FarGames(Elsewhere elsewhere) {
                     games.remove().get();              // throws what has ended it
                 }
                 int most = elsewhere.takePlace(LeagueRun.WAIT_MS);
+                List<Elsewhere.Game> next = most == 0 ? List.of() : run.take(most, elsewhere::canPlay);
                 if (most == 0) {
-                    run.waits();
-                }
-                List<Elsewhere.Game> next = most == 0 ? List.of() : run.take(most);
-                if (!next.isEmpty()) {
-                    games.add(threads.submit(() -> played(run, next)));
-                } else if (most > 0) {
+                    run.hasNoPlace();
+                } else if (next.isEmpty()) {
                     elsewhere.leavePlace();
+                } else {
+                    games.add(threads.submit(() -> play(next)));
                 }
             }
             for (Future<?> one : games) {
@@ -72,12 +53,12 @@ record FarGames(Elsewhere elsewhere) {
         }
     }
 
-    private Void played(Run run, List<Elsewhere.Game> games) throws InterruptedException {
+    private Void play(List<Elsewhere.Game> games) throws InterruptedException {
         try {
-            run.play(games);
+            run.play(games, elsewhere::play);
             return null;
         } catch (RuntimeException problem) {
-            run.fail(problem);
+            run.stop("a game of another machine: " + problem);
             throw problem;
         } finally {
             elsewhere.leavePlace();

@@ -3,20 +3,17 @@ package steward.league.play;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
-import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
-import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import steward.contest.Contest;
 import steward.contest.WorkerThreads;
 import steward.files.InputException;
 import steward.league.LeagueSettings;
 import steward.league.Pairing;
-import steward.league.PastDecisions;
 import steward.league.Schedule;
 import steward.league.StoredGame;
 import steward.league.pairing.AdaptivePairing;
@@ -42,6 +39,7 @@ public final class LeagueRun {
     static final long WAIT_MS = 100;
 
     private final OpenSeason season;
+    private final GameQueries queries;
     private final GameWriter writer;
     private final GamePlay play;
     private final RosterWatch watch;
@@ -53,8 +51,6 @@ public final class LeagueRun {
     private final long end;
     /** Other machines, or {@code null}. */
     private final Elsewhere elsewhere;
-    /** Attempts at games that do not count, by decision and lineup. */
-    private final Map<List<Integer>, Integer> attempts = new HashMap<>();
     private final LeagueEnd leagueEnd;
 
     /** Guarded by this, as is all below. */
@@ -116,14 +112,15 @@ public final class LeagueRun {
         int players = season.season().players();
         play = new GamePlay(season.season(), contest, new KeptGames(season.folder()), machine,
             System::currentTimeMillis);
-        GameQueries queries = season.queries();
-        readAttempts();
-        PastDecisions past = queries.past();
-        results = new RunResults(season.season(), queries, Looks.settled(past.next(), settings.lag()),
+        queries = season.queries();
+        int next = queries.nextDecision();
+        results = new RunResults(season.season(), queries, Looks.settled(next, settings.lag()),
             settings.adaptive() && players > 1 || rules.end().isAny());
-        pauses = new Pauses(rules.pauseAfter(), settings.lag(), past.next(), season, teller);
-        schedule = new Schedule(season.folder().starts(settings), players, settings.lag(), past, pauses.bots(),
-            pauses::tell);
+        pauses = new Pauses(rules.pauseAfter(), settings.lag(), next, season, teller);
+        pauses.use(roster);
+        schedule = new Schedule(season.folder().starts(settings), players, settings.lag(), roster.versions(),
+            pauses.bots(), pauses::tell);
+        queries.tell(schedule, results.repeated());
         schedule.without(results.repeated());
         leagueEnd = rules.end().isAny() ? new LeagueEnd(rules.end(), results.known(), settings.lag(), schedule::active)
             : null;
@@ -133,16 +130,7 @@ public final class LeagueRun {
         watch = new RosterWatch(season.folder(), reader, settings, teller);
         use(roster);
         end = limits.nanos() == Long.MAX_VALUE ? Long.MAX_VALUE : System.nanoTime() + limits.nanos();
-        writer = new GameWriter(season.store(), season.number(), past.next());
-    }
-
-    private void readAttempts() {
-        attempts.clear();
-        season.queries().attempts((decision, count, lineup) -> attempts.put(key(decision, lineup), count));
-    }
-
-    private static List<Integer> key(int decision, int... lineup) {
-        return IntStream.concat(IntStream.of(decision), IntStream.of(lineup)).boxed().toList();
+        writer = new GameWriter(season.store(), season.number(), next);
     }
 
     private void use(Roster next) {
@@ -189,7 +177,7 @@ public final class LeagueRun {
         writer.start();                                // not before: a run that is refused leaves no thread
         try {
             WorkerThreads.run("league", limits.threads() + far, thread -> thread < limits.threads() ? this::playHere
-                : () -> new FarGames(elsewhere).play(new Far()));
+                : new FarGames(this, elsewhere)::play);
         } finally {
             writer.close();
         }
@@ -207,49 +195,26 @@ public final class LeagueRun {
         return null;
     }
 
-    /** Games that are played elsewhere. */
-    private final class Far implements FarGames.Run {
+    /** True if no games are begun any more. */
+    synchronized boolean isOver() {
+        return ended || brokenOff || stopped != null;
+    }
 
-        @Override
-        public boolean isOver() {
-            synchronized (LeagueRun.this) {
-                return ended || brokenOff || stopped != null;
-            }
-        }
-
-        @Override
-        public List<Elsewhere.Game> take(int most) throws InterruptedException {
-            return LeagueRun.this.take(most, elsewhere::canPlay);
-        }
-
-        @Override
-        public void play(List<Elsewhere.Game> games) throws InterruptedException {
-            LeagueRun.this.play(games, elsewhere::play);
-        }
-
-        @Override
-        public void waits() throws InterruptedException {
-            synchronized (LeagueRun.this) {
-                decide();
-                ended |= underWay == 0 && isOverNow();
-                lookWhetherAnyoneCanPlay();
-            }
-        }
-
-        @Override
-        public void fail(RuntimeException problem) {
-            stop("a game of another machine: " + problem);
-        }
+    /** Notes that other machines have no place for games. */
+    synchronized void hasNoPlace() throws InterruptedException {
+        decide();
+        ended |= underWay == 0 && isOverNow();
+        lookWhetherAnyoneCanPlay();
     }
 
     /** Player of games. */
-    private interface Player {
+    interface Player {
         /** As {@link Elsewhere#play}. */
         List<List<StoredGame>> play(List<Elsewhere.Game> games) throws InterruptedException;
     }
 
     /** Plays games that were taken; whether there may be more. */
-    private boolean play(List<Elsewhere.Game> games, Player player) throws InterruptedException {
+    boolean play(List<Elsewhere.Game> games, Player player) throws InterruptedException {
         List<List<StoredGame>> played = Collections.nCopies(games.size(), null);
         String problem = null;
         try {
@@ -294,7 +259,7 @@ public final class LeagueRun {
             }
             return List.of();
         }
-        results.add(game.members(), attempts);
+        results.add(game.task(), game.members(), attempts);
         schedule.over(game.task(), attempts.get(attempts.size() - 1).failed());
         handed += attempts.size();
         if (!writer.add(attempts)) {
@@ -310,7 +275,7 @@ public final class LeagueRun {
      * @param can whether all of these bots may play together
      * @return none at the end
      */
-    private synchronized List<Elsewhere.Game> take(int most, Predicate<List<Member>> can) throws InterruptedException {
+    synchronized List<Elsewhere.Game> take(int most, Predicate<List<Member>> can) throws InterruptedException {
         List<Elsewhere.Game> games = new ArrayList<>();
         List<Member> bots = new ArrayList<>();
         ahead = Math.max(ahead, most);
@@ -319,9 +284,10 @@ public final class LeagueRun {
             Schedule.Task task = watch.isPaused() || isAtEnd() ? null : schedule.next(limits.games(), each ->
                 writer.isDecided(each.decision()) && can.test(Stream.concat(bots.stream(), members(each).stream())
                     .toList()));
-            if (task != null && !isStored(task)) {
+            int attempt = task == null ? 0 : attempt(task);
+            if (attempt > 0) {
                 bots.addAll(members(task));
-                games.add(new Elsewhere.Game(task, roster.settings(), members(task), first(task)));
+                games.add(new Elsewhere.Game(task, roster.settings(), members(task), attempt));
                 underWay++;
             } else if (task == null && (!games.isEmpty() || isOverNow())) {
                 break;
@@ -353,11 +319,6 @@ public final class LeagueRun {
         return Arrays.stream(task.lineup()).mapToObj(members::get).toList();
     }
 
-    /** The number of a game's first attempt; not 1 if earlier ones were forgiven. */
-    private int first(Schedule.Task task) {
-        return 1 + attempts.getOrDefault(key(task.decision(), task.lineup()), 0);
-    }
-
     /** Reads anew what has changed, and makes the decisions that can be made; they are stored before their games. */
     private void decide() throws InterruptedException {
         watch.look(roster, results.known() != null, this::use);
@@ -370,15 +331,25 @@ public final class LeagueRun {
         }
     }
 
-    /** True if a game was stored before it was decided on: it is one of the schedule now. */
-    private boolean isStored(Schedule.Task task) {
-        byte[] name = play.name(task, members(task), first(task));
-        boolean found = season.store().has(name);
-        if (found) {
-            season.store().adopt(name, task.decision());
-            schedule.over(task, results.addStored(season.store(), play, task, members(task)));
+    /**
+     * Returns the number of a game's next attempt; 0 if it is over, as it was stored before it was decided on: it is
+     * one of the schedule now.
+     */
+    private int attempt(Schedule.Task task) {
+        int attempt = 0;
+        StoredGame found;
+        do {
+            found = queries.game(play.name(task, members(task), ++attempt));
+            if (found != null && found.decision() < 0) {
+                season.store().adopt(found.name(), task.decision());
+            }
+        } while (found != null && !found.isOver());
+        if (found == null) {
+            return attempt;
         }
-        return found;
+        results.add(task, members(task), List.of(found));
+        schedule.over(task, found.failed());
+        return 0;
     }
 
     /** Ends the run where games wait that none of the machines can play, and says if they wait for a machine. */
@@ -414,17 +385,11 @@ public final class LeagueRun {
      */
     public synchronized int setAside(String machine, String why) throws InterruptedException {
         waitUntilStored();
-        int games = 0;
-        for (AsideGames.SetAside game : new AsideGames(season.store()).setAside(season.number(), machine, why)) {
-            int[] lineup = GameQueries.lineup(game.lineup());
-            games++;
-            if (game.decision() >= 0) {
-                schedule.again(new Schedule.Task(game.decision(), game.seed(), lineup));
-            }
-        }
-        readAttempts();                                // suspended games were counted as such until now
+        List<StoredGame> games = new AsideGames(season.store()).setAside(queries, season.number(), machine, why);
+        games.stream().filter(game -> game.decision() >= 0).forEach(game ->
+            schedule.again(new Schedule.Task(game.decision(), game.seed(), game.lineup())));
         notifyAll();
-        return games;
+        return games.size();
     }
 
     /** Games of a machine do not count until {@link #restore}; they are not played again. @return how many */
@@ -444,7 +409,8 @@ public final class LeagueRun {
         }
     }
 
-    private synchronized void stop(String why) {
+    /** Ends the run before its time. */
+    synchronized void stop(String why) {
         stopped = stopped == null ? why : stopped;
         notifyAll();
     }

@@ -7,8 +7,8 @@ import java.util.List;
 import steward.league.StoredGame;
 
 /**
- * Games that do not count; {@code problem} says why. Those of a worker that was caught are set aside for good. Others
- * can count again, what they came to stays: those of a worker are suspended until somebody decides; those of a bot are
+ * Games that do not count, whatever they came to; {@code problem} says why. Those of a worker that was caught are set
+ * aside for good. Others can count again: those of a worker are suspended until somebody decides; those of a bot are
  * forgiven by an operator. Thread-safe.
  */
 public final class AsideGames {
@@ -23,47 +23,27 @@ public final class AsideGames {
     private static final String FAILED = " AND decision IS NOT NULL AND id IN (SELECT game FROM seat WHERE fault IS "
         + "NOT NULL AND version IN (SELECT id FROM version WHERE bot = ?))";
 
-    private static final String SUSPENDED = "problem LIKE '" + StoredGame.SUSPENDED + "%'";
-
     private final Database database;
 
     public AsideGames(GameStore store) {
         database = store.database();
     }
 
-    /**
-     * A game that counted and was set aside.
-     *
-     * @param decision or -1
-     * @param lineup   the versions by seat, apart by blanks
-     */
-    public record SetAside(int decision, long seed, String lineup) { }
-
     /** Numbers of games, from the first to the last. */
     public record Range(long first, long last) { }
 
     /**
-     * Sets games of a machine aside: they stay, under other names, have no result, and belong to no decision.
+     * Sets games of a machine aside for good: they are played again.
      *
      * @param machine how its name begins
+     * @param why     begins with {@link StoredGame#SET_ASIDE}
      * @return those that counted, or were suspended
      */
-    public List<SetAside> setAside(int season, String machine, String why) {
-        String of = " WHERE season = ? AND machine IN (SELECT id FROM machine WHERE substr(name, 1, length(?)) = ?)";
+    public List<StoredGame> setAside(GameQueries games, int season, String machine, String why) {
+        String which = OF_MACHINE + " AND season = ?";
         return database.inTransaction(() -> {
-            List<SetAside> games = new ArrayList<>();
-            try (ResultSet row = database.query("SELECT coalesce(decision, -1), seed, (SELECT versions FROM lineup l "
-                + "WHERE l.id = game.lineup) FROM game" + of + " AND (counts > 0 OR " + SUSPENDED + ")", season,
-                machine, machine)) {
-                while (row.next()) {
-                    games.add(new SetAside(row.getInt(1), row.getLong(2), row.getString(3)));
-                }
-            }
-            database.update("UPDATE game SET name = randomblob(16), decision = NULL, counts = 0, problem = ?" + of
-                + " AND (problem IS NULL OR " + SUSPENDED + ")", why, season, machine, machine);
-            RowDigest.seal(database, "game", of.substring(" WHERE ".length()) + " AND problem = ?", season, machine,
-                machine, why);
-            return games;
+            back(StoredGame.SUSPENDED, which, machine, machine, season);
+            return aside(why, which, machine, machine, season).stream().map(id -> games.game((long) id)).toList();
         });
     }
 
@@ -75,7 +55,7 @@ public final class AsideGames {
      * @return how many
      */
     public int suspend(String machine, String why) {
-        return database.inTransaction(() -> aside(why, OF_MACHINE, machine, machine));
+        return database.inTransaction(() -> aside(why, OF_MACHINE, machine, machine).size());
     }
 
     /** Suspended games of a machine count again. @return how many */
@@ -86,13 +66,13 @@ public final class AsideGames {
     /** All games of a bot among these count no more, whatever they came to. @return how many */
     public int forgive(String bot, Range games) {
         return database.inTransaction(() -> aside(StoredGame.FORGIVEN + ": " + words(bot, games), OF_BOT,
-            games.first(), games.last(), bot));
+            games.first(), games.last(), bot).size());
     }
 
     /** All games of the schedule among these in which a bot failed are to be played again. @return how many */
     public int playAgain(String bot, Range games) {
         return database.inTransaction(() -> aside(StoredGame.FORGIVEN_AGAIN + words(bot, games), OF_BOT + FAILED,
-            games.first(), games.last(), bot, bot));
+            games.first(), games.last(), bot, bot).size());
     }
 
     private static String words(String bot, Range games) {
@@ -112,13 +92,13 @@ public final class AsideGames {
         });
     }
 
-    private int aside(String why, String which, Object... values) throws SQLException {
+    private List<Object> aside(String why, String which, Object... values) throws SQLException {
         List<Object> games = ids("counts > 0 AND " + which, values);
         for (Object game : games) {
             database.update("UPDATE game SET counts = 0, problem = ? WHERE id = ?", why, game);
             RowDigest.seal(database, "game", "id = ?", game);
         }
-        return games.size();
+        return games;
     }
 
     private List<Object> back(String begin, String which, Object... values) throws SQLException {

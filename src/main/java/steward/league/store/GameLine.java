@@ -28,8 +28,6 @@ public final class GameLine {
 
     private static final String TRANSCRIPT = "transcript";
     private static final String VALUES = "values";
-    /** Highest number of a decision: all below it are kept in memory. */
-    private static final int LAST_DECISION = 99_999_999;
     /** Rank of the last of 16 players, as the database has it. */
     private static final int WORST_RANK = 15;
 
@@ -75,7 +73,10 @@ public final class GameLine {
         return fields;
     }
 
-    /** Reads games back; gives bots that this store does not know a version. */
+    /**
+     * Reads games back; gives bots that this store does not know a version. Decisions are those of another league: if
+     * this one comes to such a game, it has it.
+     */
     public static final class Reader {
 
         private final GameStore store;
@@ -127,8 +128,7 @@ public final class GameLine {
             seats.forEach(seat -> stored.add(seat(place, seat,
                 known ? version(place, seat).id() : checked(place, seat))));
             String problem = inOneLine(game.getOrDefault("problem", ""));
-            return new StoredGame(0, name, game.getOrDefault("decision", "").isEmpty() ? -1
-                : (int) number(place, game, "decision", 0, LAST_DECISION), seed, attempt,
+            return new StoredGame(0, name, -1, seed, attempt,
                 flag(place, game, "counts") && problem.isEmpty(),
                 (int) number(place, game, "turns", 0, Integer.MAX_VALUE), problem.isEmpty() ? null : problem,
                 number(place, game, "played", 0, Long.MAX_VALUE), line(place, game, "machine"), null,

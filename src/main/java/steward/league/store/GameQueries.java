@@ -10,8 +10,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.function.Consumer;
-import steward.league.PastDecisions;
+import java.util.stream.Collectors;
+import steward.league.Decision;
 import steward.league.RepeatedGroups;
+import steward.league.Schedule;
 import steward.league.Season;
 import steward.league.StoredGame;
 import steward.league.StoredGame.StoredSeat;
@@ -40,6 +42,9 @@ public final class GameQueries {
     private static final String CLUSTER = "SELECT seed, lineup << 32 | CAST(replace(ranks, ' ', '') AS INTEGER), "
         + "id, coalesce(transcript, 0), lineup FROM game NOT INDEXED WHERE season = ? AND counts = 1";
     private static final String AS_STORED = CLUSTER + " ORDER BY id";
+    /** True of games that do not count and are played again. */
+    private static final String AGAIN = StoredGame.AGAIN.stream().map(begin -> "problem LIKE '" + begin + "%'")
+        .collect(Collectors.joining(" OR "));
     /** Of equal games that of the earliest decision counts, in whatever order threads and workers brought them. */
     private static final String AS_DECIDED = " ORDER BY decision, seed, id";
 
@@ -179,66 +184,56 @@ public final class GameQueries {
         results.addAloneGames(count);
     }
 
-    /** The versions of a lineup, as it is stored. */
-    public static int[] lineup(String text) {
-        return numbers(text);
-    }
-
     static int[] numbers(String text) {
         return text.isEmpty() ? new int[0] : Arrays.stream(text.split(" ")).mapToInt(Integer::parseInt).toArray();
     }
 
-    /** The decisions of the schedule, and the games of it that are over: not those that are played again. */
-    public PastDecisions past() {
-        PastDecisions past = new PastDecisions(key.players(), number -> database.with(() -> number("SELECT seed FROM "
-            + "decision WHERE season = ? AND number = ?", season, number)));
-        database.inSnapshot(() -> {
-            lineups().versions().forEach(past::lineup);
-            // Several numbers as one, since fetching a number costs more than finding it.
-            try (ResultSet row = database.query("SELECT iif(dropped, -1, 1) * (number << 32 | lineup) FROM decision "
-                + "WHERE season = ?", season)) {
-                while (row.next()) {
-                    long both = Math.abs(row.getLong(1));
-                    past.decision((int) (both >>> Integer.SIZE), (int) both, both != row.getLong(1));
-                }
-            }
-            try (ResultSet row = database.query("SELECT number, paused FROM decision WHERE season = ? AND paused IS "
-                + "NOT NULL AND ?", season, key.players() == 1 ? 1 : 0)) {
-                while (row.next()) {
-                    past.paused(row.getInt(1), numbers(row.getString(2)));
-                }
-            }
-            // In the order of the table, as by an index every row would be looked up.
-            try (ResultSet row = database.query("SELECT decision << 32 | lineup FROM game NOT INDEXED WHERE season = ? "
-                + "AND decision IS NOT NULL AND (counts > 0 OR problem IS NOT NULL AND problem NOT LIKE '"
-                + StoredGame.FORGIVEN_AGAIN + "%' AND problem NOT LIKE '" + StoredGame.REPLACED + "%')", season)) {
-                while (row.next()) {
-                    long both = row.getLong(1);
-                    past.game((int) (both >>> Integer.SIZE), (int) both);
-                }
-            }
-            return null;
-        });
-        return past;
-    }
-
-    /** Takes the number of attempts at a game of the schedule. */
-    public interface AttemptTaker {
-        void game(int decision, int attempts, int... lineup);
-    }
-
-    /** Tells of the games of the schedule with attempts that do not count. */
-    public void attempts(AttemptTaker taker) {
+    /** Tells a schedule of the decisions of its season and of their games that are over, also whether these repeat. */
+    public void tell(Schedule schedule, RepeatedGroups repeated) {
         database.inSnapshot(() -> {
             Lineups lineups = lineups();
-            try (ResultSet row = database.query("SELECT decision, max(attempt), lineup FROM game WHERE counts = 0 AND "
-                + "season = ? AND decision IS NOT NULL GROUP BY decision, lineup", season)) {
-                while (row.next()) {
-                    taker.game(row.getInt(1), row.getInt(2), lineups.versions().get(row.getInt(3)));
+            Map<Integer, List<Integer>> groups = new HashMap<>();
+            lineups.versions().forEach((number, versions) -> groups.put(number, list(versions)));
+            // Side by side, so that few decisions wait for their games. Several numbers are fetched as one, since that
+            // costs more than finding them. Games stand in the order of the table: an index would look up each row.
+            try (ResultSet decision = database.query("SELECT iif(dropped, -1, 1) * (number << 32 | lineup), seed, "
+                     + "paused FROM decision WHERE season = ? ORDER BY number", season);
+                 ResultSet game = database.query("SELECT decision << 32 | lineup, iif(counts = 1, transcript, NULL) "
+                     + "FROM game NOT INDEXED WHERE season = ? AND decision IS NOT NULL AND (counts > 0 OR problem IS "
+                     + "NOT NULL AND NOT (" + AGAIN + "))", season)) {
+                int told = -1;
+                while (game.next()) {
+                    long over = game.getLong(1);
+                    int number = (int) (over >>> Integer.SIZE);
+                    while (told < number && decision.next()) {
+                        told = tell(schedule, decision, groups);
+                    }
+                    int[] lineup = lineups.versions().get((int) over);
+                    schedule.over(number, lineup);
+                    long transcript = game.getLong(2);
+                    if (transcript != 0) {
+                        repeated.add(number, lineups.transcript((int) over, transcript), lineup);
+                    }
+                }
+                while (decision.next()) {
+                    tell(schedule, decision, groups);
                 }
             }
             return null;
         });
+    }
+
+    private int tell(Schedule schedule, ResultSet row, Map<Integer, List<Integer>> groups) throws SQLException {
+        long found = row.getLong(1);
+        long both = Math.abs(found);
+        String paused = key.players() > 1 ? null : row.getString(3);
+        schedule.made(new Decision((int) (both >>> Integer.SIZE), row.getLong(2), groups.get((int) both),
+            paused == null ? List.of() : list(numbers(paused))), found < 0);
+        return (int) (both >>> Integer.SIZE);
+    }
+
+    private static List<Integer> list(int... numbers) {
+        return Arrays.stream(numbers).boxed().toList();
     }
 
     /** Takes a game of the schedule that counts. */
@@ -281,21 +276,6 @@ public final class GameQueries {
                 while (row.next()) {
                     taker.game(row.getInt(1), row.getLong(2), lineups.versions().get(row.getInt(3)), row.getDouble(6),
                         lineups.transcript(row.getInt(3), row.getLong(5)), numbers(row.getString(4)));
-                }
-            }
-            return null;
-        });
-    }
-
-    /** Adds the games of the schedule whose transcripts are known. */
-    public void addTo(RepeatedGroups repeated) {
-        database.inSnapshot(() -> {
-            Lineups lineups = lineups();
-            try (ResultSet row = database.query("SELECT decision, lineup, transcript FROM game NOT INDEXED "
-                + "WHERE season = ? AND decision IS NOT NULL AND transcript IS NOT NULL AND counts = 1", season)) {
-                while (row.next()) {
-                    repeated.add(row.getInt(1), lineups.transcript(row.getInt(2), row.getLong(3)),
-                        lineups.versions().get(row.getInt(2)));
                 }
             }
             return null;
@@ -445,8 +425,17 @@ public final class GameQueries {
 
     /** A game by its number, or {@code null}. */
     public StoredGame game(long id) {
+        return one("g.id = ?", id);
+    }
+
+    /** A game by its name, of any season, or {@code null}. */
+    public StoredGame game(byte[] name) {
+        return one("g.name = ?", name);
+    }
+
+    private StoredGame one(String which, Object value) {
         List<StoredGame> games = new ArrayList<>();
-        read(games::add, GAME + "WHERE g.id = ? ORDER BY s.seat", id);
+        read(games::add, GAME + "WHERE " + which + " ORDER BY s.seat", value);
         return games.isEmpty() ? null : games.get(0);
     }
 

@@ -7,7 +7,6 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
-import steward.contest.repeat.GameFacts;
 import steward.files.InputException;
 import steward.league.Decision;
 import steward.league.LeagueFolder;
@@ -240,54 +239,6 @@ public final class GameStore implements AutoCloseable {
 
     // ---- games -----------------------------------------------------------------------------------
 
-    public boolean has(byte[] name) {
-        return database.with(() -> database.value("SELECT 1 FROM game WHERE name = ?", (Object) name) != null);
-    }
-
-    /** Returns how the game of this name ended; empty if it is not there, was played again or has no result. */
-    public Optional<Outcome> outcome(byte[] name) {
-        return database.with(() -> {
-            List<Integer> ranks = new ArrayList<>();
-            List<Double> scores = new ArrayList<>();
-            List<Boolean> failed = new ArrayList<>();
-            boolean allFailed = false;
-            long transcript = 0;
-            try (ResultSet row = database.query("SELECT s.rank, s.score, s.fault IS NOT NULL, g.counts, g.transcript "
-                + "FROM game g JOIN seat s ON s.game = g.id WHERE g.name = ? AND g.counts > 0 ORDER BY s.seat",
-                (Object) name)) {
-                while (row.next()) {
-                    ranks.add(row.getInt(1));
-                    scores.add(row.getDouble(2));
-                    failed.add(row.getBoolean(3));
-                    allFailed = row.getInt(4) == GameRows.ALL_FAILED;
-                    transcript = row.getLong(5);
-                }
-            }
-            return ranks.isEmpty() ? Optional.empty() : Optional.of(new Outcome(ranks, scores, failed, allFailed,
-                transcript));
-        });
-    }
-
-    /**
-     * Outcome of a game, by seat.
-     *
-     * @param ranks  0 is best
-     * @param scores the game's own
-     * @param failed whether the player failed
-     * @param allFailed whether all did, in the same turn
-     * @param transcript see {@link GameFacts}; 0 if it is not known
-     */
-    public record Outcome(List<Integer> ranks, List<Double> scores, List<Boolean> failed, boolean allFailed,
-                          long transcript) {
-
-        /** Copies. */
-        public Outcome {
-            ranks = List.copyOf(ranks);
-            scores = List.copyOf(scores);
-            failed = List.copyOf(failed);
-        }
-    }
-
     /** Makes a game that is there part of a decision. */
     public void adopt(byte[] name, int decision) {
         database.inTransaction(() -> {
@@ -298,31 +249,23 @@ public final class GameStore implements AutoCloseable {
     }
 
     /**
-     * Stores games that come from elsewhere, all or none. One that is there already stays as it is; a decision of
-     * theirs that is not there is added.
+     * Stores games of no decision or one that is there, all or none. One that is there already stays as it is.
      *
      * @return how many are new
      */
     public int add(int season, List<StoredGame> games) {
-        return add(() -> {
-            decisionRows.ofGames(season, games);
-            return gameRows.add(season, games);
-        });
+        return add(season, List.of(), games);
     }
 
-    /** Stores decisions, and games of these or earlier ones, all or nothing. */
-    void add(int season, List<Decision.News> news, List<StoredGame> games) {
-        add(() -> {
-            for (Decision.News each : news) {
-                decisionRows.add(season, each);
-            }
-            return gameRows.add(season, games);
-        });
-    }
-
-    private int add(Database.Work<Integer> work) {
+    /** Stores decisions, and games of these or earlier ones, all or nothing. @return how many games are new */
+    int add(int season, List<Decision.News> news, List<StoredGame> games) {
         try {
-            return database.inTransaction(work);
+            return database.inTransaction(() -> {
+                for (Decision.News each : news) {
+                    decisionRows.add(season, each);
+                }
+                return gameRows.add(season, games);
+            });
         } catch (InputException failed) {
             gameRows.forget();
             throw failed;

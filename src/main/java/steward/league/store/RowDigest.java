@@ -8,7 +8,9 @@ import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.function.Consumer;
+import java.util.stream.Collectors;
 import steward.numerics.StateHash;
 
 /**
@@ -57,6 +59,9 @@ final class RowDigest {
     private static final List<Table> TABLES = List.of(new Table("season", null, null),
         new Table("version", "identity", "version"), new Table("machine", null, null), new Table("lineup", null, null),
         new Table(DECISION, null, null), new Table("game", "seat", "game"));
+    /** Whole numbers from 0 to 2^31 - 1 in every row. */
+    private static final Set<String> SMALL = Set.of("season", "version", "seat", "rank", "lineup", "attempt", "counts",
+        "dropped");
     /** Stands for a value that is not there. */
     private static final long NOTHING = 0x6E6F7468696E67L;
 
@@ -70,8 +75,14 @@ final class RowDigest {
      *
      * @param isAlways true if it has a value in each row: then one call asks for it
      * @param referred the rows to which it refers; {@code null} if it refers to none, or they are not known
+     * @param lower    place of the column that is fetched with it as the lower half of one number, or -1
      */
-    private record Column(String name, Kind kind, boolean isAlways, Rows referred) { }
+    private record Column(String name, Kind kind, boolean isAlways, Rows referred, int lower) {
+
+        String expression(Column... columns) {
+            return lower < 0 ? name : "(" + name + " << 32) + " + columns[lower].name;
+        }
+    }
 
     /** Rows by ascending id, each with a digest as it is stored and as it is computed. */
     private static final class Rows {
@@ -202,48 +213,67 @@ final class RowDigest {
     private static Rows rows(Database database, Table table, Map<String, Rows> known, String where, String partWhere,
                              Object... values) throws SQLException {
         Rows rows = new Rows();
-        scan(database, table.name(), known, table.id() + ", digest", where + " ORDER BY "
-            + table.order(), rows, rows::add, values);
+        scan(database, table, false, known, where + " ORDER BY " + table.order(), rows, values);
         if (known != null) {
             known.put(table.name(), rows);
         }
         if (table.part() != null) {
-            scan(database, table.part(), known, table.owner() + ", 0", partWhere, rows,
-                (id, none, digest) -> rows.addPart(id, digest), values);
+            scan(database, table, true, known, partWhere, rows, values);
         }
         return rows;
     }
 
-    /** Takes a row: the two columns that stand before the others, and the digest of these. */
-    private interface RowTaker {
-        void take(long first, long second, long digest);
-    }
-
-    /** @param first two columns that stand before the others */
-    private static void scan(Database database, String table, Map<String, Rows> known, String first, String which,
-                             Rows rows, RowTaker taker, Object... values) throws SQLException {
-        Column[] columns = columns(database, table, known);
+    /** Reads a table, or its part; each value once, since fetching it costs more than finding it. */
+    private static void scan(Database database, Table table, boolean isPart, Map<String, Rows> known, String which,
+                             Rows rows, Object... values) throws SQLException {
+        String name = isPart ? table.part() : table.name();
+        Column[] columns = columns(database, name, known);
         List<String> names = Arrays.stream(columns).map(Column::name).toList();
+        boolean isDecision = name.equals(DECISION);
+        List<String> fetched = new ArrayList<>(isPart ? List.of() : isDecision ? List.of(table.id(), "digest")
+            : List.of("digest"));
+        int digestAt = fetched.size();
+        int[] places = new int[columns.length];
+        Set<Integer> lower = Arrays.stream(columns).map(Column::lower).collect(Collectors.toSet());
+        for (int k = 0; k < columns.length; k++) {
+            if (!lower.contains(k)) {
+                fetched.add(columns[k].expression(columns));
+                places[k] = fetched.size();
+            }
+        }
+        int idAt = names.indexOf(isPart ? table.owner() : "id");
         int seasonAt = names.indexOf("season");
         int decisionAt = names.indexOf(DECISION);
+        long[] found = new long[columns.length];
         StateHash hash = new StateHash();
-        try (ResultSet row = database.query("SELECT " + first + ", " + String.join(", ", names) + " FROM " + table
-                + which, values)) {
+        try (ResultSet row = database.query("SELECT " + String.join(", ", fetched) + " FROM " + name + which, values)) {
             while (row.next()) {
                 hash.reset();
-                long id = row.getLong(1);
-                if (table.equals(DECISION)) {
+                long id = isDecision ? row.getLong(1) : 0;
+                if (isDecision) {
                     hash.add(id >> Integer.SIZE);
                     hash.add((long) (int) id);
                 }
-                long season = 0;
                 for (int k = 0; k < columns.length; k++) {
-                    long value = add(hash, row, k + 3, columns[k]);
-                    season = k == seasonAt ? value : season;
-                    rows.broken |= columns[k].referred() != null && value != NOTHING && columns[k].referred()
-                        .find(k == decisionAt ? season << Integer.SIZE | value : value) < 0;
+                    if (columns[k].lower() >= 0) {
+                        long both = row.getLong(places[k]);
+                        found[columns[k].lower()] = (int) both;
+                        found[k] = both >> Integer.SIZE;
+                        hash.add(found[k]);
+                    } else if (places[k] == 0) {
+                        hash.add(found[k]);
+                    } else {
+                        found[k] = add(hash, row, places[k], columns[k]);
+                    }
+                    rows.broken |= columns[k].referred() != null && found[k] != NOTHING && columns[k].referred()
+                        .find(k == decisionAt ? found[seasonAt] << Integer.SIZE | found[k] : found[k]) < 0;
                 }
-                taker.take(id, row.getLong(2), hash.value());
+                id = idAt < 0 ? id : found[idAt];
+                if (isPart) {
+                    rows.addPart(id, hash.value());
+                } else {
+                    rows.add(id, row.getLong(digestAt), hash.value());
+                }
             }
         }
     }
@@ -272,11 +302,19 @@ final class RowDigest {
     /** The columns of a table, but its digest and the two that are the id of a decision. */
     private static Column[] columns(Database database, String table, Map<String, Rows> known) throws SQLException {
         List<Column> columns = new ArrayList<>();
+        int upper = -1;
         try (ResultSet row = database.query("SELECT name, type, \"notnull\" OR pk FROM pragma_table_info(?1) "
             + "WHERE name <> 'digest' AND NOT (?1 = '" + DECISION + "' AND name IN ('season', 'number'))", table)) {
             while (row.next()) {
-                columns.add(new Column(row.getString(1), Kind.valueOf(row.getString(2)), row.getBoolean(3),
-                    known == null ? null : known.get(row.getString(1))));
+                Column column = new Column(row.getString(1), Kind.valueOf(row.getString(2)), row.getBoolean(3),
+                    known == null ? null : known.get(row.getString(1)), -1);
+                boolean isSmall = SMALL.contains(column.name());
+                if (isSmall && upper >= 0) {
+                    Column other = columns.get(upper);
+                    columns.set(upper, new Column(other.name(), other.kind(), true, other.referred(), columns.size()));
+                }
+                upper = !isSmall ? upper : upper < 0 ? columns.size() : -1;
+                columns.add(column);
             }
         }
         return columns.toArray(new Column[0]);

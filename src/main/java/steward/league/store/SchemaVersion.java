@@ -196,6 +196,8 @@ final class SchemaVersion {
         database.execute(ALL_FAILED);
         database.execute(TABLES.get("decision"));
         new DecisionRows(database, new TextRows(database, "lineup", "versions")).ofGames();
+        database.execute("UPDATE game SET decision = NULL WHERE seed <> (SELECT seed FROM decision o WHERE o.season = "
+            + "game.season AND o.number = game.decision)");    // imported ones
         RowDigest.sealAll(database, RowCheck.withoutDigests(database));
         database.execute("PRAGMA writable_schema = ON");
         for (Map.Entry<String, String> table : TABLES.entrySet()) {

@@ -32,8 +32,6 @@ public final class WorkerBook {
     private static final double FACTOR = 2;
     /** The names of machines begin so where a worker has played. */
     public static final String WORKER = "worker ";
-    /** What is noted with games that were set aside begins so. */
-    public static final String ASIDE = "set aside: ";
 
     private final IntFunction<String> names;
     private final Map<String, Entry> workers = new TreeMap<>();
@@ -154,7 +152,7 @@ public final class WorkerBook {
         if (!game.counts()) {
             if (entry != null) {
                 boolean suspended = game.problem() != null && game.problem().startsWith(StoredGame.SUSPENDED);
-                boolean aside = game.problem() != null && game.problem().startsWith(ASIDE);
+                boolean aside = game.problem() != null && game.problem().startsWith(StoredGame.SET_ASIDE);
                 entry.aside += aside || suspended ? 1 : 0;
                 entry.suspended |= suspended;
                 entry.repeated += game.problem() == null ? 1 : 0;

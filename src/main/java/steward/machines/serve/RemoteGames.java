@@ -156,7 +156,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
     }
 
     private int setAside(WorkerState state) throws InterruptedException {
-        return setter.decide(SettingAside.Fate.ASIDE, WorkerBook.machine(state.name), WorkerBook.ASIDE + "worker "
+        return setter.decide(SettingAside.Fate.ASIDE, WorkerBook.machine(state.name), StoredGame.SET_ASIDE + "worker "
             + state.name + " was caught");
     }
 

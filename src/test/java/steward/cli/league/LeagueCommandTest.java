@@ -94,6 +94,26 @@ class LeagueCommandTest {
         assertTrue(refused("import", "TMP/other", "TMP/games.jsonl").contains("found a game of another season"));
     }
 
+    /** Games that a league would play itself are its own when it comes to them; others are beside its schedule. */
+    @Test
+    @Tag("slow")
+    void importedGamesOfOtherSeedsAreNotThoseOfTheSchedule() throws IOException {
+        ShellBots.shortDuel(folder);
+        for (String[] league : new String[][] {{"a", "1"}, {"same", "1"}, {"other", "20"}}) {
+            String path = "TMP/" + league[0];
+            done("init", path, "--scene", "TMP/short.json", "--seed", league[1]);
+            done("add", path, "one=builtin:racer", "two=builtin:regular");
+            if (!league[0].equals("a")) {
+                done("import", path, "TMP/games.jsonl");
+            }
+            assertTrue(done("run", path, "--games", "6").contains((league[0].equals("same") ? "0" : "6")
+                + " games in this run"), league[0]);
+            done("export", path, "--out", "TMP/games.jsonl", "--overwrite");
+            assertEquals(league[0].equals("other") ? 12 : 6, Files.readAllLines(folder.resolve("games.jsonl")).size());
+        }
+        assertTrue(done("run", "TMP/same", "--games", "8").contains("2 games in this run"));
+    }
+
     /** What {@code add} refuses comes in by no other way. */
     @Test
     @Tag("slow")

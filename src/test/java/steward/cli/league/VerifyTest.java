@@ -51,7 +51,7 @@ class VerifyTest {
         DELETE FROM version WHERE id = 2 | table identity, row hash = '
         DELETE FROM identity WHERE version = 1 | table version, row id = 1, column id: found 1, expected one that a row
         DELETE FROM seat WHERE game = 3 AND seat = 0 | table game, row id = 3, column lineup: found
-        DELETE FROM game WHERE id = 4 | AND game = 4 AND seat = 1, column game: found 4
+        DELETE FROM game WHERE id = 4 | AND game = 4 AND seat = 0, column game: found 4
         UPDATE game SET ranks = '0 x' WHERE id = 5 | table game, row id = 5, column ranks: found '0 x'
         UPDATE game SET lineup = 99 WHERE id = 5 | column lineup: found 99, expected a row of the
         UPDATE lineup SET versions = '1 y' WHERE id = 1 | column versions: found '1 y', expected numbers of

@@ -45,11 +45,15 @@ class AdaptivePairingTest {
             season = Season.of("crowd", "key", "limits", "rules", players, false);
             known = new KnownResults(season);
             stored.forEach(this::know);
-            schedule = new Schedule(100, players, LAG, league.past());
-            schedule.play(BOTS, versions -> new AdaptivePairing(versions, players, LAG, RULE,
-                before -> Ratings.of(known.before(before), versions)));
-            end = new LeagueEnd(RULE, known, LAG, () -> BOTS);
+            schedule = league.schedule(LAG, BOTS);
+            end = new LeagueEnd(RULE, known, LAG, schedule::active);
             schedule.until(end);
+            play(BOTS);
+        }
+
+        void play(List<Integer> bots) {
+            schedule.play(bots, versions -> new AdaptivePairing(versions, season.players(), LAG, RULE,
+                before -> Ratings.of(known.before(before), versions)));
         }
 
         void know(Schedule.Task task) {
@@ -99,6 +103,21 @@ class AdaptivePairingTest {
         assertEquals(List.of(1, 2, 3, 4, 5), order);
         assertTrue(!RULE.orders(play.end.met(), order).contains(StopRule.Order.OPEN));
         return games;
+    }
+
+    @Test
+    void aBotThatComesAfterTheEndIsRanked() {
+        Play play = new Play(2, new MemoryLeague(2), List.of());
+        Map<Integer, Integer> games = new HashMap<>();
+        for (int bots = 4; bots <= 5; bots++) {
+            play.play(BOTS.subList(0, bots));
+            for (Schedule.Task task = play.next(20_000); task != null; task = play.next(20_000)) {
+                Arrays.stream(task.lineup()).forEach(bot -> games.merge(bot, 1, Integer::sum));
+                play.over(task);
+            }
+            assertEquals(BOTS.subList(0, bots), play.end.met().order());
+        }
+        assertTrue(games.get(5) > 20, games::toString);
     }
 
     /** The first four rounds of two, of 10 and of 25 bots: nobody is more than two games ahead. */

@@ -1,5 +1,6 @@
 package steward.league.store;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.nio.file.Path;
@@ -37,8 +38,9 @@ class AsideGamesTest {
         a = store.add("a", "./a", false, "1a", 1);
         b = store.add("b", "./b", false, "1b", 2);
         aside = new AsideGames(store);
-        store.add(season, List.of(game(7, 1, 0, null, null, "here"), game(8, 1, 0, null, null, "worker x: m"),
-            game(9, 1, 1, null, "exited", "worker x: m"), game(10, 1, 0, "exited", "exited", "worker x: m")));
+        MadeUpGames.add(store, season, List.of(game(7, 1, 0, null, null, "here"),
+            game(8, 1, 0, null, null, "worker x: m"), game(9, 1, 1, null, "exited", "worker x: m"),
+            game(10, 1, 0, "exited", "exited", "worker x: m")));
     }
 
     private StoredGame game(long seed, int attempt, int rank, String one, String other, String machine) {
@@ -60,8 +62,8 @@ class AsideGamesTest {
     private List<String> missing() {
         GameQueries queries = new GameQueries(store, season, GameStoreTest.SEASON);
         Map<Integer, Integer> attempts = new HashMap<>();
-        queries.attempts((decision, count, lineup) -> attempts.put(decision, count));
-        Schedule schedule = new Schedule(0, 2, 64, queries.past());
+        queries.games(game -> attempts.put(game.decision(), game.attempt()));
+        Schedule schedule = MadeUpGames.schedule(queries, List.of(a.id(), b.id()));
         schedule.play(List.of(a.id(), b.id()), versions -> Pairing.roundRobin(versions, 2));
         return schedule.waiting(Long.MAX_VALUE).stream().filter(task -> task.lineup()[0] == a.id())
             .map(task -> task.decision() + " after " + attempts.getOrDefault(task.decision(), 0)).toList();
@@ -80,9 +82,15 @@ class AsideGamesTest {
         assertEquals(List.of("1", "1", "1", "F"), games());
         assertEquals(3, counting());
         aside.suspend("worker x: ", "suspended: why");
-        assertEquals(3, aside.setAside(season, "worker x: ", "set aside: why").size(), "to be played again");
+        GameQueries queries = new GameQueries(store, season, GameStoreTest.SEASON);
+        assertEquals(3, aside.setAside(queries, season, "worker x: ", "set aside: why").size());
+        assertEquals(List.of("8 after 1", "9 after 1", "10 after 1"), missing());
         assertEquals(0, aside.restore("worker x: "));
         assertEquals(1, counting());
+        GameLine.Reader reader = new GameLine.Reader(store, GameStoreTest.SEASON);
+        queries.games(game -> assertArrayEquals(game.name(), reader.read("a line", GameLine.game(game,
+            GameStoreTest.SEASON), List.of(GameLine.seat(game.seats().get(0), a), GameLine.seat(game.seats().get(1),
+            b))).name(), "another league may have it, too"));
     }
 
     /** Which games are left out is never up to how they ended. */

@@ -1,7 +1,7 @@
 package steward.league.store;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -77,13 +77,13 @@ class GameStoreTest {
             Version b = store.add("b", "./b", true, "1b", 2);
             List<StoredGame> games = List.of(game(a, b, 7, -1, 1, false), game(a, b, 7, 1, 2, true),
                 game(b, a, 7, 0, 1, true));
-            assertEquals(3, store.add(season, games));
+            assertEquals(3, MadeUpGames.add(store, season, games));
             assertEquals(0, store.add(season, games));
             assertEquals(3, store.games(season));
-            assertTrue(store.has(games.get(1).name()));
-            assertFalse(store.has(GameName.of(SEASON, 8, List.of("1a", "1b"), 1)));
 
             GameQueries queries = new GameQueries(store, season, SEASON);
+            assertEquals(2, queries.game(games.get(1).name()).attempt());
+            assertNull(queries.game(GameName.of(SEASON, 8, List.of("1a", "1b"), 1)));
             List<StoredGame> read = new ArrayList<>();
             queries.games(read::add);
             assertEquals(3, read.size());
@@ -123,10 +123,10 @@ class GameStoreTest {
             List<StoredGame> games = List.of(game(a, b, 7, -1, 1, false), game(a, b, 7, 1, 2, true));
             execute(store, "CREATE TEMP TRIGGER full BEFORE INSERT ON game WHEN NEW.attempt = 2 BEGIN SELECT "
                 + "RAISE(ABORT, 'no room for the second'); END");
-            assertThrows(InputException.class, () -> store.add(season, games));
+            assertThrows(InputException.class, () -> MadeUpGames.add(store, season, games));
             execute(store, "DROP TRIGGER full");
             assertEquals(0, store.games(season));
-            assertEquals(2, store.add(season, games));
+            assertEquals(2, MadeUpGames.add(store, season, games));
             assertEquals(0L, store.database().with(() -> ((Number) store.database().value("SELECT count(*) FROM game "
                 + "WHERE lineup NOT IN (SELECT id FROM lineup) OR machine NOT IN (SELECT id FROM machine)"))
                 .longValue()));
@@ -198,12 +198,14 @@ class GameStoreTest {
             Version a = store.add("a", "./a", false, "1a", 1);
             Version b = store.add("b", "./b", false, "1b", 2);
             Version c = store.add("c", "./c", false, "1c", 3);
-            store.add(season, List.of(game(a, b, 0, 1, 1, true), game(b, a, 0, 1, 1, false), game(b, c, 2, 1, 1, true),
-                game(c, b, 2, 1, 1, true), game(c, a, 1, 1, 1, false), game(c, a, 1, 1, 2, true)));
+            MadeUpGames.add(store, season, List.of(game(a, b, 0, 1, 1, true), game(b, a, 0, 1, 1, false),
+                game(b, c, 2, 1, 1, true), game(c, b, 2, 1, 1, true), game(c, a, 1, 1, 1, false),
+                game(c, a, 1, 1, 2, true)));
             int other = store.open(Season.of("duel", "key", "longer", "rules", 2, false));
-            store.add(other, List.of(game(a, c, 5, 1, 1, true)));
-            Schedule schedule = new Schedule(0, 2, 64, new GameQueries(store, season, SEASON).past());
-            schedule.play(List.of(a.id(), b.id(), c.id()), versions -> Pairing.roundRobin(versions, 2));
+            MadeUpGames.add(store, other, List.of(game(a, c, 5, 1, 1, true)));
+            List<Integer> bots = List.of(a.id(), b.id(), c.id());
+            Schedule schedule = MadeUpGames.schedule(new GameQueries(store, season, SEASON), bots);
+            schedule.play(bots, versions -> Pairing.roundRobin(versions, 2));
             List<String> games = new ArrayList<>();
             store.add(season, List.of(schedule.decide(Long.MAX_VALUE, 6)), List.of());
             for (int k = 0; k < 6; k++) {
@@ -211,7 +213,7 @@ class GameStoreTest {
                 games.add(task.decision() + " " + Arrays.toString(task.lineup()));
             }
             assertEquals(List.of("0 [2, 1]", "1 [1, 3]", "3 [1, 2]", "3 [2, 1]", "4 [1, 3]", "4 [3, 1]"), games);
-            assertEquals(5, new GameQueries(store, season, SEASON).past().next(), "the two new decisions are stored");
+            assertEquals(5, new GameQueries(store, season, SEASON).nextDecision(), "the two new decisions are stored");
             assertEquals(List.of(), store.badRows(1));
         }
     }
@@ -280,9 +282,9 @@ class GameStoreTest {
             StoredGame failed = new StoredGame(0, GameName.of(SEASON, 7, List.of("1a", "1b"), 1), 7, 7, 1, true, 1,
                 null, 1007, "here", null, List.of(new StoredSeat(a.id(), 0, 0, "exited", 1, 100, 100, 100),
                 new StoredSeat(b.id(), 0, 0, "exited", 1, 100, 100, 100)));
-            store.add(season, List.of(failed, game(a, b, 8, -1, 1, true)));
+            MadeUpGames.add(store, season, List.of(failed, game(a, b, 8, -1, 1, true)));
             assertEquals(List.of(), store.badRows(1));
-            assertTrue(store.outcome(failed.name()).orElseThrow().allFailed());
+            assertTrue(new GameQueries(store, 1, SEASON).game(failed.name()).allFailed());
             Results results = new GameQueries(store, 1, SEASON).results();
             assertEquals(1, results.games());
             assertEquals(1, results.of(1).games());
@@ -298,7 +300,8 @@ class GameStoreTest {
             Version a = store.add("a", "./a", false, "1a", 1);
             Version b = store.add("b", "./b", false, "1b", 2);
             SortedMap<String, Double> own = new TreeMap<>(Map.of("laps", 3.0, "water", -0.125));
-            store.add(season, List.of(game(a, b, 7, 1, 1, true), known(game(a, b, 9, 1, 1, true), -5, own)));
+            MadeUpGames.add(store, season, List.of(game(a, b, 7, 1, 1, true),
+                known(game(a, b, 9, 1, 1, true), -5, own)));
             GameQueries queries = new GameQueries(store, season, SEASON);
             assertEquals(0, queries.game(1).transcript());
             assertEquals(Map.of(), queries.game(1).seats().get(0).values());
@@ -326,12 +329,12 @@ class GameStoreTest {
             int season = store.open(SEASON);
             Version first = store.add("a", "./a", false, "1a", 1);
             Version b = store.add("b", "./b", false, "1b", 2);
-            store.add(season, List.of(game(first, b, 5, 1, 1, true)));
+            MadeUpGames.add(store, season, List.of(game(first, b, 5, 1, 1, true)));
             assertEquals(first.id(), store.present("a").orElseThrow().id());
             Version second = store.add("a", "./a", false, "2a", 2000);
             assertEquals(second.id(), store.present("a").orElseThrow().id());
-            store.add(season, List.of(game(second, b, 1100, 1, 1, true)));
-            store.add(season, List.of(game(first, b, 1200, 1, 1, true)));
+            MadeUpGames.add(store, season, List.of(game(second, b, 1100, 1, 1, true)));
+            MadeUpGames.add(store, season, List.of(game(first, b, 1200, 1, 1, true)));
             assertEquals(first.id(), store.present("a").orElseThrow().id());
             assertEquals(2200, store.version("1a").orElseThrow().played());
         }
@@ -354,7 +357,7 @@ class GameStoreTest {
             Version a = store.add("a", "./a", false, "1a", 1);
             Version b = store.add("b", "./b", false, "1b", 2);
             for (int seed = 0; seed < 4; seed++) {
-                store.add(season, List.of(
+                MadeUpGames.add(store, season, List.of(
                     known(game(a, b, seed, seed < 3 ? -1 : 1, 1, true), seed < 3 ? 77 : 78, new TreeMap<>()),
                     known(game(b, a, seed, 1, 1, true), 99, new TreeMap<>())));
             }
@@ -401,7 +404,7 @@ class GameStoreTest {
             int season = store.open(SEASON);
             Version a = store.add("a", "./a", false, "1a", 1);
             Version b = store.add("b", "./b", false, "1b", 2);
-            store.add(season, List.of(game(a, b, 0, 1, 1, true)));
+            MadeUpGames.add(store, season, List.of(game(a, b, 0, 1, 1, true)));
             int pages = SchemaVersion.number(store.database().connection(), "page_count");
             store.database().with(() -> {
                 store.database().execute("PRAGMA max_page_count = " + (pages + 3));

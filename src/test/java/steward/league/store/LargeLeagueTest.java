@@ -15,7 +15,6 @@ import org.junit.jupiter.api.io.TempDir;
 import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
 import steward.league.Pairing;
-import steward.league.PastDecisions;
 import steward.league.Schedule;
 import steward.league.Season;
 import steward.league.pairing.AdaptivePairing;
@@ -102,11 +101,10 @@ class LargeLeagueTest {
     /** The first decision of a run that goes on. */
     private static int next(GameStore store, GameQueries queries, boolean adaptive) {
         int lag = LeagueSettings.USUAL_LAG;
-        PastDecisions past = queries.past();
-        Schedule schedule = new Schedule(1, 2, lag, past);
         List<Integer> playing = store.versions().stream().map(GameStore.Version::id).toList();
+        Schedule schedule = MadeUpGames.schedule(queries, playing);
         if (adaptive) {
-            int settled = Looks.settled(past.next(), lag);
+            int settled = Looks.settled(queries.nextDecision(), lag);
             KnownResults known = new KnownResults(SEASON, queries.resultsBefore(settled));
             queries.known(settled, known::add);
             schedule.play(playing, versions -> new AdaptivePairing(versions, 2, lag, StopRule.NONE,

@@ -1,13 +1,22 @@
 package steward.league.store;
 
 import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import steward.cli.league.view.LeagueOpening;
+import steward.contest.seeds.Seeds;
+import steward.league.Decision;
 import steward.league.GameName;
 import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
+import steward.league.PausedBots;
+import steward.league.RepeatedGroups;
+import steward.league.Schedule;
 import steward.league.Season;
 import steward.league.StoredGame;
 import steward.league.StoredGame.StoredSeat;
@@ -63,14 +72,48 @@ public final class MadeUpGames {
         return IntStream.rangeClosed(1, count).mapToObj(number -> bot(store, number)).toList();
     }
 
+    /** Stores games and those of their decisions that are not there. @return how many games are new */
+    static int add(GameStore store, int season, List<StoredGame> games) {
+        Map<Integer, Decision> made = new LinkedHashMap<>();
+        for (StoredGame game : games) {
+            boolean isMade = game.decision() < 0 || store.database().with(() -> store.database().value("SELECT 1 FROM "
+                + "decision WHERE season = ? AND number = ?", season, game.decision())) != null;
+            if (!isMade) {
+                made.merge(game.decision(), decision(game), (one, other) -> new Decision(one.number(), one.seed(),
+                    Stream.concat(one.group().stream(), other.group().stream()).distinct().sorted().toList(),
+                    List.of()));
+            }
+        }
+        return store.add(season, List.of(new Decision.News(List.copyOf(made.values()), Map.of())), games);
+    }
+
+    private static Decision decision(StoredGame game) {
+        return new Decision(game.decision(), game.seed(), Arrays.stream(game.lineup()).sorted().boxed().toList(),
+            List.of());
+    }
+
+    /** A schedule that goes on from what is stored. */
+    static Schedule schedule(GameQueries queries, List<Integer> roster) {
+        Schedule schedule = new Schedule(Seeds.from(0), 2, LeagueSettings.USUAL_LAG, roster,
+            new PausedBots(0, LeagueSettings.USUAL_LAG), version -> { });
+        queries.tell(schedule, new RepeatedGroups(false));
+        return schedule;
+    }
+
     /** Adds so many games: any two meet on one seed from both sides, as the schedule of a league has it. */
     void add(int games) {
         List<StoredGame> batch = new ArrayList<>(TOGETHER);
+        List<Decision> decisions = new ArrayList<>(TOGETHER);
         for (int k = 0; k < games; k++) {
-            batch.add(game(k));
+            StoredGame game = game(k);
+            if (k % 2 == 0) {
+                decisions.add(decision(game));
+            }
+            batch.add(game);
             if (batch.size() == TOGETHER || k + 1 == games) {
-                store.add(season, batch);
+                store.add(season, List.of(new Decision.News(decisions, Map.of())), batch);
                 batch.clear();
+                decisions.clear();
             }
         }
     }

@@ -64,7 +64,7 @@ class ResumedResultsTest {
                 games.add(game(season, decision, 5, random, List.of(bots.get(1))));
             }
         }
-        store.add(number, games);
+        MadeUpGames.add(store, number, games);
     }
 
     @Test
@@ -81,7 +81,7 @@ class ResumedResultsTest {
                 }
                 play(store, number, season, bots);
                 GameQueries queries = new GameQueries(store, number, season);
-                assertEquals(1000, queries.past().next());
+                assertEquals(1000, queries.nextDecision());
                 int settled = Looks.settled(900, LAG);
                 assertTrue(settled > 800, settled + "");
                 KnownResults one = new KnownResults(season);

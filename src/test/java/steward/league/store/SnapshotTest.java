@@ -36,7 +36,7 @@ class SnapshotTest {
                 while (!written.isDone()) {
                     queries.results();
                     queries.resultsBefore(Integer.MAX_VALUE);
-                    queries.past();
+                    MadeUpGames.schedule(queries, List.of());
                     queries.known(0, (decision, seed, lineup, score, transcript, ranks) ->
                         assertEquals(2, lineup.length));
                     assertEquals(List.of(), reader.badRows(1));
@@ -51,8 +51,8 @@ class SnapshotTest {
         for (int one = 0; one < BOTS; one++) {
             for (int other = 0; other < BOTS; other++) {
                 if (one != other) {
-                    writer.add(season, List.of(GameStoreTest.game(bots.get(one), bots.get(other), one * BOTS + other,
-                        -1, 1, true)));
+                    MadeUpGames.add(writer, season, List.of(GameStoreTest.game(bots.get(one), bots.get(other),
+                        one * BOTS + other, -1, 1, true)));
                 }
             }
         }

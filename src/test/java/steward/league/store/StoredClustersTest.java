@@ -54,7 +54,7 @@ class StoredClustersTest {
                     }
                 }
                 Collections.shuffle(games, new Random(turn));
-                store.add(season, games);
+                MadeUpGames.add(store, season, games);
                 LeagueTable table = LeagueTable.of(new GameQueries(store, season, SEASON).results(), bots.stream()
                     .map(bot -> new LeagueTable.Entry(bot.id(), bot.display(), false, true)).toList());
                 assertEquals(6, table.results().games());
@@ -81,7 +81,7 @@ class StoredClustersTest {
                 games.add(new StoredGame(0, game.name(), -1, game.seed(), game.attempt(), true, game.turns(), null,
                     game.played(), game.machine(), null, 0, game.seats()));
             }
-            store.add(season, games);
+            MadeUpGames.add(store, season, games);
             new MadeUpGames(store, season, SEASON, versions, random).add(300);
             GameQueries queries = new GameQueries(store, season, SEASON);
             Results single = new Results(SEASON);
@@ -116,7 +116,7 @@ class StoredClustersTest {
                         1), decision, seed, 1, true, 50, null, 1, "here", null, 0, game.seats()));
                 }
             }
-            store.add(season, games);
+            MadeUpGames.add(store, season, games);
             GameQueries queries = new GameQueries(store, season, SEASON);
             assertEquals(10, queries.results().clusters());
             assertEquals(10, queries.resultsBefore(30).clusters());

@@ -145,7 +145,7 @@ class WorkerBookTest {
         for (int k = 0; k < 3; k++) {
             book.add(game("worker y: m", HONEST, random));
         }
-        for (String problem : new String[] {WorkerBook.ASIDE + "worker y was caught", null}) {
+        for (String problem : new String[] {StoredGame.SET_ASIDE + "worker y was caught", null}) {
             book.add(new StoredGame(9, first.name(), -1, 1, 1, false, 5, problem, 0, "worker y: m", null,
                 first.seats()));
         }

@@ -169,6 +169,7 @@ abstract class ServedLeague {
         }
     }
 
+    /** A game; which attempt at it this is does not matter, as those that are set aside are played again. */
     record Row(String game, String machine, String problem, boolean counts) {
     }
 
@@ -179,7 +180,7 @@ abstract class ServedLeague {
             store.versions().forEach(version -> names.put(version.id(), version.display()));
             Season season = store.lastSeason().orElseThrow();
             new GameQueries(store, store.season(season).orElseThrow(), season).games(game -> rows.add(new Row(
-                game.decision() + " " + game.seed() + " " + game.attempt() + " " + game.turns() + " "
+                game.decision() + " " + game.seed() + " " + game.turns() + " "
                     + game.seats().stream().map(seat -> names.get(seat.version()) + ":" + seat.rank() + ":"
                         + seat.score() + ":" + seat.fault() + ":" + seat.answers()).toList(),
                 game.machine(), game.problem(), game.counts())));
