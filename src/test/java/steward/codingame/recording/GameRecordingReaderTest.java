@@ -50,7 +50,7 @@ class GameRecordingReaderTest {
         "\"keyframe\":true, | \"keyframe\":false, | frame 2, keyframe: found false, expected true",
         "\"keyframe\":false | \"keyframe\":\"no\" | frame 1, keyframe: found \"no\", expected true or false",
         "\"keyframe\":true} | \"keyframe\":2} | frame 0, keyframe: found 2, expected true or false",
-        "\"keyframe\":true} | \"keyframe\":true,\"agentId\":\"x\"} | frame 0, agentId: found \"x\", expected the number",
+        "\"keyframe\":true} | \"keyframe\":true,\"agentId\":\"x\"} | frame 0, agentId: found \"x\", expected the",
         "false},{\"stdout\":\"1 2 3\\n1 2 3\\n\" | false},{\"stdout\":5 | frame 2, stdout: found 5, expected a text",
         "true,\"view\":       | true,\"view\":[1],\"v\": | frame 2, view: found [1], expected a text",
         "\"ranks\":[0,1] | \"ranks\":[\"a\",1] | ranks: found \"[\"a\",1]\", expected an array of 2: the numbers",
