@@ -20,6 +20,7 @@ import steward.game.GroundTruth;
 import steward.game.podrace.PodRace;
 import steward.game.podrace.protocol.PodRaceType;
 import steward.match.TestScenes;
+import steward.replay.verify.Difference;
 import steward.replay.verify.Verification;
 import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.ArrayNode;
@@ -33,6 +34,7 @@ class RealExcerptsImportTest {
 
     private static final int PODS = 4;
     private static final int POD_WORDS = 7;
+    private static final int FIRST_IMPACT = 10;
 
     private final ByteArrayOutputStream replay = new ByteArrayOutputStream();
 
@@ -65,6 +67,38 @@ class RealExcerptsImportTest {
         assertEquals(turns, verification.turns());
         assertEquals(0, verification.views().nearInAll(), "all are equal to the last bit");
         assertEquals(impacts, replay.toString(StandardCharsets.UTF_8).split("\"impulse\"", -1).length - 1);
+    }
+
+    /** The server's own impacts; times and impulses are changed by little more than 1e-9 of them. */
+    @ParameterizedTest
+    @CsvSource({"turns_870230020.txt, 12, 30", "turns_888655750.txt, 8, 30"})
+    void eachNumberOfEachImpactIsCompared(String name, int turns, int numbers) throws IOException,
+            InterruptedException {
+        ObjectNode game = (ObjectNode) JsonMapper.shared().readTree(json(Files.readAllLines(GroundTruth.replay(name)),
+            turns));
+        int changed = 0;
+        for (int turn = 1; turn <= turns; turn++) {
+            ObjectNode frame = (ObjectNode) game.get("frames").get(2 * turn);
+            String view = frame.get("view").stringValue();
+            List<String> lines = view.lines().toList();
+            for (int line = FIRST_IMPACT; line < lines.size(); line++) {
+                for (int word = 1; word < lines.get(line).split(" ").length; word++, changed++) {
+                    String[] words = lines.get(line).split(" ");
+                    double number = Double.parseDouble(words[word]);
+                    words[word] = number == Math.rint(number) ? Long.toString((long) number + 1)
+                        : Double.toString(number * (1 + 1.1e-9));
+                    List<String> other = new ArrayList<>(lines);
+                    other.set(line, String.join(" ", words));
+                    frame.put("view", String.join("\n", other));
+                    replay.reset();
+                    Difference found = verified(game.toString(), name).difference();
+                    assertEquals("turn " + turn + ", view line " + line + ", word " + word,
+                        found == null ? null : "turn " + found.turn() + ", " + found.field());
+                }
+            }
+            frame.put("view", view);
+        }
+        assertEquals(numbers, changed);
     }
 
     /** As many turns, in the form of the site's own JSON; what the text files do not have is ours. */

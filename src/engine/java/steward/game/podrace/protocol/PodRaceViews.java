@@ -26,9 +26,9 @@ import steward.physics.Impact;
  * per impact  id time podA xA yA podB xB yB impulse vx vy
  * </pre>
  * Places of impacts are rounded; their vx, vy are half the sum of both speeds before the impact, rounded. A view may
- * end before its pods or before its counters. Sources: games of 2025 and 2026, among them ten that ended by a fault, a finish or an
- * elimination; where they are silent the published referee: a pod that was told to aim at its own place shows the
- * thrust that it was given.
+ * end before its pods or before its counters. Sources: games of 2025 and 2026, among them ten that ended by a fault, a
+ * finish or an elimination; where they are silent the published referee: a pod that was told to aim at its own place
+ * shows the thrust that it was given.
  */
 final class PodRaceViews implements ViewWriter {
 
@@ -215,9 +215,10 @@ final class PodRaceViews implements ViewWriter {
 
     /** The server's sines may be a unit in the last place off, so that time and impulse need only be near. */
     private static String impact(Impact impact) {
-        return ANY + " " + NEAR + impact.time() + " " + impact.a() + " " + Math.round(impact.ax()) + " " + Math.round(impact.ay()) + " "
-            + impact.b() + " " + Math.round(impact.bx()) + " " + Math.round(impact.by()) + " " + NEAR + impact.impulse()
-            + " " + Math.round((impact.vaxBefore() + impact.vbxBefore()) / 2) + " "
+        return ANY + " " + NEAR + impact.time() + " " + impact.a() + " " + Math.round(impact.ax()) + " "
+            + Math.round(impact.ay()) + " " + impact.b() + " " + Math.round(impact.bx()) + " "
+            + Math.round(impact.by()) + " " + NEAR + impact.impulse() + " "
+            + Math.round((impact.vaxBefore() + impact.vbxBefore()) / 2) + " "
             + Math.round((impact.vayBefore() + impact.vbyBefore()) / 2);
     }
 

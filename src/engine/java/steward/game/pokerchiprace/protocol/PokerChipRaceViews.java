@@ -34,7 +34,8 @@ import tools.jackson.core.io.NumberOutput;
  *             and t x y radius rotation other         for each of the points, then its message
  * then        an area per player and of all chips; a score per player
  * </pre>
- * Every frame shows all chips; those eaten in a turn come last in the frame that ends it, in the order in which they were eaten.
+ * Every frame shows all chips; those eaten in a turn come last in the frame that ends it, in the order in which they
+ * were eaten.
  */
 final class PokerChipRaceViews implements ViewWriter {
 
