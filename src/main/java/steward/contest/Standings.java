@@ -19,6 +19,8 @@ public final class Standings {
     private final double[] points;
     private int results;
     private int counted;
+    /** Games so far, as they ended: which of two equal ones counts makes no difference to {@link #points}. */
+    private final Repeats seen = new Repeats();
     private int failed;
     private volatile boolean random;
 
@@ -51,12 +53,17 @@ public final class Standings {
         if (result != null) {
             results++;
             failed += result.anyFault() ? 1 : 0;
-            counted += game.allFailed() ? 0 : 1;
-            for (int player = 0; player < result.players().size() && !contest.isAlone() && !game.allFailed();
-                    player++) {
-                points[game.entrantOf(contest, player)] += Tally.points(result, player);
+            if (!contest.isAlone() && !game.allFailed() && !isRepeat(game, seen)) {
+                counted++;
+                for (int player = 0; player < result.players().size(); player++) {
+                    points[game.entrantOf(contest, player)] += Tally.points(result, player);
+                }
             }
         }
+    }
+
+    private boolean isRepeat(Series.Played game, Repeats before) {
+        return !random && before.isRepeat(game.rotation(), game.facts().transcript());
     }
 
     /** In the order of their numbers. */
@@ -74,7 +81,7 @@ public final class Standings {
         return failed;
     }
 
-    /** Points per game of a bot so far, by its place in the call, repeats included; NaN without games. */
+    /** Points per game of a bot so far, by its place in the call; NaN without games. */
     public synchronized double points(int entrant) {
         return contest.isAlone() ? tally(entrant).points() : points[entrant] / counted;
     }
@@ -93,11 +100,10 @@ public final class Standings {
     }
 
     private Set<Integer> repeats(List<Series.Played> all) {
-        Repeats seen = new Repeats();
+        Repeats before = new Repeats();
         Set<Integer> repeats = new HashSet<>();
         for (Series.Played game : all) {
-            if (!random && !contest.isAlone() && game.result() != null && !game.allFailed()
-                    && seen.isRepeat(game.rotation(), game.facts().transcript())) {
+            if (!contest.isAlone() && game.result() != null && !game.allFailed() && isRepeat(game, before)) {
                 repeats.add(game.number());
             }
         }

@@ -11,6 +11,7 @@ import java.util.Set;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import steward.cli.shared.Games;
+import steward.contest.repeat.GameFacts;
 import steward.match.MatchResult;
 import steward.match.Protocol;
 import steward.match.TestScenes;
@@ -128,6 +129,21 @@ class StandingsTest {
             of(5, 10, game(5, 0, List.of(0, 0), failure(0, 1, "a"), failure(1, 1, "b"))));
         Tally first = Tally.of(contest(2), games, Set.of(4), 0);
         assertEquals(new Tally(3, 1, 1, 1, 1, 1, 0.5, 0, List.of(0.75, 0.0)), first);
+    }
+
+    /** A win and its repeat, and a loss from the other seat: while they are played and at the end, in any order. */
+    @Test
+    void theStandingOfASeriesCountsRepeatsOnceToo() {
+        for (List<Integer> order : List.of(List.of(1, 2, 3), List.of(3, 2, 1))) {
+            Standings standings = new Standings(contest(2));
+            for (int number : order) {
+                Series.Played game = game(number, number / 3, List.of(0, 1));
+                standings.add(new Series.Played(number, number, game.rotation(), game.result(), null, List.of(), null,
+                    new GameFacts(number == 3 ? 8 : 7, List.of()), null), List.of(), List.of());
+            }
+            assertEquals(0.5, standings.points(0));
+            assertEquals(0.5, standings.tally(0).points());
+        }
     }
 
     @Test

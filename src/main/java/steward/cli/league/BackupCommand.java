@@ -44,7 +44,7 @@ final class BackupCommand extends ProgramCommand {
         Path part = copy.resolveSibling(copy.getFileName() + ".part");
         try (LeagueOpening.Opened opened = LeagueOpening.read(league.open())) {
             begin(part, copy);
-            long games = opened.table().results().games();
+            long games = opened.games().results().games();
             opened.store().backup(part.toAbsolutePath());
             Files.move(part, copy, StandardCopyOption.ATOMIC_MOVE);
             streams.out().println("Copied: " + copy + ", " + TextFormat.count(games, "game") + " of "

@@ -93,7 +93,7 @@ record SprtText(Gsprt test, String one, String other) {
             StoppedRange found = test.range(scores);
             lines.add("Score " + TextFormat.fixed(scores.mean(), 4) + (isVoid(found) ? ", of too few seeds for a bar"
                 : ", " + unit() + " " + elo(found) + ", " + percent(1 - test.alpha() - test.beta(), 0)
-                + (state == Gsprt.State.OPEN ? " however it ends" : " corrected for stopping")
+                + (state == Gsprt.State.OPEN ? " if it ended here" : " corrected for stopping")
                 + "; likelihood of superiority " + percent(found.superiority(), 1)));
         }
         return lines;

@@ -255,7 +255,7 @@ public final class TuneCommand extends ProgramCommand {
     private int result(Spsa search, int ofStep, long first) throws InterruptedException {
         if (search.step() > 0 && tied == search.step()) {
             streams.err().println("steward: in each of the " + TextFormat.count(tied, "step") + " both sets of values "
-                + "scored alike: the search saw no difference, and its path is chance. Try wider ranges, parameters "
+                + "scored alike: the search saw no difference, and stays at the start. Try wider ranges, parameters "
                 + "that the bot reads, opponents nearer in strength (--against), or more seeds a step (--seeds)");
         }
         if (!search.isOver()) {

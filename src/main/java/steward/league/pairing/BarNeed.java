@@ -33,10 +33,11 @@ public record BarNeed(int version, double bar, double games, double needed, doub
         double even = even(ratings.versions().size(), wanted);
         return ratings.order().stream().map(version -> {
             double games = ratings.games(version);
-            double bar = ratings.isAlone(version) || ratings.isExtreme(version) ? Double.NaN
+            double anytime = ratings.isAlone(version) || ratings.isExtreme(version) ? Difference.MOST_BAR
                 : ratings.rating(version).anytimeBar();
-            double needed = Double.isNaN(bar) ? games < even ? even : Double.POSITIVE_INFINITY
-                : Difference.isKnown(bar) ? games * (bar / wanted) * (bar / wanted) : even;
+            double bar = Difference.isKnown(anytime) ? anytime : Double.NaN;
+            double needed = !Double.isNaN(bar) ? games * (bar / wanted) * (bar / wanted)
+                : games < even ? even : Double.POSITIVE_INFINITY;
             return new BarNeed(version, bar, games, needed, wanted);
         }).toList();
     }

@@ -171,6 +171,11 @@ public final class LeagueRun {
         return listed ? schedule.isPlayedOut() : schedule.isRepeated();
     }
 
+    /** Returns the versions that play and are not paused. */
+    public synchronized List<Integer> active() {
+        return schedule.active();
+    }
+
     /** Plays until an end is reached. Call once. */
     public void play() throws InterruptedException {
         int far = elsewhere == null ? 0 : 1;

@@ -5,6 +5,7 @@ import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.stream.Collectors;
 
 /**
@@ -33,6 +34,11 @@ public record LeagueTable(List<Row> rows, Results results, Ratings ratings, Refe
         /** Returns the one version to which differences are told, or -1 if it is the row above. */
         public int compared() {
             return against >= 0 ? against : anchor;
+        }
+
+        private Reference among(Set<Integer> versions) {
+            return new Reference(versions.contains(anchor) ? anchor : -1, elo,
+                versions.contains(against) ? against : -1);
         }
     }
 
@@ -90,11 +96,11 @@ public record LeagueTable(List<Row> rows, Results results, Ratings ratings, Refe
         return of(results, entries, Reference.NONE);
     }
 
-    /** Rates them against a reference, whose versions are among them. */
-    public static LeagueTable of(Results results, List<Entry> entries, Reference reference) {
+    /** Rates them against a reference; a version of it that has no row is none. */
+    public static LeagueTable of(Results results, List<Entry> entries, Reference wanted) {
         Map<Integer, Entry> shown = new HashMap<>();
-        entries.stream().filter(entry -> entry.active() || results.of(entry.version()).games() > 0)
-            .forEach(entry -> shown.put(entry.version(), entry));
+        shown(results, entries).forEach(entry -> shown.put(entry.version(), entry));
+        Reference reference = wanted.among(shown.keySet());
         Ratings ratings = Ratings.of(results, List.copyOf(shown.keySet()));
         List<RankRange> ranks = ratings.ranks();
         Map<Integer, double[]> met = results.sumsOver(ratings.versions());
@@ -121,6 +127,11 @@ public record LeagueTable(List<Row> rows, Results results, Ratings ratings, Refe
             }
         }
         return new LeagueTable(rows, results, ratings, reference);
+    }
+
+    /** Returns the entries that have a row: those that play or have games. */
+    public static List<Entry> shown(Results results, List<Entry> entries) {
+        return entries.stream().filter(entry -> entry.active() || results.of(entry.version()).games() > 0).toList();
     }
 
     /** Returns the name of a version that has a row. */

@@ -378,7 +378,7 @@ public final class RatingFit {
     }
 
     /** The weights of the mean that is the zero of a bot's component; the others' are 0. */
-    double[] meanWeights(int bot) {
+    public double[] meanWeights(int bot) {
         double[] mean = new double[bots];
         int[] own = components.members(components.of(bot));
         double all = 0;
@@ -423,7 +423,7 @@ public final class RatingFit {
             if (spread.isAny(q)) {
                 double part = spread.along(q, along);
                 variance += part;
-                squares += part * part;
+                squares += strata.get(q).pairs() == 1 ? part * part : 0;
                 byFreedom += part * part / spread.freedom(q);
             }
         }

@@ -25,6 +25,7 @@ final class ConstrainedFrequencies {
     private static final int MOST_STEPS = 200;
     private static final double CLOSE = 1e-9;
     private static final double EVEN = 0.5;
+    private static final double ROUNDING = 4e-15;
 
     private final double[] scores;
     private final double[] frequencies;
@@ -122,7 +123,7 @@ final class ConstrainedFrequencies {
 
     /**
      * Finds x by Newton's method within a bracket and sets the chances. The sum falls with x, from above 0 to below 0
-     * between the x at which a chance would be infinite.
+     * between the x at which a chance would be infinite. Beside such an x steps are short, and tell no end.
      *
      * @return the greatest change of a chance
      */
@@ -138,11 +139,16 @@ final class ConstrainedFrequencies {
         double x = 0;
         for (int step = 0; step < MOST_STEPS; step++) {
             double sum = 0;
+            double size = 0;
             double slope = 0;
             for (int k = 0; k < gradient.length; k++) {
                 double term = gradient[k] / (1 + x * gradient[k]);
                 sum += frequencies[k] * term;
+                size += frequencies[k] * Math.abs(term);
                 slope += frequencies[k] * term * term;
+            }
+            if (Math.abs(sum) < ROUNDING * size) {
+                break;
             }
             if (sum > 0) {
                 low = x;
@@ -150,9 +156,8 @@ final class ConstrainedFrequencies {
                 high = x;
             }
             double next = x + sum / slope;
-            double before = x;
             x = next > low && next < high ? next : (low + high) / 2;
-            if (Math.abs(x - before) <= 1e-15 * Math.abs(x) || x == low && x == high) {
+            if (x == low || x == high) {
                 break;
             }
         }

@@ -93,18 +93,23 @@ public record Gsprt(double elo0, double elo1, double alpha, double beta, Model m
 
     /** The logarithm of p1 / p0 in each cell. */
     double[] logs(ScoreCounts scores) {
-        double[] frequencies = scores.frequencies();
-        ConstrainedFrequencies likely = new ConstrainedFrequencies(scores.values(), frequencies);
-        double[] zero = chances(likely, elo0, scores.games());
-        double[] one = chances(likely, elo1, scores.games());
+        return logs(scores, scores.frequencies());
+    }
+
+    /** The logarithm of p1 / p0 in each cell, if the scores come with these frequencies. */
+    double[] logs(ScoreCounts scores, double... frequencies) {
+        double[] zero = likely(scores, elo0, frequencies);
+        double[] one = likely(scores, elo1, frequencies);
         for (int k = 0; k < one.length; k++) {
             one[k] = StrictMath.log(one[k] / zero[k]);
         }
         return one;
     }
 
-    private double[] chances(ConstrainedFrequencies likely, double elo, int games) {
-        return model == Model.NORMALIZED ? likely.ofDeviations(elo / NORMALIZED * Math.sqrt(games))
+    /** The most likely chances of the scores with a difference, if they come with these frequencies. */
+    double[] likely(ScoreCounts scores, double elo, double... frequencies) {
+        ConstrainedFrequencies likely = new ConstrainedFrequencies(scores.values(), frequencies);
+        return model == Model.NORMALIZED ? likely.ofDeviations(elo / NORMALIZED * Math.sqrt(scores.games()))
             : likely.ofMean(score(elo));
     }
 

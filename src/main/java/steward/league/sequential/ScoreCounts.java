@@ -106,10 +106,7 @@ public final class ScoreCounts {
         return sum / observations;
     }
 
-    /**
-     * The variance of an observation. Two observations of even games that do not go together are mixed in: a few that
-     * are alike are not certain.
-     */
+    /** The variance of an observation, see {@link #mixed}. */
     public double variance() {
         double mean = mean();
         double sum = 0;
@@ -117,6 +114,16 @@ public final class ScoreCounts {
             double distance = scores[k] - mean;
             sum += distance * distance * counts[k];
         }
-        return (sum + MIXED / (4.0 * games)) / (observations + MIXED);
+        return mixed(sum / observations, 1);
+    }
+
+    /**
+     * Mixes two observations of even games that do not go together into a variance: a few that are alike are not
+     * certain.
+     *
+     * @param span from the lowest value of an observation to the highest
+     */
+    double mixed(double variance, double span) {
+        return (observations * variance + MIXED * span * span / (4.0 * games)) / (observations + MIXED);
     }
 }

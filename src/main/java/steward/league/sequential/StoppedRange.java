@@ -1,5 +1,6 @@
 package steward.league.sequential;
 
+import java.util.Arrays;
 import java.util.function.DoubleUnaryOperator;
 import steward.league.rating.Normal;
 
@@ -9,13 +10,11 @@ import steward.league.rating.Normal;
  * one comes with less than alpha nor this or a worse one with less than beta (D. Siegmund, "Estimation following
  * sequential tests", Biometrika 65, 1978; fishtest does so). Its level is 1 - alpha - beta. At elo0 H1 is accepted with
  * the probability alpha, so that the range is above elo0 exactly if it was; likewise it is below elo1 exactly if H0
- * was. While the test is open, the range has those of all ends that it can still have.
+ * was. While the test is open, the range is that of a test that ends here, and has elo0 and elo1: neither was decided.
  *
- * <p>The logarithm of the ratio is taken for a Brownian motion without overshoot: with d the distance of elo1 and elo0
- * in standard deviations of an observation, n observations are the time n d^2, in which it drifts by the true
- * difference's distance from the middle of both, as a share of d. Normalized Elo has the deviation in its denominator:
- * far from 0 its range is widened by that. A ratio that is farther beyond its bound than one observation or a small
- * batch takes it did not stop the test: then the number of observations was fixed, and the range is the normal one.
+ * <p>At a difference the logarithm of the ratio is taken for a Brownian motion without overshoot, see {@link Motion}. A
+ * ratio that is farther beyond its bound than one observation or a small batch takes it did not stop the test: then the
+ * number of observations was fixed, and the range is the normal one.
  *
  * @param low         in the test's Elo; -infinity where any is possible
  * @param elo         the estimate that is as probably too low as too high
@@ -27,89 +26,116 @@ import steward.league.rating.Normal;
 public record StoppedRange(double low, double elo, double high, double scoreLow, double scoreHigh,
                            double superiority) {
 
-    private static final int HALVINGS = 60;
-    /** Drift at elo1, and less than 0 at elo0. */
-    private static final double HALF = 0.5;
+    private static final int HALVINGS = 32;
     /** Share of a bound by which games that come in batches pass it; fishtest's tests do. */
     private static final double BATCH = 0.03;
-    /** Normal deviations of a drift that is surely too far. */
-    private static final double FARTHEST = 40;
+    /** In Elo; a range that goes beyond has no end: a bot wins 999,999 of a million. */
+    private static final double FARTHEST = 2400;
 
-    /** Expects observations. */
-    static StoppedRange of(Gsprt test, ScoreCounts scores) {
-        boolean isNormalized = test.model() == Gsprt.Model.NORMALIZED;
-        double unit = isNormalized ? Math.sqrt(scores.games()) / Gsprt.NORMALIZED : 1;
-        double low = isNormalized ? test.elo0() * unit : Gsprt.score(test.elo0());
-        double high = isNormalized ? test.elo1() * unit : Gsprt.score(test.elo1());
-        double even = isNormalized ? 0 : 0.5;
-        double apart = (high - low) / (isNormalized ? 1 : Math.sqrt(scores.variance()));
-        double ratio = test.ratio(scores);
-        double time = scores.observations() * apart * apart;
-        Gsprt.State state = test.state(scores);
-        double seen = ((isNormalized ? (scores.mean() - 0.5) / Math.sqrt(scores.variance()) : scores.mean())
-            - (low + high) / 2) / (high - low);
-        double barrier = state == Gsprt.State.H1 ? test.upper() : test.lower();
-        boolean isStopped = Math.abs(ratio - barrier) <= Math.max(BATCH * Math.abs(barrier), test.greatestStep(scores));
-        double reached = state == Gsprt.State.OPEN || !isStopped ? time
-            : seen * barrier > 0 ? barrier / seen : time * barrier / ratio;
-        DoubleUnaryOperator elo = drift -> {
-            double value = (low + high) / 2 + drift * (high - low);
-            return isNormalized ? value / unit : value <= 0 ? Double.NEGATIVE_INFINITY
-                : value >= 1 ? Double.POSITIVE_INFINITY : Gsprt.logistic(value);
-        };
-        BrownianExit exit = new BrownianExit(test.lower(), test.upper());
-        DoubleUnaryOperator lost = drift -> exit.below(drift, reached);
-        DoubleUnaryOperator notWon = drift -> 1 - exit.above(drift, reached);
-        DoubleUnaryOperator fixed = drift -> Normal.below((seen - drift) * Math.sqrt(reached));
-        DoubleUnaryOperator worse = state == Gsprt.State.OPEN ? drift -> exit.worse(drift, reached, ratio)
-            : !isStopped ? fixed : state == Gsprt.State.H1 ? notWon : lost;
-        double span = FARTHEST / Math.sqrt(reached) + FARTHEST / reached + Math.abs(seen);
-        DoubleUnaryOperator least = state == Gsprt.State.OPEN ? lost : worse;
-        DoubleUnaryOperator most = state == Gsprt.State.OPEN ? notWon : worse;
-        double low0 = root(least, 1 - test.alpha(), span);
-        double high0 = root(most, test.beta(), span);
-        double wider = !isNormalized || state == Gsprt.State.OPEN ? 1
-            : Math.max(1, Math.sqrt(spread(scores) * reached / time));
-        double widened = seen + wider * (low0 - seen);
-        double lowest = state == Gsprt.State.H1 && widened <= -HALF ? low0 : widened;
-        double raised = seen + wider * (high0 - seen);
-        double highest = state == Gsprt.State.H0 && raised >= HALF ? high0 : raised;
-        DoubleUnaryOperator score = drift -> {
-            double value = (low + high) / 2 + drift * (high - low);
-            return Math.max(0, Math.min(1, isNormalized ? 0.5 + value * Math.sqrt(scores.variance()) : value));
-        };
-        return new StoppedRange(elo.applyAsDouble(lowest), elo.applyAsDouble(root(worse, 0.5, span)),
-            elo.applyAsDouble(highest), score.applyAsDouble(lowest), score.applyAsDouble(highest),
-            worse.applyAsDouble((even - (low + high) / 2) / (high - low)));
+    /** Chance of a cell; from a smaller one the way back to the hypotheses is lost in rounding. */
+    private static final double RAREST = 1e-9;
+
+    /** Probability of a worse outcome. */
+    private interface Worse {
+        /**
+         * @param drift in a unit of time
+         * @param time  in which the variance is 1 a unit
+         */
+        double of(double drift, double time);
     }
 
     /**
-     * Variance of the mean score's distance from 1/2 in standard deviations, t, times the observations, by the delta
-     * method: 1 - t g + t^2 (k - 1)/4 with the skewness g and the kurtosis k of the scores.
+     * Brownian motion of the logarithm of the ratio at a true difference. If scores came as is most likely with it,
+     * each observation would change the logarithm by the mean and the variance of log(p1/p0) over the cells, p0 and p1
+     * those of such scores: the logarithm is n times a function of the frequencies, and log(p1/p0) is its derivative.
+     * Far from the hypotheses both are much less than at them. Drifts are scaled so that those at elo0 and elo1 are
+     * -1/2 and 1/2 of the variance; they are nearly.
      */
-    private static double spread(ScoreCounts scores) {
-        double[] shares = scores.frequencies();
-        double[] moments = new double[5];
-        double mean = 0;
-        for (int cell = 0; cell < shares.length; cell++) {
-            mean += shares[cell] * scores.values()[cell];
+    private static final class Motion {
+
+        private final Gsprt test;
+        private final ScoreCounts scores;
+        private final double zero;
+        private final double one;
+
+        /** @param isScaled whether drifts are scaled */
+        Motion(Gsprt test, ScoreCounts scores, boolean isScaled) {
+            this.test = test;
+            this.scores = scores;
+            zero = isScaled ? drift(moments(test.elo0())) : -0.5;
+            one = isScaled ? drift(moments(test.elo1())) : 0.5;
         }
-        for (int cell = 0; cell < shares.length; cell++) {
-            double power = shares[cell];
-            for (int order = 1; order < moments.length; order++) {
-                power *= scores.values()[cell] - mean;
-                moments[order] += power;
+
+        private static double drift(double... moments) {
+            return moments[0] / moments[1];
+        }
+
+        /** Mean and variance of a change, with two observations of even games as of {@link ScoreCounts#variance}. */
+        private double[] moments(double elo) {
+            double[] chances = Arrays.stream(test.likely(scores, elo, scores.frequencies()))
+                .map(chance -> Math.max(RAREST, chance)).toArray();
+            double[] logs = test.logs(scores, chances);
+            double mean = 0;
+            double square = 0;
+            for (int cell = 0; cell < logs.length; cell++) {
+                mean += chances[cell] * logs[cell];
+                square += chances[cell] * logs[cell] * logs[cell];
             }
+            double span = Arrays.stream(logs).max().orElseThrow() - Arrays.stream(logs).min().orElseThrow();
+            return new double[] {mean, scores.mixed(square - mean * mean, span)};
         }
-        double deviation = Math.sqrt(moments[2]);
-        double t = (mean - 0.5) / deviation;
-        return 1 - t * moments[3] / (moments[2] * deviation) + t * t * (moments[4] / (moments[2] * moments[2]) - 1) / 4;
+
+        /** Returns the probability of a worse outcome by the difference, after so many observations. */
+        DoubleUnaryOperator worse(double observations, Worse worse) {
+            return elo -> {
+                double[] moments = moments(elo);
+                return worse.of((drift(moments) - (zero + one) / 2) / (one - zero), observations * moments[1]);
+            };
+        }
+
+        /** Returns the mean score. */
+        double score(double elo) {
+            double[] chances = test.likely(scores, elo, scores.frequencies());
+            double mean = 0;
+            for (int cell = 0; cell < chances.length; cell++) {
+                mean += chances[cell] * scores.values()[cell];
+            }
+            return mean;
+        }
     }
 
-    /** The drift at which a probability, which falls with it, has a value. */
-    private static double root(DoubleUnaryOperator falling, double value, double span) {
-        double low = -span;
-        double high = span;
+    /** Expects observations. */
+    static StoppedRange of(Gsprt test, ScoreCounts scores) {
+        BrownianExit exit = new BrownianExit(test.lower(), test.upper());
+        double ratio = test.ratio(scores);
+        Gsprt.State state = test.state(scores);
+        double barrier = state == Gsprt.State.H1 ? test.upper() : test.lower();
+        boolean isStopped = Math.abs(ratio - barrier) <= Math.max(BATCH * Math.abs(barrier), test.greatestStep(scores));
+        Motion motion = new Motion(test, scores, state == Gsprt.State.OPEN || isStopped);
+        double reached = scores.observations() * (state == Gsprt.State.OPEN || !isStopped ? 1 : barrier / ratio);
+        Worse notWon = (drift, time) -> 1 - exit.above(drift, time);
+        Worse fixed = (drift, time) -> Normal.below((ratio - drift * time) / Math.sqrt(time));
+        Worse worse = state == Gsprt.State.OPEN ? (drift, time) -> exit.worse(drift, time, ratio)
+            : !isStopped ? fixed : state == Gsprt.State.H1 ? notWon : exit::below;
+        DoubleUnaryOperator found = motion.worse(reached, worse);
+        double low = Math.min(root(found, 1 - test.alpha()),
+            state == Gsprt.State.OPEN ? test.elo0() : Double.POSITIVE_INFINITY);
+        double high = Math.max(root(found, test.beta()),
+            state == Gsprt.State.OPEN ? test.elo1() : Double.NEGATIVE_INFINITY);
+        return new StoppedRange(low, root(found, 0.5), high, Double.isInfinite(low) ? 0 : motion.score(low),
+            Double.isInfinite(high) ? 1 : motion.score(high), found.applyAsDouble(0));
+    }
+
+    /** The difference at which a probability, which falls with it, has a value; infinite if it has it nowhere. */
+    private static double root(DoubleUnaryOperator falling, double value) {
+        double low = -FARTHEST;
+        double high = FARTHEST;
+        if (falling.applyAsDouble(low) <= value) {
+            return Double.NEGATIVE_INFINITY;
+        }
+        if (falling.applyAsDouble(high) >= value) {
+            return Double.POSITIVE_INFINITY;
+        }
         for (int k = 0; k < HALVINGS; k++) {
             double middle = (low + high) / 2;
             if (falling.applyAsDouble(middle) > value) {

@@ -51,8 +51,8 @@ class ErrorLinesTest {
         assertEquals(2, count(page, "\"error\":null"), "the other bot's");
         try (LeagueOpening.Opened league = LeagueOpening.read(new LeagueFolder(folder.resolve("a")))) {
             List<StoredGame> games = league.games().last(10);
-            LeagueView view = new LeagueView(league.season(), league.table(), league.games().path(league.entries(),
-                LeagueTable.Reference.NONE),
+            LeagueView view = new LeagueView(league.season(), LeagueTable.of(league.games().results(),
+                league.entries()), league.games().path(league.entries(), LeagueTable.Reference.NONE),
                 games, Double.NaN, List.of());
             Path replays = league.folder().replays();
             BiPredicate<StoredGame, Integer> nobody = (game, seat) -> false;

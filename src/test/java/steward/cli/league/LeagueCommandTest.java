@@ -76,6 +76,20 @@ class LeagueCommandTest {
 
     @Test
     @Tag("slow")
+    void aRunTellsAgainstABotAsTheTableDoes() {
+        done("init", "TMP/a", "--scene", "duel", "--seed", "1");
+        List.of("racer", "regular", "veteran").forEach(bot -> done("add", "TMP/a", "builtin:" + bot));
+        done("retire", "TMP/a", "veteran");
+        String played = done("run", "TMP/a", "--games", "4", "--anchor", "regular=1500", "--against", "racer");
+        String table = done("table", "TMP/a", "--anchor", "regular=1500", "--against", "racer");
+        assertTrue(table.contains("regular is the anchor.") && table.contains("to racer"), table);
+        assertTrue(played.startsWith(table.substring(0, table.indexOf("ranks: what the games"))), played);
+        assertEquals("steward: --anchor: found no bot 'veteran' in the table, expected one of racer, regular\n",
+            refused("table", "TMP/a", "--anchor", "veteran"), "it has no games");
+    }
+
+    @Test
+    @Tag("slow")
     void gamesThatAreExportedAndImportedMakeTheSameTable() throws IOException {
         generated("a", 300);
         String table = done("table", "TMP/a", "--json");

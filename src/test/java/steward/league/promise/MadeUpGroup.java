@@ -118,30 +118,32 @@ record MadeUpGroup(double weight, int[][] groups, int[] bots, double[] chances, 
     }
 
     /**
-     * Pairs of bots, all on one list of seeds; a seed is worth to a bot as much in all its games.
+     * Pairs of bots, all on one list of seeds; a seed is worth to a bot as much in all its games. The expected points
+     * of a game are p = 1/(1 + exp(-apart)), whatever share of the games is drawn.
      *
      * @param apart of each pair the difference; as side and push in natural units
-     * @param ties  weight of ties
+     * @param drawn share of the games drawn if both are even; of others 2 min(p, 1 - p) times as many
      * @param side  advantage of the first side
      */
-    static MadeUpGroup pairs(double[] apart, double ties, double side, double push, int[]... pairs) {
+    static MadeUpGroup pairs(double[] apart, double drawn, double side, double push, int[]... pairs) {
         int[] bots = bots(pairs);
         return of(1, (seat, shifts) -> {
             Map<double[], Double> outcomes = map();
             outcomes.put(new double[0], 1.0);
             for (int pair = 0; pair < pairs.length; pair++) {
-                double up = StrictMath.exp((apart[pair] + (seat == 0 ? side : -side)
-                    + shifts[Arrays.binarySearch(bots, pairs[pair][0])]
-                    - shifts[Arrays.binarySearch(bots, pairs[pair][1])]) / 2);
-                double[] odds = {1 / up, ties, up};
+                double points = 1 / (1 + StrictMath.exp(-apart[pair] + (seat == 0 ? -side : side)
+                    - shifts[Arrays.binarySearch(bots, pairs[pair][0])]
+                    + shifts[Arrays.binarySearch(bots, pairs[pair][1])]));
+                double tie = drawn * 2 * Math.min(points, 1 - points);
+                double[] chances = {1 - points - tie / 2, tie, points - tie / 2};
                 Map<double[], Double> longer = map();
                 outcomes.forEach((before, chance) -> {
-                    for (int result = 0; result < odds.length; result++) {
+                    for (int result = 0; result < chances.length; result++) {
                         double[] more = Arrays.copyOf(before, before.length + 3);
                         more[before.length] = 1;
                         more[before.length + 1] = result / 2.0;
                         more[before.length + 2] = result % 2;
-                        longer.put(more, chance * odds[result] / (up + 1 / up + ties));
+                        longer.put(more, chance * chances[result]);
                     }
                 });
                 longer.values().removeIf(chance -> chance == 0);
@@ -149,24 +151,6 @@ record MadeUpGroup(double weight, int[][] groups, int[] bots, double[] chances, 
             }
             return outcomes;
         }, 2, push, pairs);
-    }
-
-    /**
-     * Two bots whose expected points are 1/(1 + exp(-apart)), whatever share of the games is drawn.
-     *
-     * @param share of the games drawn if both are even; of others 2 min(p, 1 - p) times as many, p the expected points
-     */
-    static MadeUpGroup drawn(double apart, double share, int... pair) {
-        double points = 1 / (1 + StrictMath.exp(-apart));
-        double tie = share * 2 * Math.min(points, 1 - points);
-        return of(1, (seat, shifts) -> {
-            Map<double[], Double> outcomes = map();
-            outcomes.put(new double[] {1, 1, 0}, points - tie / 2);
-            outcomes.put(new double[] {1, 0.5, 1}, tie);
-            outcomes.put(new double[] {1, 0, 0}, 1 - points - tie / 2);
-            outcomes.values().removeIf(chance -> chance == 0);
-            return outcomes;
-        }, 2, 0, pair);
     }
 
     /**

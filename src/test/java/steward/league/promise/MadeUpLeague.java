@@ -52,17 +52,17 @@ record MadeUpLeague(String name, int bots, boolean pooled, List<MadeUpGroup> gro
     /**
      * Games of two.
      *
-     * @param ties   weight of ties
+     * @param drawn  share of the games drawn between even bots
      * @param side   advantage of the first side, in Elo
      * @param push   advantage that a seed gives to one of the two, in Elo
      * @param circle by how much bot 0 is better than its strength against bot 1, 1 against 2, and 2 against 0, in Elo
      */
-    static MadeUpLeague pairs(String name, double[] elo, double ties, double side, double push, double circle) {
+    static MadeUpLeague pairs(String name, double[] elo, double drawn, double side, double push, double circle) {
         List<MadeUpGroup> groups = new ArrayList<>();
         for (int i = 0; i < elo.length; i++) {
             for (int j = i + 1; j < elo.length; j++) {
                 double turn = j > 2 ? 0 : j - i == 1 ? circle : -circle;
-                groups.add(MadeUpGroup.pairs(natural(elo[i] - elo[j] + turn), ties, side / RatingFit.ELO,
+                groups.add(MadeUpGroup.pairs(natural(elo[i] - elo[j] + turn), drawn, side / RatingFit.ELO,
                     push / RatingFit.ELO, new int[] {i, j}));
             }
         }
@@ -109,9 +109,9 @@ record MadeUpLeague(String name, int bots, boolean pooled, List<MadeUpGroup> gro
             all.add(two(elo));
         }
         double[] near = {60, 0};
-        all.addAll(List.of(pairs("2 bots, ties", near, 0.8, 0, 0, 0),
-            pairs("2 bots, ties, seeds of 150 Elo", near, 0.5, 50, 150, 0),
-            pairs("2 bots, ties, sides of 300 Elo", near, 0.5, 300, 0, 0), trio(), mixed(),
+        all.addAll(List.of(pairs("2 bots, draws", near, 0.3, 0, 0, 0),
+            pairs("2 bots, draws, seeds of 150 Elo", near, 0.2, 50, 150, 0),
+            pairs("2 bots, draws, sides of 300 Elo", near, 0.2, 300, 0, 0), trio(), mixed(),
             threes("5 bots, 3 players, seeds of 60 Elo", 60), of("4 bots, each alone", 4, true,
                 List.of(MadeUpGroup.many(natural(spaced(4, 60)), true, 0, 0, 1, 2, 3)), -1),
             sharing("5 bots, one against all on one list of seeds", 5,
@@ -137,7 +137,7 @@ record MadeUpLeague(String name, int bots, boolean pooled, List<MadeUpGroup> gro
         for (int i = 0; i < elo.length; i++) {
             for (int j = i + 1; j < elo.length; j++) {
                 if (meet.test(new int[] {i, j})) {
-                    groups.add(MadeUpGroup.drawn((elo[i] - elo[j]) / RatingFit.ELO, share, i, j));
+                    groups.add(MadeUpGroup.pairs(natural(elo[i] - elo[j]), share, 0, 0, new int[] {i, j}));
                 }
             }
         }
@@ -145,15 +145,15 @@ record MadeUpLeague(String name, int bots, boolean pooled, List<MadeUpGroup> gro
     }
 
     static MadeUpLeague trio() {
-        return pairs("3 bots, rock, paper, scissors of 150 Elo", spaced(3, 0), 0.1, 0, 0, 150);
+        return pairs("3 bots, rock, paper, scissors of 150 Elo", spaced(3, 0), 0.05, 0, 0, 150);
     }
 
     static MadeUpLeague mixed() {
-        return pairs("6 bots, three of them in a circle, ties, seeds, sides", spaced(6, 40), 0.3, 30, 60, 100);
+        return pairs("6 bots, three of them in a circle, draws, seeds, sides", spaced(6, 40), 0.15, 30, 60, 100);
     }
 
     static MadeUpLeague large() {
-        return pairs("30 bots, ties, seeds of 60 Elo", spaced(30, 20), 0.1, 0, 60, 0);
+        return pairs("30 bots, draws, seeds of 60 Elo", spaced(30, 20), 0.05, 0, 60, 0);
     }
 
     static MadeUpLeague threes() {
@@ -162,7 +162,7 @@ record MadeUpLeague(String name, int bots, boolean pooled, List<MadeUpGroup> gro
 
     /** The leagues in which one wins nearly everything. */
     static List<MadeUpLeague> won() {
-        return List.of(two(1500), pairs("5 bots, one 1400 Elo ahead", new double[] {1500, 100, 0, -100, -200}, 0.1, 0,
+        return List.of(two(1500), pairs("5 bots, one 1400 Elo ahead", new double[] {1500, 100, 0, -100, -200}, 0.05, 0,
             0, 0));
     }
 
@@ -172,6 +172,6 @@ record MadeUpLeague(String name, int bots, boolean pooled, List<MadeUpGroup> gro
         for (int k = 0; k < steps.length; k++) {
             elo[k + 1] = elo[k] - steps[k];
         }
-        return pairs("16 bots", elo, 0.3, 20, 50, 0);
+        return pairs("16 bots", elo, 0.15, 20, 50, 0);
     }
 }

@@ -96,10 +96,15 @@ record PlayedLeagues(MadeUpLeague league, long leagues, long[] looks, long[] end
             fit();
             ScoreTest test = new ScoreTest(fit);
             RankRange[] found = RankRange.all(fit);
-            more = new long[league.bots()];
+            more = new long[2 * league.bots()];
             for (int i = 0, pair = 0; i < league.bots(); i++) {
                 int better = 0;
                 int worse = 0;
+                double[] mean = fit.meanWeights(i);
+                double zero = IntStream.range(0, mean.length).filter(k -> mean[k] > 0)
+                    .mapToDouble(k -> mean[k] * league.truth().rating(k)).sum();
+                more[league.bots() + i] = new Ratings(versions, fit).bounded(i)
+                    .holds(league.truth().rating(i) - zero) ? 1 : 0;
                 for (int j = 0; j < league.bots(); j++) {
                     better += league.truth(j, i) > EQUAL ? 1 : 0;
                     worse += league.truth(j, i) < -EQUAL ? 1 : 0;
@@ -197,7 +202,10 @@ record PlayedLeagues(MadeUpLeague league, long leagues, long[] looks, long[] end
         return new PlayedLeagues(league, leagues, sums[0], sums[1], sums[2], sums[3]);
     }
 
-    /** With so many clusters of each group; counts by bot how often the range had all ranks that the bot shares. */
+    /**
+     * With so many clusters of each group; counts by bot how often the range had all ranks that the bot shares, and
+     * then how often its rating held.
+     */
     static PlayedLeagues fixed(MadeUpLeague league, long leagues, int... clusters) {
         return played(league, leagues, play -> play.playFixed(clusters));
     }

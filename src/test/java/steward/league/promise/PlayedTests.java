@@ -27,16 +27,16 @@ record PlayedTests(double accepted, double mean, double theory, double held) {
      * @param at    the true difference, in the test's Elo
      * @param alike observations at the beginning that are even, as of bots that have not yet met a seed that matters
      */
-    static PlayedTests of(Gsprt test, long tests, double at, double ties, double push, int alike) {
+    static PlayedTests of(Gsprt test, long tests, double at, double drawn, double push, int alike) {
         double low = -10;
         double high = 10;
         for (int halving = 0; halving < 60; halving++) {
             double middle = (low + high) / 2;
-            boolean below = elo(test, group(middle, ties, push)) < at;
+            boolean below = elo(test, group(middle, drawn, push)) < at;
             low = below ? middle : low;
             high = below ? high : middle;
         }
-        MadeUpGroup group = group(low, ties, push);
+        MadeUpGroup group = group(low, drawn, push);
         double[] scores = group.scores();
         ScoreCounts truth = new ScoreCounts(2);
         for (int way = 0; way < scores.length; way++) {
@@ -68,8 +68,8 @@ record PlayedTests(double accepted, double mean, double theory, double held) {
             ratio - test.lower()) / 2 / test.greatestStep(counted));
     }
 
-    private static MadeUpGroup group(double apart, double ties, double push) {
-        return MadeUpGroup.pairs(new double[] {apart}, ties, 0, push / RatingFit.ELO, new int[] {0, 1});
+    private static MadeUpGroup group(double apart, double drawn, double push) {
+        return MadeUpGroup.pairs(new double[] {apart}, drawn, 0, push / RatingFit.ELO, new int[] {0, 1});
     }
 
     private static double elo(Gsprt test, MadeUpGroup group) {

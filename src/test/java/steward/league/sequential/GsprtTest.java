@@ -47,6 +47,15 @@ class GsprtTest {
         assertEquals(-1.11, ratio(-5, 0, Gsprt.Model.NORMALIZED, 2, 98, 382, 674, 369, 71), 0.01);
     }
 
+    /**
+     * Of these counts Newton's first step, the distance of the mean from 1/2 over the mean square of that, is 2: there
+     * the chance of the score 0 is infinite. The ratio is that of a bisection of some lines of Python.
+     */
+    @Test
+    void aStepToWhereAChanceIsInfiniteIsNotTakenForTheEnd() {
+        assertEquals(2.0110954944236887, ratio(0, 30, Gsprt.Model.LOGISTIC, 2, 1, 1, 11, 11, 6), 1e-12);
+    }
+
     private static int pairsUntilH1(double elo1) {
         Gsprt test = new Gsprt(0, elo1, 0.05, 0.05, Gsprt.Model.NORMALIZED);
         int pairs = 1;

@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Supplier;
 import steward.cli.league.view.LeagueOpening;
+import steward.cli.league.view.ReferenceOptions;
 import steward.cli.league.view.TableText;
 import steward.cli.streams.Colour;
 import steward.league.LeagueSettings;
@@ -27,6 +28,7 @@ final class LeagueProgress {
     private final LeagueRun.Limits limits;
     private final Map<Integer, Boolean> random = new HashMap<>();
     private Results results;
+    private LeagueTable.Reference reference = LeagueTable.Reference.NONE;
     /** How all games are read, once some have been set aside. */
     private Supplier<Results> anew;
     private long began = System.nanoTime();
@@ -43,6 +45,11 @@ final class LeagueProgress {
     synchronized void goOn(Results before) {
         results = before;
         began = System.nanoTime();
+    }
+
+    /** Ratings and differences are told against these bots from now on. */
+    synchronized void tellAgainst(ReferenceOptions options, LeagueSettings settings) {
+        reference = options.reference(results, LeagueOpening.entries(settings, store.versions()));
     }
 
     /** A plan has so many games that are to be played. */
@@ -90,7 +97,7 @@ final class LeagueProgress {
 
     /** The table as it stands. */
     synchronized LeagueTable table(LeagueSettings settings) {
-        return LeagueTable.of(results, LeagueOpening.entries(settings, store.versions()));
+        return LeagueTable.of(results, LeagueOpening.entries(settings, store.versions()), reference);
     }
 
     /** In a second, in this run. */

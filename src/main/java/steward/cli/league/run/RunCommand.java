@@ -14,6 +14,7 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import steward.cli.league.view.LeagueArgument;
 import steward.cli.league.view.LeagueOpening;
+import steward.cli.league.view.ReferenceOptions;
 import steward.cli.league.view.RoundText;
 import steward.cli.league.view.TableCommand;
 import steward.cli.league.view.TableText;
@@ -79,6 +80,9 @@ public final class RunCommand extends ProgramCommand {
 
     @Mixin
     private final UntilOptions until = new UntilOptions();
+
+    @Mixin
+    private final ReferenceOptions reference = new ReferenceOptions();
 
     @Option(names = "--pause-after", paramLabel = "N", defaultValue = "20", description = "Pauses a bot that failed in "
         + "N games in a row, see 'league resume'; 0 for never (default: ${DEFAULT-VALUE}).")
@@ -224,6 +228,7 @@ public final class RunCommand extends ProgramCommand {
                     }
                 });
             progress.goOn(done(past));
+            progress.tellAgainst(reference, settings);
             if (plan != null) {
                 progress.planned(run.planned());
             }
@@ -243,7 +248,7 @@ public final class RunCommand extends ProgramCommand {
                 }
                 if (!quiet && !part) {
                     sayBegin(teller, contest, plan != null ? progress.planned() : length(settings, season, roster));
-                    sayNeeded(teller, progress, roster);
+                    sayNeeded(teller, progress, run);
                 }
                 run.play();
             }
@@ -274,12 +279,11 @@ public final class RunCommand extends ProgramCommand {
             : roster.versionOf(settings.gauntlet()).orElse(-1), roster.meeting());
     }
 
-    private void sayNeeded(Consumer<String> teller, LeagueProgress progress, Roster roster) {
-        if (Double.isNaN(until.rule().bars())) {
-            return;
+    private void sayNeeded(Consumer<String> teller, LeagueProgress progress, LeagueRun run) {
+        if (!Double.isNaN(until.rule().bars())) {
+            Results results = progress.table(run.roster().settings()).results();
+            UntilOptions.needed(until.rule(), Ratings.of(results, run.active()), run.roster()).forEach(teller);
         }
-        UntilOptions.needed(until.rule(), Ratings.of(progress.table(roster.settings()).results(), roster.versions()),
-            roster).forEach(teller);
     }
 
     private static void sayBegin(Consumer<String> teller, Contest contest, String length) {
@@ -324,7 +328,7 @@ public final class RunCommand extends ProgramCommand {
         TableText.whole(table, season, machines == null ? List.of() : machines.workers(), streams.outColour())
             .forEach(streams.out()::println);
         (run.ended() != null ? UntilOptions.tell(run.ended(), run.roster())
-            : UntilOptions.missing(until.rule(), Ratings.of(table.results(), run.roster().versions()), run.roster()))
+            : UntilOptions.missing(until.rule(), Ratings.of(table.results(), run.active()), run.roster()))
             .forEach(streams.out()::println);
         RoundText.unfinished(table, run.roster().settings(), season.players()).ifPresent(streams.out()::println);
         TableCommand.flag(choosers, streams);

@@ -15,7 +15,6 @@ import steward.league.pairing.BarNeed;
 import steward.league.pairing.LeagueEnd;
 import steward.league.pairing.StopRule;
 import steward.league.play.Roster;
-import steward.league.rating.Difference;
 import steward.league.rating.Ratings;
 import steward.text.TextFormat;
 
@@ -30,7 +29,7 @@ final class UntilOptions {
     private final CallCheck check = CallCheck.withHelp();
 
     @Option(names = "--until-bars", paramLabel = "ELO", description = "Ends when the anytime bar of every bot that can "
-        + "have one is at most so wide to each side; says beforehand who needs how many games.")
+        + "have one, to the mean, is at most so wide to each side; says beforehand who needs how many games.")
     private Double bars;
 
     @Option(names = "--until-ranked", description = "Ends when the order of all bots is sure: "
@@ -115,8 +114,7 @@ final class UntilOptions {
                     + " games of each bot, if all are even and seldom draw; more of one that is far ahead or behind");
             } else if (!open.isEmpty()) {
                 lines.add(TextFormat.plain(wanted + " needs more games of " + joined(open, names, need ->
-                    " (" + (Double.isNaN(need.bar()) || !Difference.isKnown(need.bar()) ? "no bar"
-                        : "± " + Math.round(need.bar())) + " after " + Math.round(need.games()) + ": about "
+                    " (" + (Double.isNaN(need.bar()) ? "no bar" : "± " + Math.round(need.bar())) + " after " + Math.round(need.games()) + ": about "
                         + rounded(need.needed() - need.games()) + " more)")));
             }
             beyond(needs, names).ifPresent(lines::add);

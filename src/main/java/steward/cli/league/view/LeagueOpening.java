@@ -129,15 +129,6 @@ public final class LeagueOpening {
             }
         }
 
-        public LeagueTable table() {
-            return table(LeagueTable.Reference.NONE);
-        }
-
-        /** The table against a reference. */
-        public LeagueTable table(LeagueTable.Reference reference) {
-            return LeagueTable.of(games.results(), entries, reference);
-        }
-
         @Override
         public void close() {
             store.close();

@@ -64,7 +64,7 @@ public final class PageCommand extends ProgramCommand {
                     + "another name");
             }
             ByteArrayOutputStream html = new ByteArrayOutputStream();
-            int replays = write(opened, opened.table(reference.reference(opened.entries())), html);
+            int replays = write(opened, reference.table(opened.games().results(), opened.entries()), html);
             try {
                 OutputFiles.replace(path, html.toByteArray());
             } catch (IOException problem) {

@@ -8,11 +8,12 @@ import steward.cli.options.CallCheck;
 import steward.cli.options.OptionSection;
 import steward.files.InputException;
 import steward.league.rating.LeagueTable;
+import steward.league.rating.Results;
 import steward.text.NearestName;
 
 /** Options for what ratings and differences are told against. */
 @OptionSection("Ratings")
-final class ReferenceOptions {
+public final class ReferenceOptions {
 
     private static final Pattern ANCHOR = Pattern.compile("(.+?)(?:=(-?[0-9]{1,5}(?:\\.[0-9]{1,3})?))?");
 
@@ -24,13 +25,14 @@ final class ReferenceOptions {
         + "(default: the anchor or, without one, the row above).")
     private String against;
 
-    /** True if one of them is there. */
-    boolean isAny() {
-        return anchor != null || against != null;
+    /** Rates against them. */
+    LeagueTable table(Results results, List<LeagueTable.Entry> entries) {
+        return LeagueTable.of(results, entries, reference(results, entries));
     }
 
-    /** Refuses bots that have no row. */
-    LeagueTable.Reference reference(List<LeagueTable.Entry> entries) {
+    /** Refuses bots that would have no row. */
+    public LeagueTable.Reference reference(Results results, List<LeagueTable.Entry> all) {
+        List<LeagueTable.Entry> entries = LeagueTable.shown(results, all);
         Matcher words = ANCHOR.matcher(anchor == null ? "" : anchor);
         CallCheck.withHelp().that(anchor == null || words.matches(), "--anchor: found '" + anchor
             + "', expected a bot, or a bot and its rating such as mine=1500");

@@ -2,7 +2,6 @@ package steward.cli.league.view;
 
 import java.io.ByteArrayOutputStream;
 import java.nio.charset.StandardCharsets;
-import java.util.List;
 import java.util.function.Consumer;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -58,8 +57,8 @@ public final class TableCommand extends ProgramCommand {
         check.that(!values || !html, "--values: expected text, --json or --csv with it");
         part.check();
         try (LeagueOpening.Opened opened = LeagueOpening.read(league.open())) {
-            LeagueTable.Reference told = reference.reference(rows(opened));
-            LeagueTable table = part.isAny() ? partial(opened, told) : opened.table(told);
+            LeagueTable table = part.isAny() ? reference.table(partial(opened), part.rows(opened.entries()))
+                : reference.table(opened.games().results(), opened.entries());
             OwnValues own = new OwnValues();
             if (values) {
                 each(opened, own::add);
@@ -110,14 +109,10 @@ public final class TableCommand extends ProgramCommand {
         }
     }
 
-    private List<LeagueTable.Entry> rows(LeagueOpening.Opened opened) {
-        return part.isAny() ? part.rows(opened.entries()) : opened.entries();
-    }
-
-    private LeagueTable partial(LeagueOpening.Opened opened, LeagueTable.Reference told) {
+    private Results partial(LeagueOpening.Opened opened) {
         Results results = new Results(opened.season());
         part.each(opened, results::add);
-        return LeagueTable.of(results, rows(opened), told);
+        return results;
     }
 
     /** A line for each bot, below the heads of the columns; the games' own values are the last. */
