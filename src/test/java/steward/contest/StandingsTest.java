@@ -139,7 +139,7 @@ class StandingsTest {
             for (int number : order) {
                 Series.Played game = game(number, number / 3, List.of(0, 1));
                 standings.add(new Series.Played(number, number, game.rotation(), game.result(), null, List.of(), null,
-                    new GameFacts(number == 3 ? 8 : 7, List.of()), null), List.of(), List.of());
+                    new GameFacts(number == 3 ? 8 : 7, List.of(), List.of()), null), List.of(), List.of());
             }
             assertEquals(0.5, standings.points(0));
             assertEquals(0.5, standings.tally(0).points());
