@@ -114,8 +114,8 @@ final class UntilOptions {
                     + " games of each bot, if all are even and seldom draw; more of one that is far ahead or behind");
             } else if (!open.isEmpty()) {
                 lines.add(TextFormat.plain(wanted + " needs more games of " + joined(open, names, need ->
-                    " (" + (Double.isNaN(need.bar()) ? "no bar" : "± " + Math.round(need.bar())) + " after " + Math.round(need.games()) + ": about "
-                        + rounded(need.needed() - need.games()) + " more)")));
+                    " (" + (Double.isNaN(need.bar()) ? "no bar" : "± " + Math.round(need.bar())) + " after "
+                        + Math.round(need.games()) + ": about " + rounded(need.needed() - need.games()) + " more)")));
             }
             beyond(needs, names).ifPresent(lines::add);
         }
