@@ -10,13 +10,12 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import steward.physics.Advance;
 import steward.physics.Arithmetic;
-import steward.physics.Contacts;
 import steward.physics.ImpactLaw;
 import steward.physics.PhysicsParts;
 import steward.physics.event.EventAdvance;
 import steward.physics.event.OfficialAdvance;
+import steward.physics.event.QueueAdvance;
 import steward.physics.event.StepAdvance;
-import steward.physics.queue.QueueAdvance;
 import steward.scene.json.JsonValue.Entry;
 import steward.scene.json.JsonValue.JsonNumber;
 import steward.scene.json.JsonValue.JsonObject;
@@ -163,13 +162,13 @@ public record Accuracy(Way way, int steps, Arithmetic arithmetic) {
     /** The cheapest advance for {@code bodies} bodies on this rung: all candidates give the same impacts. */
     public Advance advance(PhysicsParts parts, int bodies) {
         return usesExpressionsOfGame(parts) ? parts.official().of(parts)
-            : usesCells(parts.law(), parts.contacts(), bodies) ? new QueueAdvance(parts)
+            : usesCells(parts.law(), bodies) ? new QueueAdvance(parts)
             : usesOfficialLoop(parts, bodies) ? new OfficialAdvance(parts) : advance(parts);
     }
 
     /** True if that is {@link QueueAdvance}: cells and an event queue instead of a scan of all pairs. */
-    boolean usesCells(ImpactLaw law, Contacts contacts, int bodies) {
-        return way == Way.EVENT && bodies >= FEWEST_FOR_CELLS && QueueAdvance.refusal(law, contacts) == null;
+    boolean usesCells(ImpactLaw law, int bodies) {
+        return way == Way.EVENT && bodies >= FEWEST_FOR_CELLS && QueueAdvance.refusal(law) == null;
     }
 
     /** True if that is the game's own, with its referee's expressions. */

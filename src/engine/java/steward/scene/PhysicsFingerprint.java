@@ -63,7 +63,7 @@ public final class PhysicsFingerprint {
         play(rung, law, forces, List.of(), bodies(FEW), hash);
         play(rung, law, forces, WALLS, bodies(FEW), hash);
         play(rung, law, forces, List.of(), tie(), hash);
-        if (rung.usesCells(law, new Contacts(1), MANY)) {
+        if (rung.usesCells(law, MANY)) {
             play(rung, law, forces, WALLS, bodies(MANY), hash);
         }
     }

@@ -14,7 +14,7 @@ import steward.physics.Motion;
 import steward.physics.PhysicsParts;
 import steward.physics.Reaction;
 import steward.physics.Wall;
-import steward.physics.queue.QueueAdvance;
+import steward.physics.event.QueueAdvance;
 import steward.scene.json.Wording;
 
 /** Plan of a scene: the parts of the engine that it needs and why, and the physics built from just these. */
@@ -244,7 +244,7 @@ public final class Plan {
             return new Part(Part.BROAD_PHASE, false, "the referee's own loop looks at all pairs"
                 + (bodies == 0 ? "" : " of " + count(bodies, "body", "bodies")));
         }
-        if (rung.usesCells(scene.law(), contacts, bodies)) {
+        if (rung.usesCells(scene.law(), bodies)) {
             return new Part(Part.BROAD_PHASE, true, bodies + " bodies: cells and an event queue");
         }
         if (!contacts.containsAsk() && rung.usesOfficialLoop(physics(null), bodies)) {
@@ -255,7 +255,7 @@ public final class Plan {
             String of = bodies == 0 ? "" : " of " + count(bodies, "body", "bodies");
             return new Part(Part.BROAD_PHASE, false, all + of);
         }
-        return new Part(Part.BROAD_PHASE, false, all + ", because " + QueueAdvance.refusal(scene.law(), contacts));
+        return new Part(Part.BROAD_PHASE, false, all + ", because " + QueueAdvance.refusal(scene.law()));
     }
 
     private static String count(int number, String what) {

@@ -10,8 +10,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 import steward.physics.Arithmetic;
 import steward.physics.Contacts;
 import steward.physics.event.EventAdvance;
+import steward.physics.event.QueueAdvance;
 import steward.physics.event.StepAdvance;
-import steward.physics.queue.QueueAdvance;
 import steward.scene.json.SceneException;
 
 /** The ladder by its names: in a scene, and in the short form of a command line. */

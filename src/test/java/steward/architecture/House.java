@@ -26,7 +26,8 @@ final class House {
 
     /** Lowest first; the root package itself, which holds only what marks the others, is the lowest of all. */
     static final List<String> ROOMS = List.of("", "numerics", "text",
-        "physics", "physics.time", "physics.impulse", "physics.event", "physics.queue",
+        "physics", "physics.time", "physics.impulse", "physics.event.flight", "physics.event.pairs",
+        "physics.event.cells", "physics.event",
         "scene.json", "scene",
         "json", "game", "game.bodies", "game.bodies.protocol", "game.fantasticbits", "game.fantasticbits.protocol",
         "game.meanmax", "game.meanmax.protocol", "game.podrace", "game.podrace.simulator", "game.podrace.protocol",

@@ -28,23 +28,20 @@ final class BatchLoop {
     BatchLoop(PhysicsParts parts) {
         Wall[] walls = parts.walls().toArray(new Wall[0]);
         law = parts.law();
-        Collision collision;
+        LowParts lows = new LowParts();
         if (parts.arithmetic().isExact()) {
             ExactPairs pairs = new ExactPairs(law);
             ExactWalls wallTimes = new ExactWalls(walls);
             RefiningQueue refining = new RefiningQueue(law, pairs, wallTimes, parts.contacts());
-            LowParts lows = new LowParts();
             scans = Scan.of(parts, pairs, wallTimes);
             queue = refining;
-            flight = new ExactFlight(refining, lows);
-            collision = Collision.ofExact(law, walls, pairs, wallTimes, lows, null);
+            flight = new Flight(refining, lows);
         } else {
             scans = Scan.of(parts, PairTime.of(law, parts.arithmetic()));
             queue = ImpactQueue.of(law);
-            flight = new Flight.Plain();
-            collision = Collision.of(law, parts.arithmetic(), walls, null);
+            flight = new Flight(null, lows);
         }
-        response = ContactResponse.of(parts, collision, walls);
+        response = ContactResponse.of(parts, Collision.of(law, parts.arithmetic(), walls, lows, null), walls);
         standstill = new Standstill(parts);
     }
 

@@ -6,14 +6,15 @@ import steward.physics.Bodies;
 import steward.physics.ImpactLaw;
 import steward.physics.PhysicsParts;
 import steward.physics.TurnSink;
+import steward.physics.event.pairs.PairFlights;
+import steward.physics.time.LowParts;
 import steward.physics.time.Magnitudes;
 
 /**
  * The exact event loop: find the earliest impact, fly to it, apply it, search anew. Every turn begins with a search of
  * all pairs and all walls, O(n^2), and each impact costs O(n), or O(n^2) where impacts react in batches: suited to the
- * few bodies of a game. Allocates nothing in a turn once
- * its buffers have grown, except in the rare turns that reach the bound on impacts or need the exact arithmetic for
- * their numbers.
+ * few bodies of a game. Allocates nothing in a turn once its buffers have grown, except in the rare turns that reach
+ * the bound on impacts or need the exact arithmetic for their numbers.
  *
  * <p>It always ends. A turn in which the impacts reach {@link ImpactLaw#impactLimit} is finished without impulses:
  * bodies that touch while they approach, and each body that comes into contact later, keep their place (so that no
@@ -29,14 +30,15 @@ public final class EventAdvance implements Advance {
 
     private final PhysicsParts parts;
     private final BatchLoop batches;
-    private final FlightLoop flights;
+    private final EventLoop loop;
 
     /** @param parts of the scene; what they lack is not searched for */
     public EventAdvance(PhysicsParts parts) {
         boolean together = parts.law().batchWindow() > 0 || parts.law().separatingPairsReact();
         this.parts = parts;
         batches = together ? new BatchLoop(parts) : null;
-        flights = together ? null : new FlightLoop(parts);
+        LowParts lows = new LowParts();
+        loop = together ? null : new EventLoop(parts, new PairFlights(parts, lows), lows);
     }
 
     @Override
@@ -48,8 +50,8 @@ public final class EventAdvance implements Advance {
             }
             Magnitudes.requireComputable(bodies, parts.walls());
         }
-        if (flights != null) {
-            flights.turn(bodies, sink);
+        if (loop != null) {
+            loop.turn(bodies, sink);
         } else {
             batches.turn(bodies, sink);
         }

@@ -2,9 +2,10 @@ package steward.physics.event;
 
 import java.util.Arrays;
 import steward.physics.ImpactLaw;
+import steward.physics.time.SimultaneousImpacts;
 
 /** Collects the predicted impacts of a scan and selects those that happen next. */
-public abstract sealed class ImpactQueue permits ImpactQueue.OneAtATime, ImpactQueue.WithinWindow, RefiningQueue {
+abstract sealed class ImpactQueue permits ImpactQueue.OneAtATime, ImpactQueue.WithinWindow, RefiningQueue {
 
     /** Offers an impact at an absolute time within the turn; b is an index, or {@code ~wall}. */
     abstract void offer(double time, int a, int b);
@@ -25,7 +26,7 @@ public abstract sealed class ImpactQueue permits ImpactQueue.OneAtATime, ImpactQ
     }
 
     /** Keeps the earliest impact; ties go to the lowest pair, bodies before walls. */
-    public static final class OneAtATime extends ImpactQueue {
+    static final class OneAtATime extends ImpactQueue {
 
         private double time;
         private int a;
@@ -41,14 +42,7 @@ public abstract sealed class ImpactQueue permits ImpactQueue.OneAtATime, ImpactQ
         }
 
         private boolean isLower(int candidateA, int candidateB) {
-            return rank(candidateA, candidateB) < rank(a, b);
-        }
-
-        /** Orders pairs by their lower index, then by the other; walls come after all bodies, in their own order. */
-        public static long rank(int a, int b) {
-            int low = b < 0 ? a : Math.min(a, b);
-            long other = b < 0 ? (1L << 31) + ~b : Math.max(a, b);
-            return (long) low << 32 | other;
+            return SimultaneousImpacts.rank(candidateA, candidateB) < SimultaneousImpacts.rank(a, b);
         }
 
         @Override

@@ -35,7 +35,7 @@ public final class OfficialAdvance implements Advance {
 
     private final ImpactLaw law = ImpactLaw.OFFICIAL_POD_RACE;
     private final double window = law.batchWindow();
-    private final Collision collision = Collision.of(law, Arithmetic.OFFICIAL, new Wall[0], null);
+    private final Collision collision = Collision.of(law, Arithmetic.OFFICIAL, new Wall[0], null, null);
     private final PhysicsParts parts;
     /** Parts of the general way, made when they are first needed. */
     private Standstill standstill;

@@ -9,6 +9,7 @@ import steward.physics.ImpactLaw;
 import steward.physics.time.ContactDistance;
 import steward.physics.time.ExactPairs;
 import steward.physics.time.ExactWalls;
+import steward.physics.time.SimultaneousImpacts;
 
 /**
  * Collects impacts with lower bounds of their times and computes a time in double-double only when its entry is the
@@ -69,7 +70,7 @@ final class RefiningQueue extends ImpactQueue {
         high[size] = time - startHigh - ExactPairs.ROUNDING;
         low[size] = 0;
         refined[size] = false;
-        rank[size] = batched ? size : OneAtATime.rank(a, b);
+        rank[size] = batched ? size : SimultaneousImpacts.rank(a, b);
         firsts[size] = a;
         seconds[size] = b;
         size++;

@@ -1,19 +1,30 @@
 package steward.physics.event;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
+import java.util.stream.IntStream;
 import steward.physics.Bodies;
 import steward.physics.ImpactLaw;
 import steward.physics.PhysicsParts;
 import steward.physics.Wall;
+import steward.physics.event.flight.PairSelection;
 import steward.physics.time.PairTime;
 import steward.physics.time.WallTime;
 
 /** A search for impacts in the rest of a turn. A scene gets the scans for the parts that it has, and no others. */
 sealed interface Scan {
 
+    /** Room for rounding in a box of places, as a share of what it is computed from. */
+    double ROOM = 0x1p-20;
+
     /** Offers every impact from {@code now} to the end of the turn. */
     void find(Bodies bodies, double now, ImpactQueue queue);
+
+    /** The scan for the rest of a turn in which bodies do nothing but stop. */
+    default Scan whileStopping(Bodies bodies, double left) {
+        return this;
+    }
 
     /** The scans that a scene needs: pairs, and walls if there are any. */
     static Scan[] of(PhysicsParts parts, PairTime time) {
@@ -23,12 +34,10 @@ sealed interface Scan {
     /** Returns the scans that a scene needs, with another computation of times of impact at walls. */
     static Scan[] of(PhysicsParts parts, PairTime time, WallTime wallTime) {
         List<Scan> scans = new ArrayList<>();
-        boolean plain = parts.contacts().allBounce() && !parts.infiniteMasses();
         boolean descending = parts.law().scanOrder() == ImpactLaw.ScanOrder.DESCENDING;
         if (parts.contacts().bodiesMeet()) {
             PairTime within = parts.contacts().hasReaches() ? new PairTime.AtOwnDistance(time, parts.contacts()) : time;
-            scans.add(!plain ? new SelectedPairs(within, new PairSelection(parts.contacts()), descending)
-                : descending ? new DescendingPairs(time) : new AscendingPairs(time));
+            scans.add(new Pairs(within, PairSelection.of(parts), descending));
         }
         if (!parts.walls().isEmpty()) {
             scans.add(new Walls(wallTime, parts.walls().size(),
@@ -37,33 +46,8 @@ sealed interface Scan {
         return scans.toArray(new Scan[0]);
     }
 
-    record AscendingPairs(PairTime time) implements Scan {
-
-        @Override
-        public void find(Bodies bodies, double now, ImpactQueue queue) {
-            int size = bodies.size();
-            for (int i = 0; i < size - 1; i++) {
-                for (int j = i + 1; j < size; j++) {
-                    offer(bodies, i, j, time, now, queue);
-                }
-            }
-        }
-    }
-
-    record DescendingPairs(PairTime time) implements Scan {
-
-        @Override
-        public void find(Bodies bodies, double now, ImpactQueue queue) {
-            for (int i = bodies.size() - 1; i > 0; i--) {
-                for (int j = i - 1; j >= 0; j--) {
-                    offer(bodies, i, j, time, now, queue);
-                }
-            }
-        }
-    }
-
-    /** Leaves out pairs that ignore each other, pass through each other, or both have infinite mass. */
-    record SelectedPairs(PairTime time, PairSelection selection, boolean descending) implements Scan {
+    /** All pairs, or those that can react. @param selection {@code null} if all can */
+    record Pairs(PairTime time, PairSelection selection, boolean descending) implements Scan {
 
         @Override
         public void find(Bodies bodies, double now, ImpactQueue queue) {
@@ -73,9 +57,63 @@ sealed interface Scan {
                 int others = size - 1 - first;
                 for (int k = 1; k <= others; k++) {
                     int j = descending ? i - k : i + k;
-                    if (selection.canReact(bodies, i, j)) {
-                        offer(bodies, i, j, time, now, queue);
+                    if (selection == null || selection.canReact(bodies, i, j)) {
+                        double until = time.until(bodies, i, j);
+                        if (until <= 1 - now) {
+                            queue.offer(now + until, i, j);
+                        }
                     }
+                }
+            }
+        }
+
+        /** Lists the pairs whose boxes of places until the end of the turn overlap, with room for rounding. */
+        @Override
+        public Scan whileStopping(Bodies bodies, double left) {
+            int size = bodies.size();
+            double[] west = new double[size];
+            double[] east = new double[size];
+            double[] north = new double[size];
+            double[] south = new double[size];
+            for (int i = 0; i < size; i++) {
+                double x = bodies.x[i];
+                double y = bodies.y[i];
+                double wayX = bodies.vx[i] * left;
+                double wayY = bodies.vy[i] * left;
+                double radius = selection == null ? bodies.radius[i] : selection.widestRadius(bodies, i);
+                double reach = radius + ROOM
+                    * (Math.abs(x) + Math.abs(y) + Math.abs(wayX) + Math.abs(wayY) + radius);
+                west[i] = x + Math.min(wayX, 0) - reach;
+                east[i] = x + Math.max(wayX, 0) + reach;
+                north[i] = y + Math.min(wayY, 0) - reach;
+                south[i] = y + Math.max(wayY, 0) + reach;
+            }
+            int[] order = IntStream.range(0, size).boxed().sorted(Comparator.comparingDouble(i -> west[i]))
+                .mapToInt(i -> i).toArray();
+            IntStream.Builder pairs = IntStream.builder();
+            for (int k = 0; k < size; k++) {
+                int i = order[k];
+                for (int n = k + 1; n < size && west[order[n]] <= east[i]; n++) {
+                    int j = order[n];
+                    if (north[i] <= south[j] && north[j] <= south[i]
+                        && (selection == null || selection.canReact(bodies, i, j))) {
+                        pairs.add(i < j != descending ? i : j).add(i < j != descending ? j : i);
+                    }
+                }
+            }
+            return new Listed(time, pairs.build().toArray());
+        }
+    }
+
+    /** The pairs of a list, two indices each. */
+    record Listed(PairTime time, int[] pairs) implements Scan {
+
+        @Override
+        public void find(Bodies bodies, double now, ImpactQueue queue) {
+            for (int k = 0; k < pairs.length; k += 2) {
+                double until = time.until(bodies, pairs[k], pairs[k + 1]);
+                if (until <= 1 - now) {
+                    queue.offer(now + until, pairs[k], pairs[k + 1]);
                 }
             }
         }
@@ -98,14 +136,6 @@ sealed interface Scan {
                     }
                 }
             }
-        }
-    }
-
-    /** Offers the impact of a pair if it falls into the turn. */
-    private static void offer(Bodies bodies, int i, int j, PairTime time, double now, ImpactQueue queue) {
-        double until = time.until(bodies, i, j);
-        if (until <= 1 - now) {
-            queue.offer(now + until, i, j);
         }
     }
 }

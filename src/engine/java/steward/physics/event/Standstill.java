@@ -1,6 +1,7 @@
 package steward.physics.event;
 
 import java.util.Arrays;
+import java.util.stream.IntStream;
 import steward.physics.Arithmetic;
 import steward.physics.Bodies;
 import steward.physics.ImpactLaw;
@@ -12,10 +13,11 @@ import steward.physics.time.PairTime;
  * Plays the rest of a turn whose impacts have reached their bound, without impulses: the two bodies of a new contact,
  * or the body at a wall, stop for the rest of the turn. Every step stops at least one more body, so it ends.
  */
-public final class Standstill {
+final class Standstill {
 
     private final Scan[] scans;
     private final ImpactQueue queue = new ImpactQueue.OneAtATime();
+    private boolean[] stopped;
 
     Standstill(PhysicsParts parts) {
         scans = Scan.of(parts, PairTime.of(ImpactLaw.PHYSICS, Arithmetic.DOUBLE));
@@ -23,11 +25,15 @@ public final class Standstill {
 
     /** Plays the rest of the turn from {@code now}; velocities are restored afterwards. */
     void finish(Bodies bodies, double now, TurnSink sink) {
-        Stopped stopped = new Stopped(bodies);
+        int size = bodies.size();
+        double[] vx = Arrays.copyOf(bodies.vx, size);
+        double[] vy = Arrays.copyOf(bodies.vy, size);
+        stopped = new boolean[size];
+        Scan[] stopping = Arrays.stream(scans).map(scan -> scan.whileStopping(bodies, 1 - now)).toArray(Scan[]::new);
         double time = now;
         for (;;) {
             queue.clear();
-            for (Scan scan : scans) {
+            for (Scan scan : stopping) {
                 scan.find(bodies, time, queue);
             }
             if (queue.nextBatch() == 0) {
@@ -35,57 +41,23 @@ public final class Standstill {
             }
             EventAdvance.fly(bodies, queue.time(0) - time);
             time = queue.time(0);
-            stop(bodies, queue.a(0), time, stopped, sink);
+            stop(bodies, queue.a(0), time, sink);
             if (queue.b(0) >= 0) {
-                stop(bodies, queue.b(0), time, stopped, sink);
+                stop(bodies, queue.b(0), time, sink);
             }
         }
         EventAdvance.fly(bodies, 1 - time);
-        stopped.end(bodies, now, sink);
+        System.arraycopy(vx, 0, bodies.vx, 0, size);
+        System.arraycopy(vy, 0, bodies.vy, 0, size);
+        sink.impactLimit(now, IntStream.range(0, size).filter(i -> stopped[i]).map(bodies::id).toArray());
     }
 
-    private static void stop(Bodies bodies, int body, double time, Stopped stopped, TurnSink sink) {
-        if (stopped.add(body)) {
+    private void stop(Bodies bodies, int body, double time, TurnSink sink) {
+        if (!stopped[body]) {
+            stopped[body] = true;
             bodies.vx[body] = 0;
             bodies.vy[body] = 0;
             sink.knot(bodies.id(body), time, bodies.x[body], bodies.y[body]);
-        }
-    }
-
-    /** The bodies that have stopped, and the velocities that all get back in the end. */
-    public static final class Stopped {
-
-        private final double[] vx;
-        private final double[] vy;
-        private final boolean[] stopped;
-        private int count;
-
-        /** @param bodies with the velocities that they have when the impacts have reached their bound */
-        public Stopped(Bodies bodies) {
-            vx = Arrays.copyOf(bodies.vx, bodies.size());
-            vy = Arrays.copyOf(bodies.vy, bodies.size());
-            stopped = new boolean[bodies.size()];
-        }
-
-        /** Counts a body. @return whether it is new */
-        public boolean add(int body) {
-            boolean isNew = !stopped[body];
-            stopped[body] = true;
-            count += isNew ? 1 : 0;
-            return isNew;
-        }
-
-        /** At the end of the turn: restores the velocities and tells the sink who has stopped. */
-        public void end(Bodies bodies, double since, TurnSink sink) {
-            System.arraycopy(vx, 0, bodies.vx, 0, vx.length);
-            System.arraycopy(vy, 0, bodies.vy, 0, vy.length);
-            int[] ids = new int[count];
-            for (int i = 0, k = 0; i < stopped.length; i++) {
-                if (stopped[i]) {
-                    ids[k++] = bodies.id(i);
-                }
-            }
-            sink.impactLimit(since, ids);
         }
     }
 }

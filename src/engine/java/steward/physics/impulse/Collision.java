@@ -60,23 +60,19 @@ public final class Collision {
     }
 
     /**
-     * The reactions of an arithmetic other than {@code EXACT}.
+     * The reactions of an arithmetic.
      *
+     * @param lows          what rounding took from the places of bodies, in the arithmetic {@code EXACT}
      * @param accelerations of the turn, or {@code null}
      */
-    public static Collision of(ImpactLaw law, Arithmetic arithmetic, Wall[] walls, Accelerations accelerations) {
+    public static Collision of(ImpactLaw law, Arithmetic arithmetic, Wall[] walls, LowParts lows,
+                               Accelerations accelerations) {
         return new Collision(law, walls, switch (arithmetic) {
             case OFFICIAL -> new PlainSolver.Official();
             case DOUBLE -> law.minimumImpulse() > 0 ? new PlainSolver() : new CompensatedSolver(false);
             case COMPENSATED -> law.minimumImpulse() > 0 ? new PlainSolver() : new CompensatedSolver(true);
-            case EXACT -> throw new IllegalArgumentException("exact reactions need exact times: ofExact");
+            case EXACT -> new ExactSolver(law, new ExactPairs(law), new ExactWalls(walls), lows);
         }, accelerations);
-    }
-
-    /** The reactions of the arithmetic {@code EXACT}. */
-    public static Collision ofExact(ImpactLaw law, Wall[] walls, ExactPairs pairs, ExactWalls wallTimes,
-                                    LowParts lows, Accelerations accelerations) {
-        return new Collision(law, walls, new ExactSolver(law, pairs, wallTimes, lows), accelerations);
     }
 
     /** @param b an index, or {@code ~wall} */

@@ -30,6 +30,13 @@ public final class SimultaneousImpacts {
         this.walls = walls;
     }
 
+    /** Orders pairs by their lower index, then by the other; walls come after all bodies, in their own order. */
+    public static long rank(int a, int b) {
+        int low = b < 0 ? a : Math.min(a, b);
+        long other = b < 0 ? (1L << 31) + ~b : Math.max(a, b);
+        return (long) low << 32 | other;
+    }
+
     public void clear() {
         impacts.clear();
     }

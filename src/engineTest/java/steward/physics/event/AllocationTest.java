@@ -20,7 +20,6 @@ import steward.physics.Reaction;
 import steward.physics.Segment;
 import steward.physics.TurnLog;
 import steward.physics.Wall;
-import steward.physics.queue.QueueAdvance;
 
 /** A turn allocates nothing once its buffers have grown: counted by the JVM, to the byte. */
 class AllocationTest {

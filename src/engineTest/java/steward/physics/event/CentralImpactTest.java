@@ -13,7 +13,6 @@ import steward.physics.ImpactLaw;
 import steward.physics.PhysicsParts;
 import steward.physics.TurnLog;
 import steward.physics.TurnSink;
-import steward.physics.queue.QueueAdvance;
 
 /** Equal masses that meet centrally exchange their velocities, to the bit; ties go to the lowest pair. */
 class CentralImpactTest {

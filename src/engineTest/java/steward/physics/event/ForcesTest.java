@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import steward.physics.Advance;
@@ -15,10 +16,10 @@ import steward.physics.Forces;
 import steward.physics.HalfPlane;
 import steward.physics.ImpactLaw;
 import steward.physics.PhysicsParts;
+import steward.physics.Reaction;
 import steward.physics.TurnLog;
 import steward.physics.TurnSink;
 import steward.physics.Wall;
-import steward.physics.queue.QueueAdvance;
 
 /** Bodies that forces accelerate: bounces, rest, and what lies on what. Gravity is 2 u per turn^2, y grows upwards. */
 class ForcesTest {
@@ -36,6 +37,34 @@ class ForcesTest {
             GRAVITY.accelerate(bodies, k, 0, 0);
         }
         advance.turn(bodies, sink);
+    }
+
+    /** Before it bounces, another one of another mass was removed: all is as if that had never been there. */
+    @Test
+    void aBodyKeepsItsForceWhereOthersAreRemoved() {
+        Forces force = new Forces(0, -3, 0, 0);
+        Contacts contacts = new Contacts(2).set(1, 1, Contacts.Meaning.ASK);
+        PhysicsParts parts = new PhysicsParts(ImpactLaw.PHYSICS, Arithmetic.DOUBLE, contacts, List.of(floor()),
+            (time, a, b, all, sink) -> {
+                all.remove(b);
+                all.remove(a);
+                return Reaction.Verdict.CHANGED;
+            }, false).withForces(force);
+        for (Advance advance : List.of(new EventAdvance(parts), new QueueAdvance(parts))) {
+            double[] height = new double[2];
+            for (int others = 0; others <= 1; others++) {
+                Bodies bodies = new Bodies(3);
+                for (int k = 0; k < 2 * others; k++) {
+                    bodies.setKind(Scenes.add(bodies, 500 + 24 * k, 500, 40 - 80 * k, 0, 0.01), 1);
+                }
+                int falling = Scenes.add(bodies, 0, 20, 0, -100, 1);
+                force.accelerate(bodies, falling, 0, 0);
+                advance.turn(bodies, TurnSink.NONE);
+                assertEquals(1, bodies.size());
+                height[others] = bodies.y[0];
+            }
+            assertEquals(height[0], height[1]);
+        }
     }
 
     private static HalfPlane floor() {

@@ -17,7 +17,6 @@ import steward.physics.HalfPlane;
 import steward.physics.PhysicsParts;
 import steward.physics.TurnLog;
 import steward.physics.Wall;
-import steward.physics.queue.QueueAdvance;
 
 /*
  * Along a wall and into it an impact makes (t, -e n) of (t, n), which for the other wall, at the angle w, is

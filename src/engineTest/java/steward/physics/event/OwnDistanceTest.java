@@ -17,7 +17,6 @@ import steward.physics.ImpactLaw;
 import steward.physics.PhysicsParts;
 import steward.physics.Reaction;
 import steward.physics.TurnLog;
-import steward.physics.queue.QueueAdvance;
 
 /** Contacts that begin at a distance of their own, and what a reaction does after an impulse or within a batch. */
 class OwnDistanceTest {
@@ -26,6 +25,10 @@ class OwnDistanceTest {
 
     private final List<String> asked = new ArrayList<>();
     private final TurnLog log = new TurnLog();
+
+    private static List<Advance> advances(PhysicsParts parts) {
+        return List.of(new EventAdvance(parts), new QueueAdvance(parts));
+    }
 
     private static PhysicsParts parts(Contacts contacts, Arithmetic arithmetic, Reaction reaction) {
         return new PhysicsParts(ImpactLaw.PHYSICS, arithmetic, contacts, List.of(), reaction, false);
@@ -43,41 +46,49 @@ class OwnDistanceTest {
     @ParameterizedTest
     @EnumSource(Arithmetic.class)
     void theReactionIsAskedAtThatDistance(Arithmetic arithmetic) {
-        Bodies bodies = pair();
-        new EventAdvance(parts(CONTACTS, arithmetic, (time, a, b, all, sink) -> {
+        for (Advance advance : advances(parts(CONTACTS, arithmetic, (time, a, b, all, sink) -> {
             asked.add(Math.round(1000 * time) / 1000.0 + " " + all.radius[a]);
             return Reaction.Verdict.PASS;
-        })).turn(bodies, log);
+        }))) {
+            Bodies bodies = pair();
+            advance.turn(bodies, log);
 
-        assertEquals(List.of("0.7 10.0"), asked, "once, with its own radius");
-        assertEquals(100, bodies.x[0], 1e-9);
-        assertTrue(bodies.passing().contains(0, 1), "they are at the same place");
-        new EventAdvance(parts(CONTACTS, arithmetic, (time, a, b, all, sink) -> Reaction.Verdict.PASS))
-            .turn(bodies, log);
-        assertTrue(bodies.passing().isEmpty(), "100 u on they are apart");
+            assertEquals(List.of("0.7 10.0"), asked, "once, with its own radius");
+            assertEquals(100, bodies.x[0], 1e-9);
+            assertTrue(bodies.passing().contains(0, 1), "they are at the same place");
+            advance.turn(bodies, log);
+            assertTrue(bodies.passing().isEmpty(), "100 u on they are apart");
+            asked.clear();
+        }
     }
 
     @ParameterizedTest
     @EnumSource(Arithmetic.class)
     void anImpactThereIsOneAtThatDistance(Arithmetic arithmetic) {
-        Bodies bodies = pair();
-        new EventAdvance(parts(CONTACTS, arithmetic, (time, a, b, all, sink) -> Reaction.Verdict.BOUNCE))
-            .turn(bodies, log);
+        for (Advance advance : advances(parts(CONTACTS, arithmetic,
+            (time, a, b, all, sink) -> Reaction.Verdict.BOUNCE))) {
+            Bodies bodies = pair();
+            log.clear();
+            advance.turn(bodies, log);
 
-        assertEquals(1, log.impacts());
-        assertEquals(70, bodies.x[0], 1e-9, "equal masses exchange their speeds");
-        assertEquals(130, bodies.x[1], 1e-9);
-        assertEquals(10, bodies.radius[0]);
+            assertEquals(1, log.impacts());
+            assertEquals(70, bodies.x[0], 1e-9, "equal masses exchange their speeds");
+            assertEquals(130, bodies.x[1], 1e-9);
+            assertEquals(10, bodies.radius[0]);
+        }
     }
 
     @Test
     void otherKindsTouchAtTheirRadii() {
-        Bodies bodies = pair();
-        bodies.setKind(1, 0);
-        new EventAdvance(parts(CONTACTS, Arithmetic.DOUBLE, (time, a, b, all, sink) -> Reaction.Verdict.PASS))
-            .turn(bodies, log);
+        for (Advance advance : advances(parts(CONTACTS, Arithmetic.DOUBLE,
+            (time, a, b, all, sink) -> Reaction.Verdict.PASS))) {
+            Bodies bodies = pair();
+            bodies.setKind(1, 0);
+            log.clear();
+            advance.turn(bodies, log);
 
-        assertEquals(0.8, log.impact(0).time(), 1e-12);
+            assertEquals(0.8, log.impact(0).time(), 1e-12);
+        }
     }
 
     @Test
@@ -92,9 +103,7 @@ class OwnDistanceTest {
     }
 
     @Test
-    void theEventQueueRefusesThem() {
-        PhysicsParts parts = parts(CONTACTS, Arithmetic.DOUBLE, (time, a, b, all, sink) -> Reaction.Verdict.PASS);
-        assertThrows(IllegalArgumentException.class, () -> new QueueAdvance(parts));
+    void aDistanceOfNothingIsRefused() {
         assertThrows(IllegalArgumentException.class, () -> new Contacts(1).askWithin(0, 0, 0));
     }
 
@@ -117,8 +126,7 @@ class OwnDistanceTest {
                 return true;
             }
         };
-        for (Advance advance : List.of(new EventAdvance(parts(contacts, Arithmetic.DOUBLE, reaction)),
-            new QueueAdvance(parts(contacts, Arithmetic.DOUBLE, reaction)))) {
+        for (Advance advance : advances(parts(contacts, Arithmetic.DOUBLE, reaction))) {
             asked.clear();
             log.clear();
             Bodies bodies = pair();

@@ -22,7 +22,6 @@ import steward.physics.HalfPlane;
 import steward.physics.PhysicsParts;
 import steward.physics.TurnLog;
 import steward.physics.Wall;
-import steward.physics.queue.QueueAdvance;
 
 /**
  * Random piles without restitution that are pressed together anew each turn, on every event rung, by all pairs and as a

@@ -22,7 +22,6 @@ import steward.physics.PhysicsParts;
 import steward.physics.Reaction;
 import steward.physics.TurnLog;
 import steward.physics.Wall;
-import steward.physics.queue.QueueAdvance;
 
 /** Bodies that press against a wall come to rest instead of bouncing until the bound on impacts, on every rung. */
 @Execution(ExecutionMode.CONCURRENT)

@@ -15,7 +15,6 @@ import steward.physics.Bodies;
 import steward.physics.Contacts;
 import steward.physics.PhysicsParts;
 import steward.physics.TurnLog;
-import steward.physics.queue.QueueAdvance;
 
 /**
  * Elastic bounces along the rim of an arena of radius 500. A disc of radius 10 starts in the middle of a chord, at

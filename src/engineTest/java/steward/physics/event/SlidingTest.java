@@ -17,7 +17,6 @@ import steward.physics.ImpactLaw;
 import steward.physics.PhysicsParts;
 import steward.physics.TurnLog;
 import steward.physics.TurnSink;
-import steward.physics.queue.QueueAdvance;
 
 /** A body on the rim of an arena goes round: 300 u on a circle of 490 u are 0.612 radians. */
 @Execution(ExecutionMode.CONCURRENT)

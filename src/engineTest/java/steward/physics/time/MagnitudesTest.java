@@ -25,8 +25,8 @@ import steward.physics.TurnLog;
 import steward.physics.TurnSink;
 import steward.physics.Wall;
 import steward.physics.event.EventAdvance;
+import steward.physics.event.QueueAdvance;
 import steward.physics.event.StepAdvance;
-import steward.physics.queue.QueueAdvance;
 
 /** Numbers whose squares no double can hold: computed right, or refused by name. */
 @Execution(ExecutionMode.CONCURRENT)

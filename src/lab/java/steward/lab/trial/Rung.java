@@ -11,8 +11,8 @@ import steward.physics.ImpactLaw;
 import steward.physics.PhysicsParts;
 import steward.physics.Wall;
 import steward.physics.event.EventAdvance;
+import steward.physics.event.QueueAdvance;
 import steward.physics.event.StepAdvance;
-import steward.physics.queue.QueueAdvance;
 
 /**
  * A way to compute a turn: how it is advanced and with what arithmetic.

@@ -38,7 +38,7 @@ import steward.physics.Arithmetic;
 import steward.physics.Bodies;
 import steward.physics.PhysicsParts;
 import steward.physics.event.EventAdvance;
-import steward.physics.queue.QueueAdvance;
+import steward.physics.event.QueueAdvance;
 
 /** Every case of the stability table in its short version; in campaigns on every rung. */
 @Execution(ExecutionMode.CONCURRENT)

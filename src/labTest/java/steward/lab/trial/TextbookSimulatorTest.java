@@ -16,7 +16,7 @@ import steward.physics.PhysicsParts;
 import steward.physics.TextbookSimulator;
 import steward.physics.TurnLog;
 import steward.physics.event.EventAdvance;
-import steward.physics.queue.QueueAdvance;
+import steward.physics.event.QueueAdvance;
 
 /** The textbook's simulator and our forms on the same gas: the same impacts in the same order, until rounding parts. */
 class TextbookSimulatorTest {

@@ -20,7 +20,7 @@ import steward.physics.Contacts;
 import steward.physics.ImpactLaw;
 import steward.physics.PhysicsParts;
 import steward.physics.TextbookSimulator;
-import steward.physics.queue.QueueAdvance;
+import steward.physics.event.QueueAdvance;
 
 /** Bench section on crowds: elastic discs in a box, at 10% coverage, from a few to a million. */
 public final class CrowdSection implements Section {
@@ -73,6 +73,8 @@ public final class CrowdSection implements Section {
         private final long impacts;
         private QueueAdvance advance;
         private Bodies bodies;
+        /** What the arrays of the advance take, in bytes. */
+        private double bytes;
 
         Play(Gas gas, long impacts) {
             this.gas = gas;
@@ -89,9 +91,11 @@ public final class CrowdSection implements Section {
         @Override
         public long run() {
             Probe probe = new Probe();
+            bytes = -WorkClock.THREAD.bytes();
             while (probe.impacts < impacts) {
                 advance.turn(bodies, probe);
             }
+            bytes += WorkClock.THREAD.bytes();
             return probe.impacts;
         }
     }
@@ -110,11 +114,11 @@ public final class CrowdSection implements Section {
             }
             contenders.add(Contender.of("queue, " + bodies, WorkClock.THREAD, queue));
             new Comparison(name(), "impacts", contenders, (samples, k) -> k < contenders.size() - 1 ? ""
-                : String.format(Locale.ROOT, "%.0f bytes a body", (double) queue.advance.bytes() / size))
+                : String.format(Locale.ROOT, "%.0f bytes a body", queue.bytes / size))
                 .run(effort(gas, effort), step, rows);
-            long bytes = queue.advance.bytes();
-            new Comparison(name(), "lines", List.of(Contender.of("memory, " + bodies, WorkClock.THREAD, lines(bytes))),
-                (samples, k) -> String.format(Locale.ROOT, "%.1f MB", bytes / 1e6))
+            new Comparison(name(), "lines",
+                List.of(Contender.of("memory, " + bodies, WorkClock.THREAD, lines((long) queue.bytes))),
+                (samples, k) -> String.format(Locale.ROOT, "%.1f MB", queue.bytes / 1e6))
                 .run(effort(gas, effort), step, rows);
         }
     }

@@ -1,4 +1,4 @@
-package steward.physics.queue;
+package steward.physics.event;
 
 import java.util.List;
 import java.util.concurrent.TimeUnit;
@@ -22,8 +22,6 @@ import steward.physics.ImpactLaw;
 import steward.physics.PhysicsParts;
 import steward.physics.TurnSink;
 import steward.physics.Wall;
-import steward.physics.event.EventAdvance;
-import steward.physics.event.StepAdvance;
 
 /**
  * The cost of a turn of many bodies in a box on each rung, always the same 16 turns from the start:

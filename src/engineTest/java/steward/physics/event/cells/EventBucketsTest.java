@@ -1,4 +1,4 @@
-package steward.physics.queue;
+package steward.physics.event.cells;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;

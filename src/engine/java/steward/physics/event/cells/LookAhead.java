@@ -1,10 +1,10 @@
-package steward.physics.queue;
+package steward.physics.event.cells;
 
-import static steward.physics.queue.Crowd.COLUMN;
-import static steward.physics.queue.Crowd.EVENT;
-import static steward.physics.queue.Crowd.PARTNER;
-import static steward.physics.queue.Crowd.ROW;
-import static steward.physics.queue.Crowd.X;
+import static steward.physics.event.cells.Crowd.COLUMN;
+import static steward.physics.event.cells.Crowd.EVENT;
+import static steward.physics.event.cells.Crowd.PARTNER;
+import static steward.physics.event.cells.Crowd.ROW;
+import static steward.physics.event.cells.Crowd.X;
 
 /**
  * A reader of the memory that the next events of a large crowd will need. Events that follow each other in time are
@@ -14,8 +14,6 @@ import static steward.physics.queue.Crowd.X;
  */
 final class LookAhead {
 
-    /** The least number of bodies for which it pays: smaller crowds fit into the caches. */
-    static final int LEAST_BODIES = 1 << 16;
     /** The wanted number of events at a time: what they need leaves room in a cache of the second level. */
     private static final int EVENTS = 70;
     /** The greatest number of cells where one event searches. */
@@ -128,9 +126,5 @@ final class LookAhead {
 
     private long state(int body) {
         return Double.doubleToRawLongBits(crowd.state[8 * body + X]);
-    }
-
-    long bytes() {
-        return 4L * (bodies.length + near.length);
     }
 }

@@ -1,7 +1,8 @@
-package steward.physics.queue;
+package steward.physics.event.cells;
 
 import java.util.Arrays;
 import steward.physics.Bodies;
+import steward.physics.event.flight.PairSelection;
 
 /*
  * Two bodies whose diameters are at most the side of a cell touch only while they are in the same cell or in cells next
@@ -61,10 +62,14 @@ final class Cells {
         this.slack = slack;
     }
 
-    /** Chooses the size and number of cells for these bodies; {@link #sort} then empties them. */
-    void begin(Bodies bodies) {
+    /**
+     * Chooses the size and number of cells for these bodies, at least one; {@link #sort} then empties them.
+     *
+     * @param selection see {@link Crowd#radius}
+     */
+    void begin(Bodies bodies, PairSelection selection) {
         int size = bodies.size();
-        findLargest(bodies);
+        findLargest(bodies, selection);
         int sampled = sample(bodies.x, size);
         double width = Math.max(spread(sample, sampled), 2 * largest[0]);
         originX = lowest(bodies.x, size, sample[sampled / 10] - width);
@@ -103,10 +108,10 @@ final class Cells {
         return sampled;
     }
 
-    private void findLargest(Bodies bodies) {
+    private void findLargest(Bodies bodies, PairSelection selection) {
         Arrays.fill(largest, 0);
         for (int k = 0; k < bodies.size(); k++) {
-            double radius = bodies.radius[k];
+            double radius = Crowd.radius(selection, bodies, k);
             int place = MOST_LARGE;
             if (radius > largest[place]) {
                 while (place > 0 && radius > largest[place - 1]) {
@@ -350,9 +355,5 @@ final class Cells {
     private static int append(int body, int[] into, int count) {
         into[count] = body;
         return count + 1 + (body >> 31);
-    }
-
-    long bytes() {
-        return 4L * (heads.length + links.length) + 8L * (SAMPLE + MOST_LARGE);
     }
 }

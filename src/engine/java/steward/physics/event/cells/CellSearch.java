@@ -1,26 +1,27 @@
-package steward.physics.queue;
+package steward.physics.event.cells;
 
-import static steward.physics.queue.Crowd.COLUMN;
-import static steward.physics.queue.Crowd.CROSSED;
-import static steward.physics.queue.Crowd.EVENT;
-import static steward.physics.queue.Crowd.IMPACT;
-import static steward.physics.queue.Crowd.NEVER;
-import static steward.physics.queue.Crowd.PARTNER;
-import static steward.physics.queue.Crowd.PARTNER_CHANGES;
-import static steward.physics.queue.Crowd.RADIUS;
-import static steward.physics.queue.Crowd.ROW;
-import static steward.physics.queue.Crowd.SINCE;
-import static steward.physics.queue.Crowd.VX;
-import static steward.physics.queue.Crowd.VY;
-import static steward.physics.queue.Crowd.X;
-import static steward.physics.queue.Crowd.Y;
+import static steward.physics.event.cells.Crowd.COLUMN;
+import static steward.physics.event.cells.Crowd.CROSSED;
+import static steward.physics.event.cells.Crowd.EVENT;
+import static steward.physics.event.cells.Crowd.IMPACT;
+import static steward.physics.event.cells.Crowd.IMPACT_LOW;
+import static steward.physics.event.cells.Crowd.PARTNER;
+import static steward.physics.event.cells.Crowd.PARTNER_CHANGES;
+import static steward.physics.event.cells.Crowd.RADIUS;
+import static steward.physics.event.cells.Crowd.ROW;
+import static steward.physics.event.cells.Crowd.SINCE;
+import static steward.physics.event.cells.Crowd.SINCE_LOW;
+import static steward.physics.event.cells.Crowd.VX;
+import static steward.physics.event.cells.Crowd.VY;
+import static steward.physics.event.cells.Crowd.X;
+import static steward.physics.event.cells.Crowd.Y;
 
-import steward.physics.Arithmetic;
+import steward.physics.Bodies;
 import steward.physics.HalfPlane;
-import steward.physics.Wall;
-import steward.physics.time.CircleTime;
+import steward.physics.PhysicsParts;
+import steward.physics.event.flight.ImpactSearch;
+import steward.physics.time.PreciseFlight;
 import steward.physics.time.SimultaneousImpacts;
-import steward.physics.time.TimeOfImpact;
 
 /*
  * The filter of pairs. With d from one centre to the other and v its velocity, a = v.v, b = d.v, c = d.d - s^2, a pair
@@ -44,7 +45,7 @@ import steward.physics.time.TimeOfImpact;
  * their impact. An impact after an earlier one of the neighbour is not stored; it is found again by the searches after
  * that impact.
  */
-sealed class QueueSearch permits ExactQueueSearch {
+final class CellSearch extends ImpactSearch {
 
     /** Products below this have lost digits to underflow. */
     private static final double LEAST = 1e-250;
@@ -53,23 +54,18 @@ sealed class QueueSearch permits ExactQueueSearch {
     /** A factor for the rounding error of a quotient. */
     private static final double JUST_BELOW_ONE = 1 - 0x1p-40;
 
-    final Crowd crowd;
-    final EventBuckets events;
-    private final CircleTime circles;
-    private final Wall[] walls;
+    private final Crowd crowd;
+    private final EventBuckets events;
     private final HalfPlane[] planes;
-    private final QueuePairs pairs;
+    private final PreciseFlight flight = new PreciseFlight();
     private int[] near = new int[16];
-    double best;
-    int partner;
+    /** Where times are double-doubles, of each body: whether another impact of it is near its prediction in time. */
+    private boolean[] doubtful = new boolean[0];
 
-    /** @param pairs selects the pairs that can react, or {@code null} if all can */
-    QueueSearch(Crowd crowd, EventBuckets events, Arithmetic arithmetic, Wall[] walls, QueuePairs pairs) {
+    CellSearch(PhysicsParts parts, Crowd crowd, EventBuckets events) {
+        super(parts);
         this.crowd = crowd;
         this.events = events;
-        circles = CircleTime.of(arithmetic);
-        this.walls = walls;
-        this.pairs = pairs;
         planes = new HalfPlane[walls.length];
         for (int w = 0; w < walls.length; w++) {
             planes[w] = walls[w] instanceof HalfPlane plane ? plane : null;
@@ -81,58 +77,71 @@ sealed class QueueSearch permits ExactQueueSearch {
         if (near.length <= capacity) {
             near = new int[capacity + 1];
         }
-    }
-
-    /** Hook at the end of a search: stores what belongs to the prediction besides the double. */
-    void storePrediction(int body) {
-        // here a prediction is a double and no more
-    }
-
-    /** Hook at the start of a search from an existing prediction: loads what {@link #storePrediction} has stored. */
-    void loadPrediction(int body) {
-        // here a prediction is a double and no more
-    }
-
-    long bytes() {
-        return 4L * near.length;
+        if (crowd.exact && doubtful.length < capacity) {
+            doubtful = new boolean[capacity];
+        }
     }
 
     /** Predicts the next impact of a body from a full search and puts its next event into the queue. */
     void predict(int body, double now) {
         int at = 8 * body;
         crowd.link[at + CROSSED] = 0;
-        best = NEVER;
+        clear();
         testAll(body, now);
-        crowd.state[at + IMPACT] = best;
-        storePrediction(body);
-        if (best < NEVER) {
-            crowd.link[at + PARTNER] = partner;
-            crowd.link[at + PARTNER_CHANGES] = partner >= 0 ? crowd.cells.changes(partner) : 0;
+        keep(body);
+        if (crowd.exact) {
+            doubtful[body] = bestDoubtful;
         }
         enqueue(body, now);
     }
 
-    final void testAll(int body, double now) {
+    private void keep(int body) {
+        int at = 8 * body;
+        crowd.state[at + IMPACT] = best;
+        if (best < NEVER) {
+            crowd.link[at + PARTNER] = bestPartner;
+            crowd.link[at + PARTNER_CHANGES] = bestPartner >= 0 ? crowd.cells.changes(bestPartner) : 0;
+        }
+        if (crowd.exact) {
+            crowd.low[4 * body + IMPACT_LOW] = bestLow;
+        }
+    }
+
+    private void testAll(int body, double now) {
         testPairs(body, crowd.isOutside(body) ? allBodies() : neighbours(8 * body), now);
         testWalls(body, now);
     }
 
-    /**
-     * True if another impact may be at the same time as that of a body and its partner, by other means than the order
-     * of times; then {@link #collect} has to decide.
-     */
-    boolean mayBeSimultaneous(int body, double now) {
-        return false;
+    /** True if another impact of a body is near its prediction in time; only where times are double-doubles. */
+    boolean isDoubtful(int body) {
+        return doubtful[body];
     }
 
     /** Decides the impacts at the time of the earliest one, from all near it of these bodies. */
     SimultaneousImpacts collect(int[] bodies, int count, double now) {
-        throw new IllegalStateException("times of doubles are in their order");
+        together.clear();
+        collects = true;
+        for (int k = 0; k < count; k++) {
+            best = now + SimultaneousImpacts.NEAR;
+            testAll(bodies[k], now);
+        }
+        collects = false;
+        together.decide();
+        return together;
     }
 
     /** True if the partners of an impact approach; both have been moved to it. */
-    boolean areApproaching(int a, int b) {
-        return true;
+    boolean areApproaching(int body, int partner) {
+        double[] state = crowd.state;
+        int i = 8 * body;
+        int j = 8 * Math.max(partner, 0);
+        return areApproaching(partner, state[i + X], state[j + X], state[i + Y], state[j + Y], state[i + VX],
+            state[j + VX], state[i + VY], state[j + VY], crowd.ownRadius(body));
+    }
+
+    @Override
+    protected long rank(int body, int partner) {
+        return crowd.rank(body, partner);
     }
 
     private int allBodies() {
@@ -177,15 +186,18 @@ sealed class QueueSearch permits ExactQueueSearch {
         }
         if (found > 0) {
             best = state[at + IMPACT];
-            partner = link[at + PARTNER];
-            loadPrediction(body);
+            bestPartner = link[at + PARTNER];
+            if (crowd.exact) {
+                bestLow = crowd.low[4 * body + IMPACT_LOW];
+                bestDoubtful = doubtful[body];
+            }
             double before = best;
             testPairs(body, found, now);
-            if (best < before || best < NEVER && partner != link[at + PARTNER]) {
-                state[at + IMPACT] = best;
-                storePrediction(body);
-                link[at + PARTNER] = partner;
-                link[at + PARTNER_CHANGES] = crowd.cells.changes(partner);
+            if (best < before || best < NEVER && bestPartner != link[at + PARTNER]) {
+                keep(body);
+            }
+            if (crowd.exact) {
+                doubtful[body] = bestDoubtful;
             }
         }
         enqueue(body, now);
@@ -221,7 +233,8 @@ sealed class QueueSearch permits ExactQueueSearch {
     }
 
     private void testWalls(int body, double now) {
-        if (pairs != null && !pairs.canReactWithWalls(body)) {
+        int index = crowd.index[body];
+        if (selection != null && !selection.canReactWithWalls(crowd.bodies, index)) {
             return;
         }
         double[] state = crowd.state;
@@ -240,22 +253,16 @@ sealed class QueueSearch permits ExactQueueSearch {
                     continue;                          // later than the best; most walls are receded from
                 }
             }
-            if (pairs == null || pairs.canReactWithWall(body, w)) {
-                offerWall(body, w, now);
+            if (selection != null && !selection.canReactWithWall(crowd.bodies, index, w)) {
+                continue;
             }
-        }
-    }
-
-    /** Computes the time of impact with a wall, and keeps it if it is earlier than the best so far. */
-    void offerWall(int body, int w, double now) {
-        double[] state = crowd.state;
-        int at = 8 * body;
-        double since = state[at + SINCE];
-        double until = TimeOfImpact.wall(walls[w], state[at + X], state[at + Y], state[at + VX],
-            state[at + VY], state[at + RADIUS]);
-        if (until <= 1 - since && Math.max(now, since + until) < best) {
-            best = Math.max(now, since + until);
-            partner = ~w;
+            if (crowd.exact) {
+                offerExactWall(body, w, state[at + X], state[at + Y], state[at + VX], state[at + VY],
+                    crowd.ownRadius(body), since, crowd.low[4 * body + SINCE_LOW], now);
+            } else {
+                offerWall(w, state[at + X], state[at + Y], state[at + VX], state[at + VY], crowd.ownRadius(body),
+                    since, now);
+            }
         }
     }
 
@@ -299,44 +306,54 @@ sealed class QueueSearch permits ExactQueueSearch {
                 & Double.doubleToRawLongBits(late)) >>> 63);
         }
         for (int k = 0; k < kept; k++) {
-            if (pairs == null || pairs.canReact(body, others[k])) {
-                offer(body, others[k], now);
+            if (selection == null) {
+                offer(body, others[k], radius, state[8 * others[k] + RADIUS], now);
+            } else {
+                Bodies bodies = crowd.bodies;
+                int i = crowd.index[body];
+                int j = crowd.index[others[k]];
+                if (selection.canReact(bodies, i, j)) {
+                    offer(body, others[k], selection.radius(bodies, i, j), selection.radius(bodies, j, i), now);
+                }
             }
         }
     }
 
-    /**
-     * Computes the time of impact of a pair, and keeps it if it is earlier than the best so far and not later than the
-     * other's predicted impact.
-     */
-    void offer(int body, int other, double now) {
+    /** Offers the next impact of a pair: the body whose flight has started earlier is moved to the start of the other. */
+    private void offer(int body, int other, double ri, double rj, double now) {
         double[] state = crowd.state;
         int i = 8 * body;
         int j = 8 * other;
-        double since = Math.max(state[i + SINCE], state[j + SINCE]);
-        double flownI = since - state[i + SINCE];
-        double flownJ = since - state[j + SINCE];
+        double sinceI = state[i + SINCE];
+        double sinceJ = state[j + SINCE];
+        double since = Math.max(sinceI, sinceJ);
+        double xi = state[i + X];
+        double yi = state[i + Y];
+        double xj = state[j + X];
+        double yj = state[j + Y];
         double vxi = state[i + VX];
         double vyi = state[i + VY];
         double vxj = state[j + VX];
         double vyj = state[j + VY];
-        double until = circles.untilInTurn(state[i + X] + vxi * flownI, state[j + X] + vxj * flownJ,
-            state[i + Y] + vyi * flownI, state[j + Y] + vyj * flownJ, vxi, vxj, vyi, vyj, state[i + RADIUS],
-            state[j + RADIUS], since);
-        double time = Math.max(now, since + until);
-        if (until < NEVER && time <= best && !(time > state[j + IMPACT])
-            && (time < best || isLower(body, other))) {
-            best = time;
-            partner = other;
+        if (!crowd.exact) {
+            offerPair(body, other, xi + vxi * (since - sinceI), xj + vxj * (since - sinceJ), yi + vyi * (since - sinceI),
+                yj + vyj * (since - sinceJ), vxi, vxj, vyi, vyj, ri, rj, since, state[j + IMPACT], now);
+            return;
         }
-    }
-
-    /**
-     * For equal times: whether the pair with the other body is lower than that with the partner so far; walls come
-     * last.
-     */
-    boolean isLower(int body, int other) {
-        return partner < 0 || EventOrder.rank(crowd, body, other) < EventOrder.rank(crowd, body, partner);
+        double lowI = crowd.low[4 * body + SINCE_LOW];
+        double lowJ = crowd.low[4 * other + SINCE_LOW];
+        boolean isLast = sinceI > sinceJ || sinceI == sinceJ && lowI >= lowJ;
+        if (isLast && (sinceI != sinceJ || lowI != lowJ)) {
+            double flown = flight.elapsed(sinceJ, lowJ, sinceI, lowI);
+            xj = flight.coordinate(xj, vxj, flown);
+            yj = flight.coordinate(yj, vyj, flown);
+        } else if (!isLast) {
+            double flown = flight.elapsed(sinceI, lowI, sinceJ, lowJ);
+            xi = flight.coordinate(xi, vxi, flown);
+            yi = flight.coordinate(yi, vyi, flown);
+        }
+        offerExactPair(body, other, xi, xj, yi, yj, vxi, vxj, vyi, vyj, ri, rj, since, isLast ? lowI : lowJ,
+            state[j + IMPACT], now);
     }
 
     private void enqueue(int body, double now) {

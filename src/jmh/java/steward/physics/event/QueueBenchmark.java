@@ -1,4 +1,4 @@
-package steward.physics.queue;
+package steward.physics.event;
 
 import java.util.List;
 import java.util.concurrent.TimeUnit;
@@ -21,7 +21,6 @@ import steward.physics.Contacts;
 import steward.physics.ImpactLaw;
 import steward.physics.PhysicsParts;
 import steward.physics.TurnSink;
-import steward.physics.event.EventAdvance;
 
 /**
  * The number of bodies from which a queue is faster than a scan of all pairs: a turn of a gas at 10% coverage, with

@@ -1,4 +1,4 @@
-package steward.physics.queue;
+package steward.physics.event.cells;
 
 import java.util.Arrays;
 
@@ -334,9 +334,5 @@ final class EventBuckets {
             heap[at] = last;
             setPlace(last, at);
         }
-    }
-
-    long bytes() {
-        return 4L * (entries.length + heads.length + heap.length);
     }
 }
