@@ -1,5 +1,6 @@
 package steward.replay;
 
+import java.lang.reflect.RecordComponent;
 import java.util.Arrays;
 import java.util.Objects;
 import steward.json.JsonNumbers;
@@ -9,7 +10,9 @@ import tools.jackson.core.JacksonException;
 import tools.jackson.core.JsonParser;
 import tools.jackson.core.JsonToken;
 import tools.jackson.core.ObjectReadContext;
+import tools.jackson.core.StreamReadFeature;
 import tools.jackson.databind.DeserializationFeature;
+import tools.jackson.databind.MapperFeature;
 import tools.jackson.databind.json.JsonMapper;
 
 /**
@@ -28,9 +31,12 @@ import tools.jackson.databind.json.JsonMapper;
 public record RecordedTurn(int number, byte[] commands, String[] faults, String hash, byte[] outcome, String[] messages,
                            String[] stderr, byte[] times, String where) {
 
-    /** Reads states, which have all fields of their records and no others. */
+    /** Reader of states: it takes no field twice, no unknown one, and no text or fraction for a whole number. */
     private static final JsonMapper STATES = JsonMapper.builder()
-        .enable(DeserializationFeature.FAIL_ON_UNKNOWN_PROPERTIES).build();
+        .enable(DeserializationFeature.FAIL_ON_UNKNOWN_PROPERTIES, DeserializationFeature.FAIL_ON_NULL_FOR_PRIMITIVES)
+        .disable(DeserializationFeature.ACCEPT_FLOAT_AS_INT).disable(MapperFeature.ALLOW_COERCION_OF_SCALARS)
+        .enable(StreamReadFeature.STRICT_DUPLICATE_DETECTION).build();
+    private static final int SHOWN = 80;
 
     static RecordedTurn of(JsonLine line, int players) {
         LineFields.TURN.check(line);
@@ -68,7 +74,11 @@ public record RecordedTurn(int number, byte[] commands, String[] faults, String 
             in.skipChildren();
             token = in.nextToken();
         }
-        return token == JsonToken.END_ARRAY || token == JsonToken.VALUE_NULL ? null : in;
+        if (token == JsonToken.END_ARRAY || token == JsonToken.VALUE_NULL) {
+            in.close();
+            return null;
+        }
+        return in;
     }
 
     /** Tells a turn of a player's fault or answer, if it has one. */
@@ -102,12 +112,34 @@ public record RecordedTurn(int number, byte[] commands, String[] faults, String 
      */
     public <S extends Record> S state(Class<S> type) {
         JsonLine fields = new JsonLine(where + ": outcome", outcome);
-        try {
-            return fields.has("state") ? STATES.readValue(fields.object("state"), type) : null;
-        } catch (JacksonException problem) {
-            throw new ReplayException(where + ": state: found " + TextFormat.beginning(problem.getOriginalMessage(), 80)
-                + ", expected a " + type.getSimpleName() + " of " + type.getPackageName());
+        if (!fields.has("state")) {
+            return null;
         }
+        try {
+            S state = STATES.readValue(fields.object("state"), type);
+            for (RecordComponent component : type.getRecordComponents()) {
+                if (component.getAccessor().invoke(state) == null) {
+                    throw wrong(type, "." + component.getName(), "nothing");
+                }
+            }
+            return state;
+        } catch (JacksonException problem) {
+            boolean lacks = problem.getOriginalMessage().startsWith("Cannot map `null`");
+            StringBuilder place = new StringBuilder();
+            problem.getPath().stream().limit(problem.getPath().size() - (lacks ? 1 : 0)).forEach(each ->
+                place.append(each.getPropertyName() == null ? "[" + each.getIndex() + "]"
+                    : "." + each.getPropertyName()));
+            throw wrong(type, place.toString(), lacks ? "null or nothing for a number"
+                : problem.getOriginalMessage().replaceAll("\\s+", " "));
+        } catch (ReflectiveOperationException hidden) {
+            throw new IllegalArgumentException(type + " is not public", hidden);
+        }
+    }
+
+    private ReplayException wrong(Class<?> type, String place, String found) {
+        Class<?> game = type.getEnclosingClass() == null ? type : type.getEnclosingClass();
+        return new ReplayException(where + ": outcome: state" + place + ": found " + TextFormat.beginning(found, SHOWN)
+            + ", expected a state of " + game.getSimpleName());
     }
 
     /** Returns where an entry of the array of commands begins, or -1 if there are fewer. */

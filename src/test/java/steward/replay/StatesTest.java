@@ -10,12 +10,14 @@ import java.util.Set;
 import java.util.TreeSet;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import steward.cli.shared.Games;
 import steward.game.Game;
 import steward.game.GameJson;
 import steward.game.GameSetup;
 import steward.game.Pilot;
+import steward.game.bodies.protocol.BodiesJson;
 import steward.game.fantasticbits.protocol.FantasticBitsJson;
 import steward.game.podrace.protocol.PodRaceJson;
 import steward.json.JsonObject;
@@ -103,7 +105,35 @@ class StatesTest {
         assertEquals(4, turn.state(PodRaceJson.State.class).bodies().size());
         String message = assertThrows(ReplayException.class, () -> turn.state(FantasticBitsJson.State.class))
             .getMessage();
-        assertTrue(message.startsWith("match.jsonl:1: state: found "), message);
-        assertTrue(message.endsWith("expected a State of steward.game.fantasticbits.protocol"), message);
+        assertTrue(message.startsWith("match.jsonl:1: outcome: state"), message);
+        assertTrue(message.endsWith("expected a state of FantasticBitsJson"), message);
+    }
+
+    /** A disc of one's own game, or one that was changed by hand. */
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+        {} | state.bodies: found nothing
+        {"bodies": []} | state.points: found nothing
+        {"points": [1], "bodies": [{"id": 1.7, "x": 3, "y": 1, "vx": 1, "vy": 1}]} | state.bodies[0].id: found
+        {"points": [1.5], "bodies": []} | state.points[0]: found
+        {"points": [], "bodies": [{"id": 1, "x": "3", "y": 1, "vx": 1, "vy": 1}]} | state.bodies[0].x: found
+        {"points": [], "bodies": [{"id": 1, "x": 3, "y": 0}]} | state.bodies[0]: found null or nothing for a number
+        {"points": [], "bodies": [{"id": 1, "x": 3, "y": 1, "vx": 1, "vy": 1, "mass": 3}]} | state.bodies[0].mass: found
+        {"points": [], "bodies": [], "points": [1]} | state: found Duplicate
+        """)
+    void whatIsNoStateOfTheGameIsRefusedWithItsPlace(String state, String said) {
+        byte[] outcome = ("{\"state\": " + state + "}").getBytes(StandardCharsets.UTF_8);
+        RecordedTurn turn = new RecordedTurn(1, new byte[0], new String[0], "", outcome, new String[0], new String[0],
+            null, "match.jsonl:2");
+        String message = assertThrows(ReplayException.class, () -> turn.state(BodiesJson.State.class)).getMessage();
+        assertTrue(message.startsWith("match.jsonl:2: outcome: " + said), message);
+    }
+
+    @Test
+    void fieldsMayComeInAnyOrder() {
+        RecordedTurn turn = new RecordedTurn(1, new byte[0], new String[0], "", """
+            {"state": {"points": [4], "bodies": [{"vy": 4, "x": 1, "y": 2, "vx": 3, "id": 7}]}}"""
+            .getBytes(StandardCharsets.UTF_8), new String[0], new String[0], null, "match.jsonl:2");
+        assertEquals(new BodiesJson.Disc(7, 1, 2, 3, 4), turn.state(BodiesJson.State.class).bodies().get(0));
     }
 }
