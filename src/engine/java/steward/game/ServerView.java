@@ -5,8 +5,8 @@ import java.util.List;
 import steward.text.ViewLines;
 
 /**
- * Finds scene and seed in the views of the site's server, for {@code steward import}. A view is that of one kind of
- * game, and {@link ViewWriter} writes all of it; everything else in a recording is the same for all games.
+ * Reader of scene and seed in the views of the site's server, for {@code steward import}. A view is that of one kind
+ * of game, and {@link ViewWriter} writes all of it; everything else in a recording is the same for all games.
  */
 public interface ServerView {
 

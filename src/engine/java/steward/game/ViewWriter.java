@@ -19,8 +19,10 @@ public interface ViewWriter {
     String ANY = "*";
     /** Words, or none, that are not compared, up to the end of the line. */
     String REST = "**";
-    /** Beginning of a word that is a number within 1e-9 of the recorded one, relative to it. */
-    String NEAR = "~=";
+    /** View of which nothing is compared but its number. */
+    List<String> UNKNOWN = List.of(ANY + " " + REST, REST);
+    /** Beginning of a word that is a number within 1e-9 of the recorded one; no message holds this character. */
+    String NEAR = "\u0001";
 
     /**
      * A frame that ends a turn.
@@ -69,9 +71,9 @@ public interface ViewWriter {
      */
     Frame after(String[] messages, List<String> shown);
 
-    /** The view of a frame behind the end of the game, in which nobody is asked. */
+    /** The view of a frame behind the end of the game, in which nobody is asked; {@link #UNKNOWN} counts it only. */
     default List<String> declared() {
-        return List.of(ANY + " " + REST, REST);
+        return UNKNOWN;
     }
 
     /** True if a source may leave out all lines of a view from this one on. */

@@ -33,7 +33,7 @@ enum LineFields {
     static final String ANSWER = "answerMs";
     /** True in imports of earlier versions, whose outcomes are those that a server showed. */
     static final String IMPORTED = "imported";
-    /** What the site's server has recorded of an imported match. */
+    /** Recording by the site's server, in an imported match. */
     static final String SERVER = "server";
     /** Type of the line of the result. */
     static final String RESULT_TYPE = "result";

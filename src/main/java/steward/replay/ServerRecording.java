@@ -39,7 +39,7 @@ public final class ServerRecording {
     }
 
     /**
-     * What the server has said of the whole game.
+     * End of a match as the server tells it.
      *
      * @param turns  that it has played
      * @param frames behind the end of the game by our rules

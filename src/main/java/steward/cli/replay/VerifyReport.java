@@ -26,6 +26,9 @@ import steward.text.TextFormat;
 record VerifyReport(PrintStream out, Colour colour, boolean partial, Path file, SignerKey key,
                     SandboxLevel least, boolean quiet) {
 
+    /** Characters of a server's line that are printed. */
+    private static final int LONGEST = 1000;
+
     /** @return the exit status */
     int print(ReplayReader replay, Verification verification) {
         String wrong = wrong(replay, verification);
@@ -33,8 +36,9 @@ record VerifyReport(PrintStream out, Colour colour, boolean partial, Path file, 
             out.println(TextFormat.plain(wrong).replaceFirst("^differs:|^not verified:", colour.bad("$0")));
             Difference difference = verification.difference();
             if (difference != null && difference.lines() != null) {
-                out.println("  server: " + TextFormat.plain(difference.lines().server()));
-                out.println("  here:   " + TextFormat.plain(difference.lines().ours()));
+                Difference.Lines lines = difference.lines();
+                out.println("  server: " + TextFormat.plain(TextFormat.beginning(lines.server(), LONGEST)));
+                out.println("  here:   " + TextFormat.plain(TextFormat.beginning(lines.ours(), LONGEST)));
             }
             shown(verification.views());
             return status(wrong, verification);
@@ -109,7 +113,8 @@ record VerifyReport(PrintStream out, Colour colour, boolean partial, Path file, 
     private void shown(ViewCounts views) {
         if (!views.notCompared().isEmpty()) {
             out.println("views: " + views.values() + " numbers and words equal"
-                + (views.nearInAll() == 0 ? "" : ", " + views.nearInAll() + " within 1e-9 of ours:"));
+                + (views.nearInAll() == 0 ? "" : ", " + views.nearInAll() + " within 1e-9 of ours"
+                    + (views.nearInAll() > views.near().size() ? ", the first of them:" : ":")));
             views.near().forEach(near -> out.println("  " + near));
             out.println("not compared: " + String.join("; ", views.notCompared()));
         }

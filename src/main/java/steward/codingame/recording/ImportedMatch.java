@@ -120,8 +120,7 @@ final class ImportedMatch {
             }
             List<ServerRecording.Frame> behind = frames.subList(turns + 1, frames.size()).stream()
                 .flatMap(List::stream).toList();
-            int played = Math.max(end.turns(), Math.min(turns, frames.size() - 1));
-            server.end(new ServerRecording.End(played, behind, end.ranks(), end.scores()));
+            server.end(new ServerRecording.End(Math.max(end.turns(), turns), behind, end.ranks(), end.scores()));
             writer.end(new MatchResult(result.turns(), result.ending(), told, facts.data()));
         }
     }

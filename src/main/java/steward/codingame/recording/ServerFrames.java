@@ -10,10 +10,10 @@ import steward.text.ViewLines;
 import tools.jackson.databind.JsonNode;
 
 /**
- * Reads the frames of CodinGame's JSON, alike in all games: frame 0 is the start; from then on, each frame is one
+ * Reader of the frames of CodinGame's JSON, alike in all games: frame 0 is the start; from then on, each frame is one
  * player's answer, in the order of their numbers, and the key frame ends the turn. A player without a frame was not
- * asked. Where a source leaves out whose frame it is, or whether it ends the turn, all players answer in each turn.
- * Errors name the frame.
+ * asked. A frame of the referee that ends no turn is left out. Where a source leaves out whose frame it is, or whether
+ * it ends the turn, all players answer in each turn. Errors name the frame.
  */
 final class ServerFrames {
 

@@ -20,6 +20,8 @@ import steward.replay.ReplayException;
 import steward.replay.ReplayReader;
 import steward.replay.verify.Difference;
 import steward.replay.verify.Verification;
+import steward.scene.json.SceneException;
+import steward.text.TextFormat;
 import tools.jackson.core.JacksonException;
 
 /**
@@ -30,6 +32,9 @@ import tools.jackson.core.JacksonException;
  * <p>A replay that was cut off is embedded up to the cut, and the page says so.
  */
 public final class ReplayPage {
+
+    /** Characters of a server's line that a page shows. */
+    private static final int LONGEST = 1000;
 
     private ReplayPage() { }
 
@@ -142,8 +147,9 @@ public final class ReplayPage {
                 : new Difference.Lines(found.recorded(), found.found());
             return " data-differs-from=\"" + found.turn() + "\" data-differs=\"" + PageTemplate.escape(
                 "The server's game differs from here on: turn " + found.turn() + ", " + found.field() + "\nserver: "
-                    + lines.server() + "\nhere:   " + lines.ours()) + "\"";
-        } catch (RuntimeException cannotBePlayedAgain) {
+                    + TextFormat.beginning(lines.server(), LONGEST) + "\nhere:   "
+                    + TextFormat.beginning(lines.ours(), LONGEST)) + "\"";
+        } catch (ReplayException | SceneException cannotBePlayedAgain) {
             return "";
         }
     }

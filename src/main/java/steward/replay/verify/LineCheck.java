@@ -32,7 +32,7 @@ final class LineCheck {
     private final Resimulation again;
     private final Game game;
     private final SignedLines signed;
-    /** What a server has recorded of an imported match, as far as it is read; otherwise {@code null}. */
+    /** Recording by a server, as far as it is read; {@code null} but in an imported match. */
     private final ServerRecording server;
     private final ViewComparison views;
     private final ReplayLines lines;

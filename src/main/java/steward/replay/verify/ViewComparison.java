@@ -19,7 +19,7 @@ import steward.text.TextFormat;
  */
 final class ViewComparison {
 
-    /** How far a number may be from ours that need only be near, relative to the larger of both. */
+    /** Greatest relative distance of a number from ours that need only be near. */
     private static final double NEAR = 1e-9;
 
     private static final Pattern NUMBER = Pattern.compile("[-+]?[0-9]+(\\.[0-9]+)?([eE][-+]?[0-9]+)?");
@@ -33,6 +33,10 @@ final class ViewComparison {
     private int turns;
     private int missing;
     private int behind;
+    /** Views that end early, and frames behind the end, of which a game does not know what they show. */
+    private int cut;
+    private int unknown;
+    private boolean isResultCompared = true;
     private Difference difference;
 
     ViewComparison(ViewWriter writer, Game game) {
@@ -50,6 +54,16 @@ final class ViewComparison {
         }
         if (behind > 0) {
             notCompared.add(TextFormat.count(behind, "frame") + " behind the first difference");
+        }
+        if (cut > 0) {
+            notCompared.add("the rest of " + TextFormat.count(cut, "view") + " that "
+                + (cut == 1 ? "ends" : "end") + " early");
+        }
+        if (unknown > 0) {
+            notCompared.add(TextFormat.count(unknown, "frame") + " behind the end");
+        }
+        if (!isResultCompared) {
+            notCompared.add("ranks and scores");
         }
         return new ViewCounts(values, near, nearInAll, notCompared);
     }
@@ -79,8 +93,10 @@ final class ViewComparison {
         }
         int last = frames.size() - 1;
         for (int k = 0; k < last; k++) {
+            behind += difference == null ? 0 : 1;
             compare(turn.number(), "view", lines(frames.get(k).view()), writer.answer(k), false);
         }
+        behind += difference == null || last < 0 ? 0 : 1;
         if (last >= 0) {
             List<String> view = lines(frames.get(last).view());
             compare(turn.number(), frames.get(last), writer.after(turn.messages(), view == null ? List.of() : view));
@@ -101,11 +117,17 @@ final class ViewComparison {
             .mapToObj(Double::toString).collect(Collectors.joining(" ")));
         for (ServerRecording.Frame frame : end.frames()) {
             behind += difference == null ? 0 : 1;
-            compare(game.turn(), "view", lines(frame.view()), writer.declared(), true);
+            List<String> declared = writer.declared();
+            boolean isKnown = !declared.equals(ViewWriter.UNKNOWN);
+            unknown += isKnown || difference != null ? 0 : 1;
+            if (isKnown) {
+                compare(game.turn(), "view", lines(frame.view()), declared, true);
+            }
         }
     }
 
     private void compareGiven(String name, String recorded, String found) {
+        isResultCompared &= recorded == null || difference == null;
         if (recorded != null) {
             compare(game.turn(), name, List.of(recorded), List.of(found), false);
         }
@@ -142,6 +164,7 @@ final class ViewComparison {
             boolean rest = line >= found.size() - 1 && !found.isEmpty()
                 && found.get(found.size() - 1).equals(ViewWriter.REST);
             if (ends || rest) {
+                cut += ends && !rest ? 1 : 0;
                 return;
             }
             compareLine(turn, name + " line " + line, line < recorded.size() ? recorded.get(line) : null,
@@ -169,9 +192,9 @@ final class ViewComparison {
             }
             String place = where + ", word " + k;
             String plain = our.startsWith(ViewWriter.NEAR) ? our.substring(ViewWriter.NEAR.length()) : our;
-            if (k < theirs.size() && k < ours.size() && distance(their, our, plain) == 0) {
+            if (k < theirs.size() && k < ours.size() && distance(their, plain) == 0) {
                 values++;
-            } else if (!plain.equals(our) && distance(their, our, plain) <= NEAR) {
+            } else if (!plain.equals(our) && distance(their, plain) <= NEAR) {
                 nearInAll++;
                 if (near.size() < ViewCounts.MOST_NEAR) {
                     near.add(new Difference(turn, place, their, plain).toString());
@@ -188,15 +211,15 @@ final class ViewComparison {
     }
 
     /** Relative distance of two numbers, which different programs write in different ways; of equal words 0. */
-    private static double distance(String their, String our, String plain) {
+    private static double distance(String their, String our) {
         if (their.equals(our)) {
             return 0;
         }
-        if (!NUMBER.matcher(their).matches() || !NUMBER.matcher(plain).matches()) {
+        if (!NUMBER.matcher(their).matches() || !NUMBER.matcher(our).matches()) {
             return Double.POSITIVE_INFINITY;
         }
         double one = Double.parseDouble(their);
-        double other = Double.parseDouble(plain);
+        double other = Double.parseDouble(our);
         return one == other ? 0 : Math.abs(one - other) / Math.max(Math.abs(one), Math.abs(other));
     }
 }

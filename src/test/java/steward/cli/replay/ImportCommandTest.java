@@ -96,7 +96,7 @@ class ImportCommandTest {
         assertEquals(ExitStatus.FAILED, cli.status());
         assertTrue(cli.out().startsWith("differs: turn 10, view line 1, word 0: recorded 1"), cli.out());
         assertTrue(cli.out().contains("\n  server: 1") && cli.out().contains("\n  here:   ")
-            && cli.out().contains(" frames behind the first difference\n"), cli.out());
+            && cli.out().contains(" frames behind the first difference; ranks and scores\n"), cli.out());
     }
 
     @Test
@@ -127,7 +127,8 @@ class ImportCommandTest {
     void aSketchIsShownToo() throws IOException {
         imported(GAME.sketch(SKETCHED));
         assertEquals("verified: states of 26 of 33 turns, as another referee saw them, and the result\n"
-            + VIEWS.stripTrailing() + "; 14 texts of frames that the recording lacks\n",
+            + VIEWS.stripTrailing() + "; 14 texts of frames that the recording lacks; the rest of 26 views that "
+            + "end early\n",
             withoutCount(replay("--verify").out()));
         String table = replay().out();
         assertTrue(table.contains("player 1 failed: no answer in the recording"), table);

@@ -11,7 +11,7 @@ import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.ObjectNode;
 
-/** Finds the map of a pod race of the server: the first view has its checkpoints, {@code refereeInput} perhaps too. */
+/** Reader of the map of a pod race: the first view has its checkpoints, {@code refereeInput} perhaps too. */
 final class PodRaceView implements ServerView {
 
     static final String TITLE = "CodersStrikeBack";

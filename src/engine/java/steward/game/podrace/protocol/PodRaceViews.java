@@ -35,7 +35,7 @@ final class PodRaceViews implements ViewWriter {
     private static final int FIELD_WIDTH = 16000;
     private static final int FIELD_HEIGHT = 9000;
     private static final int LONGEST_MESSAGE = 50;
-    /** Lines of a view after a turn that stand before its counters: the number, and two a pod. */
+    /** Lines of a view after a turn before those of the pods, two a pod. */
     private static final int BEFORE_PODS = 1;
     /** Likewise of the first view; the last of them has their places. */
     private static final int BEFORE_PODS_OF_START = 5;

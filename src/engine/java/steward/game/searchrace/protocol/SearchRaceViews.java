@@ -85,7 +85,7 @@ final class SearchRaceViews implements ViewWriter {
     @Override
     public List<String> notCompared() {
         return List.of("gameInformation, tooltips of the site", "colours, images and sizes",
-            "skid marks and lines that are hidden", "of the frame that declares a finish all but the time");
+            "skid marks and lines that are hidden", "of the frame that declares a finish all but the time", "scores");
     }
 
     @Override
