@@ -13,7 +13,8 @@ import steward.replay.WriteBehind;
 
 /**
  * The replay of one game as a file: it remembers what went wrong with it, and leaves nothing empty behind. The file is
- * made with its first line, so that also after {@code kill -9} every file there is can be verified up to its cut.
+ * made with its first line, so that also after {@code kill -9} every file there is can be verified up to its cut, but
+ * for one that was killed between the two calls of the system: it is empty.
  */
 public final class ReplayFile extends OutputStream {
 

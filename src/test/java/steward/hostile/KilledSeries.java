@@ -146,8 +146,11 @@ public final class KilledSeries {
         row.replays++;
         try {
             if (Files.size(replay) == 0) {
-                row.empty++;
-                problems.add(when + replay.getFileName() + " is empty");
+                row.empty++;                           // killed between the call that makes it and that which writes
+                if (row.empty > 1 || !when.startsWith("KILL")) {
+                    problems.add(when + replay.getFileName() + " is empty");
+                }
+                Files.delete(replay);
                 return;
             }
             ByteArrayOutputStream out = new ByteArrayOutputStream();

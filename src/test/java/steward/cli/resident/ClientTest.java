@@ -15,6 +15,7 @@ import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
 import java.util.concurrent.TimeUnit;
@@ -234,8 +235,9 @@ class ClientTest {
     void aResidentThatIsKilledInTheMatchIsALossForEveryBot() throws IOException, InterruptedException {
         takeAnInstallationOfItsOwn();
         Path slow = Files.writeString(folder.resolve("slow.sh"), "while read -r line; do sleep 9; done\n");
-        Process client = home.builder(match(REFEREE, "sh " + slow, 1, "-scene", "mean-max", "-p3",
-            "no-such-bot")).start();
+        String[] three = match(REFEREE, "sh " + slow, 1, "-p3", "no-such-bot");
+        Arrays.setAll(three, k -> three[k].equals("duel") ? "mean-max" : three[k]);
+        Process client = home.builder(three).start();
         client.getErrorStream().read();                  // the warning of the third bot
         home.close();
         ClientHome.Said said = ClientHome.end(client);
