@@ -179,7 +179,7 @@ class StabilityCommandTest {
         int lines = Files.readAllLines(out.resolve("stability.csv")).size();
         assertTrue(lines >= 4, "lines " + lines);
         JsonNode rows = JsonMapper.shared().readTree(Files.readString(out.resolve("stability.json"))).get("rows");
-        assertTrue(rows.size() >= lines - 2 && rows.size() <= Rung.all().size(),
+        assertTrue(rows.size() >= lines - 2 && rows.size() < 2 * Rung.all().size(),
             rows.size() + " rows, " + lines + " lines");
         String said = Files.readString(errors);
         assertTrue(said.contains("interrupted; the rows so far are in " + out), said);
