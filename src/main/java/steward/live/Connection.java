@@ -28,7 +28,7 @@ final class Connection {
     private final SelectionKey key;
     private final ArrayDeque<byte[]> pieces = new ArrayDeque<>();
     private Request request = new Request();
-    private Feed feed;
+    private LiveFeed feed;
     private long position;
     private long viewer;
     private byte[] page;
@@ -107,7 +107,7 @@ final class Connection {
         answer(now, head, bytes);
     }
 
-    void follow(long now, Feed followed, long number) {
+    void follow(long now, LiveFeed followed, long number) {
         answer(now, Answers.head(Answers.OK, Answers.EVENTS, -1), Answers.bytes("id:" + number + "\n\n"));
         feed = followed;
         viewer = number;
@@ -171,13 +171,13 @@ final class Connection {
 
     private void fill(long now) {
         while (feed != null && ready < AHEAD) {
-            Feed.Piece next = feed.piece(position);
+            LiveFeed.Piece next = feed.piece(position);
             if (next == null) {
                 break;
             }
             add(next.bytes());
             position = next.next();
-            if (next == Feed.END) {
+            if (next == LiveFeed.END) {
                 feed = null;
                 due = now + PAGE_NANOS;
             }
@@ -201,8 +201,8 @@ final class Connection {
     }
 
     private boolean isAtEnd() {
-        Feed.Piece next = feed.piece(position);
-        return next == null || next == Feed.END;
+        LiveFeed.Piece next = feed.piece(position);
+        return next == null || next == LiveFeed.END;
     }
 
     /** Closes it, also for the system, which would go on to offer the rest. */

@@ -14,7 +14,7 @@ import java.util.List;
  *
  * <p>Thread-safe.
  */
-public final class LiveRecording extends OutputStream implements Feed {
+public final class LiveRecording extends OutputStream implements LiveFeed {
 
     private static final byte[] DATA = Answers.bytes("data: ");
     private static final int BEFORE = DATA.length;

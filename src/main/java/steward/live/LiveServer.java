@@ -85,7 +85,7 @@ public final class LiveServer implements AutoCloseable {
         }
 
         @Override
-        public Feed feed() {
+        public LiveFeed feed() {
             return recording;
         }
 

@@ -9,7 +9,7 @@ interface Site {
     /** The page at {@code /}. */
     byte[] front();
 
-    Feed feed();
+    LiveFeed feed();
 
     /**
      * Makes another page; may take its time.

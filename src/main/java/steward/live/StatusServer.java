@@ -51,7 +51,8 @@ public final class StatusServer implements AutoCloseable {
         return new StatusServer(null, 0, 1, page, files, true);
     }
 
-    private record StatusSite(byte[] front, Feed feed, Function<String, byte[]> pages, boolean isOpen) implements Site {
+    private record StatusSite(byte[] front, LiveFeed feed, Function<String, byte[]> pages, boolean isOpen)
+        implements Site {
 
         @Override
         public byte[] page(String path) {
@@ -60,7 +61,7 @@ public final class StatusServer implements AutoCloseable {
     }
 
     /** The newest state. */
-    private static final class Newest implements Feed {
+    private static final class Newest implements LiveFeed {
 
         private volatile Runnable changed = () -> { };
         private Piece state;

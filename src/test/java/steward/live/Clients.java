@@ -24,7 +24,7 @@ public final class Clients implements AutoCloseable {
 
     private final HttpClient http = HttpClient.newHttpClient();
     private final URI address;
-    private final List<Feed> feeds = new ArrayList<>();
+    private final List<LiveFeed> feeds = new ArrayList<>();
 
     /** @param address of the page */
     public Clients(URI address) {
@@ -63,17 +63,17 @@ public final class Clients implements AutoCloseable {
     }
 
     /** Begins to follow the match. */
-    public Feed feed() {
+    public LiveFeed feed() {
         return feed(get("feed", HttpResponse.BodyHandlers.ofInputStream()));
     }
 
     /** Begins again, as a browser does that was disconnected. */
-    Feed feed(String lastId) {
+    LiveFeed feed(String lastId) {
         return feed(get("feed", HttpResponse.BodyHandlers.ofInputStream(), "Last-Event-ID", lastId));
     }
 
-    private Feed feed(HttpResponse<InputStream> response) {
-        Feed feed = new Feed(response);
+    private LiveFeed feed(HttpResponse<InputStream> response) {
+        LiveFeed feed = new LiveFeed(response);
         feeds.add(feed);
         return feed;
     }
@@ -103,11 +103,11 @@ public final class Clients implements AutoCloseable {
 
     @Override
     public void close() {
-        feeds.forEach(Feed::close);
+        feeds.forEach(LiveFeed::close);
     }
 
     /** Follows a match as a browser would, but reads only when it is told to. */
-    public static final class Feed implements AutoCloseable {
+    public static final class LiveFeed implements AutoCloseable {
 
         private static final String DATA = "data: ";
         private static final String EVENT = "event: ";
@@ -118,7 +118,7 @@ public final class Clients implements AutoCloseable {
         private String ending;
         private String id;
 
-        private Feed(HttpResponse<InputStream> response) {
+        private LiveFeed(HttpResponse<InputStream> response) {
             if (response.statusCode() != 200) {
                 throw new AssertionError(response.statusCode());
             }

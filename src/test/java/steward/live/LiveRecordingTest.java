@@ -52,7 +52,7 @@ class LiveRecordingTest {
         write("one\n");
         recording.close();
         assertEquals("data: one\n\n", event(0));
-        assertSame(Feed.END, recording.piece(1));
+        assertSame(LiveFeed.END, recording.piece(1));
     }
 
     @Test

@@ -73,15 +73,15 @@ class LiveServerTest {
 
     @Test
     void twoViewersGetEachLineWhenItIsPlayedAndALateOneGetsAll() throws Exception {
-        Clients.Feed one = clients.feed();
-        Clients.Feed two = clients.feed();
+        Clients.LiveFeed one = clients.feed();
+        Clients.LiveFeed two = clients.feed();
         for (String line : LINES) {
             write(List.of(line));
             assertEquals(line, one.next());
             assertEquals(line, two.next());
         }
         recording.close();
-        Clients.Feed late = clients.feed();
+        Clients.LiveFeed late = clients.feed();
         assertEquals(LINES, late.rest());
         assertEquals("end", late.ending());
         assertEquals(List.of(), one.rest());
@@ -93,8 +93,8 @@ class LiveServerTest {
     @Tag("slow")
     @Tag("campaign")
     void aViewerWhoReadsNothingHoldsNobodyUp() throws Exception {
-        Clients.Feed slow = clients.feed();
-        Clients.Feed quick = clients.feed();
+        Clients.LiveFeed slow = clients.feed();
+        Clients.LiveFeed quick = clients.feed();
         String line = "x".repeat(400_000);
         long start = System.nanoTime();
         for (int k = 0; k < 100; k++) {
@@ -143,11 +143,11 @@ class LiveServerTest {
     @Test
     @Tag("slow")
     void whoeverFindsAllPlacesTakenIsToldAndComesInWhenOneHasLeft() throws Exception {
-        List<Clients.Feed> feeds = new ArrayList<>();
+        List<Clients.LiveFeed> feeds = new ArrayList<>();
         for (int k = 0; k < VIEWERS; k++) {
             feeds.add(clients.feed());
         }
-        Clients.Feed refused = clients.feed();
+        Clients.LiveFeed refused = clients.feed();
         assertEquals("All places are taken: 16 are watching, more are not admitted.", refused.next());
         assertEquals("refused", refused.ending());
         assertNull(refused.next());
@@ -167,8 +167,8 @@ class LiveServerTest {
         LiveRecording lines = new LiveRecording();
         try (LiveServer impatient = LiveServer.start(null, 0, 2, "b", lines, PageExtras.NONE, 300_000_000);
              Clients others = new Clients(impatient.address())) {
-            Clients.Feed slow = others.feed();
-            Clients.Feed quick = others.feed();
+            Clients.LiveFeed slow = others.feed();
+            Clients.LiveFeed quick = others.feed();
             byte[] line = ("x".repeat(1 << 20) + "\n").getBytes(StandardCharsets.UTF_8);
             for (int k = 0; k < 8; k++) {
                 lines.write(line, 0, line.length);
@@ -201,7 +201,7 @@ class LiveServerTest {
         assertFalse(server.awaitViewer(1));
         long start = System.nanoTime();
         server.awaitDelivery(20_000, 20_000);
-        Clients.Feed feed = clients.feed();
+        Clients.LiveFeed feed = clients.feed();
         assertTrue(server.awaitViewer(0));
         write(LINES);
         recording.close();

@@ -48,7 +48,7 @@ class ViewersPageTest {
         try (LiveServer server = LiveServer.start(null, 0, 1, "b", recording, PageExtras.NONE);
              Clients first = new Clients(server.address());
              PageTestBrowser browser = PageTestBrowser.start()) {
-            Clients.Feed feed = first.feed();
+            Clients.LiveFeed feed = first.feed();
             assertEquals(LINES.get(0), feed.next());
             browser.go(server.address().toString());
             browser.await("it is not told", () -> TAKEN.equals(browser.text("#notice")));
@@ -108,7 +108,7 @@ class ViewersPageTest {
             server.show("""
                 {"scene":"duel","games":7,"repeats":0,"again":0,"without":0,"rate":2.5,"bots":[],"cross":[],\
                 "path":{"versions":[],"points":[]},"list":[]}""");
-            Clients.Feed feed = first.feed();
+            Clients.LiveFeed feed = first.feed();
             browser.go(server.address().toString());
             browser.await("it is not told", () -> TAKEN.equals(browser.text("#notice")));
             feed.close();

@@ -50,13 +50,13 @@ public record SearchRaceSettings(int laps, double checkpointRadius, int maximumT
             block.choice("official", Map.of("by seed", true));
             return null;
         }
-        int number = block.integer("official", 1, OfficialMaps.numbers().get(OfficialMaps.COUNT - 1));
-        int index = OfficialMaps.numbers().indexOf(number);
+        int number = block.integer("official", 1, SearchRaceMaps.numbers().get(SearchRaceMaps.COUNT - 1));
+        int index = SearchRaceMaps.numbers().indexOf(number);
         if (index < 0) {
             throw block.error("official", Integer.toString(number),
                 "the number of an official map: 1, 2, 7..50, 700, 701, 702 or 704");
         }
-        return OfficialMaps.map(index);
+        return SearchRaceMaps.map(index);
     }
 
     private static double[][] points(Block block) {
@@ -76,6 +76,6 @@ public record SearchRaceSettings(int laps, double checkpointRadius, int maximumT
 
     /** The checkpoints of the game with this seed, {@code [n][x, y]}. */
     double[][] map(long seed) {
-        return map != null ? map : OfficialMaps.map((int) Math.floorMod(seed, (long) OfficialMaps.COUNT));
+        return map != null ? map : SearchRaceMaps.map((int) Math.floorMod(seed, (long) SearchRaceMaps.COUNT));
     }
 }

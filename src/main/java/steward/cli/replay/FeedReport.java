@@ -125,7 +125,7 @@ final class FeedReport {
         text.println(TextFormat.count(played, "turn") + " played by the bot");
         MatchResult result = outcome.result();
         ReplayHeader header = session.match().header();
-        String scene = HeaderText.scene(header);
+        String scene = ReplayHeaderText.scene(header);
         if (result != null) {
             text.println(colour.strong(MatchText.headline(scene, header.seed(), result)));
         } else {

@@ -101,7 +101,7 @@ final class MovingPicture {
                 + ", the turns of the match");
         }
         List<String> names = IntStream.range(0, replay.header().names().size())
-            .mapToObj(player -> HeaderText.name(replay.header(), player)).toList();
+            .mapToObj(player -> ReplayHeaderText.name(replay.header(), player)).toList();
         return picture.drawn(drawing, names);
     }
 

@@ -308,7 +308,7 @@ public final class ReplayCommand extends ProgramCommand {
     }
 
     private static void requireBodies(ReplayReader replay, String option) {
-        Games.requireComputed(replay.header().game(), HeaderText.scene(replay.header()), option);
+        Games.requireComputed(replay.header().game(), ReplayHeaderText.scene(replay.header()), option);
     }
 
     private boolean moving() {

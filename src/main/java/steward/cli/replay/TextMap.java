@@ -162,7 +162,7 @@ public final class TextMap {
                     text.append(letter.getValue()).append(' ');
                 }
             }
-            text.append(HeaderText.name(replay.header(), player)).append("    ");
+            text.append(ReplayHeaderText.name(replay.header(), player)).append("    ");
         }
         return text.toString();
     }

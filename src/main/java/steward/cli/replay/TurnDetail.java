@@ -120,7 +120,7 @@ final class TurnDetail {
             double time = nanos instanceof List<?> list && player < list.size() ? Json.number(list.get(player))
                 : Double.NaN;
             out.println();
-            out.println("player " + player + ", " + HeaderText.name(replay.header(), player)
+            out.println("player " + player + ", " + ReplayHeaderText.name(replay.header(), player)
                 + (Double.isNaN(time) ? "" : ", " + TextFormat.fixed(time / NANOS_PER_MS, 2) + " ms"));
             Object command = player < commands.size() ? commands.get(player) : null;
             say(out, "sent   ", sent[player]);

@@ -79,7 +79,7 @@ final class TurnTable {
     }
 
     private String scene() {
-        return HeaderText.scene(replay.header());
+        return ReplayHeaderText.scene(replay.header());
     }
 
     /** Before the first row or the result; not at all if there is no such turn. */
@@ -89,11 +89,11 @@ final class TurnTable {
         }
         opened = true;
         ReplayHeader header = replay.header();
-        out.println(scene() + " (" + HeaderText.game(header) + "), seed " + header.seed()
+        out.println(scene() + " (" + ReplayHeaderText.game(header) + "), seed " + header.seed()
             + timeFactor(header.timeFactor()));
         for (int player = 0; player < header.names().size(); player++) {
-            out.println("player " + player + "  " + HeaderText.name(header, player) + "  "
-                + HeaderText.bot(header, player) + limits(header.limits().get(player)));
+            out.println("player " + player + "  " + ReplayHeaderText.name(header, player) + "  "
+                + ReplayHeaderText.bot(header, player) + limits(header.limits().get(player)));
         }
         out.println();
         if (!columns.isEmpty()) {
@@ -169,7 +169,7 @@ final class TurnTable {
         }
         for (int player = 0; player < turn.faults().length; player++) {
             if (turn.faults()[player] != null) {
-                out.println(margin + HeaderText.name(replay.header(), player) + " failed: "
+                out.println(margin + ReplayHeaderText.name(replay.header(), player) + " failed: "
                     + TextFormat.plain(turn.faults()[player]));
             }
         }
@@ -179,7 +179,7 @@ final class TurnTable {
         List<Object> commands = Json.array(turn.commands());
         for (int player = 0; player < commands.size(); player++) {
             if (commands.get(player) instanceof Map<?, ?> command && command.get("lines") instanceof List<?> lines) {
-                out.println(TextFormat.plain(margin + HeaderText.name(replay.header(), player) + ": "
+                out.println(TextFormat.plain(margin + ReplayHeaderText.name(replay.header(), player) + ": "
                     + TextFormat.shorten(TurnDetail.spell(lines), WIDTH)));
             }
         }
@@ -193,7 +193,7 @@ final class TurnTable {
         if (!leftOut.isEmpty()) {
             out.println("left out, see --turn: " + String.join(", ", leftOut));
         }
-        MatchResult result = RecordedResult.of(replay, HeaderText.names(replay.header()));
+        MatchResult result = RecordedResult.of(replay, ReplayHeaderText.names(replay.header()));
         if (result == null) {
             out.println(turns == 0 ? "no turn was recorded" : "no result after " + TextFormat.count(turns, "turn"));
         } else {

@@ -50,8 +50,8 @@ import steward.league.play.Roster;
 import steward.league.rating.LeagueTable;
 import steward.match.OwnLimits;
 import steward.match.Protocol;
-import steward.scene.SceneFiles;
 import steward.scene.Scene;
+import steward.scene.SceneFiles;
 import steward.text.TextFormat;
 
 /** {@code steward tournament}: everybody in a folder against everybody. */
@@ -220,13 +220,13 @@ public final class TournamentCommand extends ProgramCommand {
         boolean before = Files.isRegularFile(league.settings());
         prepare(into, before);
         try (FolderLock lock = FolderLock.take(new LeagueFolder(into));
-             Wall wall = watch.watch() ? Wall.start(watch, streams) : null) {
+             ProjectorWall wall = watch.watch() ? ProjectorWall.start(watch, streams) : null) {
             return call(from, into, programs, league, settings(league, before), spoken, wall);
         }
     }
 
     private int call(Path from, Path into, Programs programs, LeagueFolder league, LeagueSettings settings,
-                     Protocol spoken, Wall wall) throws Exception {
+                     Protocol spoken, ProjectorWall wall) throws Exception {
         Contest empty = LeagueOpening.contest(league, settings, streams);
         Contest.checkPlayable(empty.setup(), List.of(new Contest.Entrant("all", "all", spoken, List.of())));
         programs.others().forEach(other -> streams.err().println("steward: " + TextFormat.plain(other)

@@ -37,7 +37,7 @@ final class TournamentRun {
     private final int players;
     private final Streams streams;
     private final String threads;
-    private final Wall wall;
+    private final ProjectorWall wall;
     /** Swiss rounds, or {@code null}. */
     private Rounds rounds;
     /** Decisions of each group that meets. */
@@ -50,7 +50,7 @@ final class TournamentRun {
      * @param wall      that follows, or {@code null}
      */
     TournamentRun(LeagueFolder league, Roster roster, int players, int decisions, Streams streams, int threads,
-                  Wall wall) {
+                  ProjectorWall wall) {
         this.league = league;
         this.roster = roster;
         this.players = Math.max(1, players);

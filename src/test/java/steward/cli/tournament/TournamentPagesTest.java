@@ -47,7 +47,7 @@ class TournamentPagesTest {
     private Path folder;
 
     private final ByteArrayOutputStream err = new ByteArrayOutputStream();
-    private Wall wall;
+    private ProjectorWall wall;
     private String address;
 
     @BeforeEach
@@ -55,7 +55,7 @@ class TournamentPagesTest {
         String replay = new String(PageTestRaces.play(PageTestRaces.scene("duel"), 3), StandardCharsets.UTF_8);
         Files.writeString(folder.resolve("a.jsonl"), replay.replaceAll("(,\"stderr\":\\[.*?\\])?,\"turnHash\"",
             ",\"stderr\":[\"my own\",\"" + SECRET + "\"],\"turnHash\""));
-        wall = Wall.start(CommandLine.populateCommand(new WatchOptions(), "--watch"),
+        wall = ProjectorWall.start(CommandLine.populateCommand(new WatchOptions(), "--watch"),
             new Streams(new ByteArrayOutputStream(), err, false, false));
         address = err.toString(StandardCharsets.UTF_8).replaceAll("(?s).*(http://\\S+).*", "$1");
         wall.follow(played(), folder, Scores::of);

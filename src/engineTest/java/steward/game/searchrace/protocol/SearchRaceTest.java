@@ -15,8 +15,8 @@ import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.game.GameSetup;
 import steward.game.Pilot;
 import steward.game.TurnEvent;
-import steward.game.searchrace.OfficialMaps;
 import steward.game.searchrace.SearchRace;
+import steward.game.searchrace.SearchRaceMaps;
 import steward.numerics.SplitMix64;
 import steward.scene.json.SceneException;
 
@@ -226,9 +226,9 @@ class SearchRaceTest {
 
     @Test
     void theMapIsOfficialOrTheSeedsOrAListOfPoints() {
-        assertEquals(50, OfficialMaps.COUNT);
-        assertEquals(List.of(1, 2, 7), OfficialMaps.numbers().subList(0, 3));
-        assertEquals(704, OfficialMaps.numbers().get(49));
+        assertEquals(50, SearchRaceMaps.COUNT);
+        assertEquals(List.of(1, 2, 7), SearchRaceMaps.numbers().subList(0, 3));
+        assertEquals(704, SearchRaceMaps.numbers().get(49));
         SearchRace bySeed = SearchRaces.changed().create(51);
         assertEquals(11141, bySeed.checkpoints()[0][0], "51 mod 50 is 1, which is test 2");
         assertEquals(1000, SearchRaces.changed().create(-1).checkpoints()[0][0], "-1 mod 50 is 49, which is test 704");

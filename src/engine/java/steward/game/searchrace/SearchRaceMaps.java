@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /** The 50 official maps of the search race under the numbers of the site's tests: coordinates in u. */
-public final class OfficialMaps {
+public final class SearchRaceMaps {
 
     private static final String MAPS = """
         1=10353 1986;2757 4659;3358 2838
@@ -62,7 +62,7 @@ public final class OfficialMaps {
     /** How many there are. */
     public static final int COUNT = (int) MAPS.lines().count();
 
-    private OfficialMaps() { }
+    private SearchRaceMaps() { }
 
     /** The number of each map, in their order. */
     public static List<Integer> numbers() {

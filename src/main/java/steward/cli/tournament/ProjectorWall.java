@@ -34,7 +34,7 @@ import steward.text.TextFormat;
  * whose replay is kept, at a speed that one can watch. It shows nobody's stderr. When the tournament is over it shows
  * the last table and begins no game more.
  */
-final class Wall implements AutoCloseable {
+final class ProjectorWall implements AutoCloseable {
 
     private static final String FOLDER = "/steward/tournament/";
     private static final Pattern REPLAY = Pattern.compile("replay/([0-9]{1,9})");
@@ -52,14 +52,14 @@ final class Wall implements AutoCloseable {
     private boolean over;
     private long shown = System.nanoTime() - PERIOD_NANOS;
 
-    private Wall(WatchOptions options) throws IOException {
+    private ProjectorWall(WatchOptions options) throws IOException {
         server = StatusServer.start(options.host(), options.port(), options.viewers(), page(), this::page);
     }
 
     /** Begins, and says where it is. */
-    static Wall start(WatchOptions options, Streams streams) {
+    static ProjectorWall start(WatchOptions options, Streams streams) {
         try {
-            Wall wall = new Wall(options);
+            ProjectorWall wall = new ProjectorWall(options);
             streams.err().println("Watch the tournament at " + wall.server.address());
             if (!wall.server.isLoopback()) {
                 wall.phones(options.host()).forEach(each -> streams.err().println("  on phones: " + each));

@@ -10,7 +10,7 @@ import steward.text.TextFormat;
  * Header of a replay as it is shown to people: the beginning of each text, made safe for a terminal. The file may come
  * from anywhere, and a name in it may have a million letters.
  */
-final class HeaderText {
+final class ReplayHeaderText {
 
     /** Characters of a name that are shown; a bot's name has at most as many. */
     private static final int LONGEST_NAME = 100;

@@ -3,7 +3,7 @@ package steward.live;
 import java.nio.charset.StandardCharsets;
 
 /** Stream of server-sent events. Every viewer follows it at its own pace, from a position of its own. Thread-safe. */
-interface Feed {
+interface LiveFeed {
 
     /** Last piece of a feed: nothing follows. */
     Piece END = new Piece("event: end\ndata:\n\n".getBytes(StandardCharsets.UTF_8), -1);
