@@ -34,7 +34,7 @@ public interface GameSetup {
      * True if the referee is a program of its own: it says who is asked and how many lines, bots speak its lines only,
      * and nothing of the game is known but what it says.
      */
-    default boolean isHosted() {
+    default boolean isGuest() {
         return false;
     }
 

@@ -18,10 +18,10 @@ import steward.text.NearestName;
 /**
  * The known games: those of the program, which are listed as services of {@link GameType}, and those of jars.
  *
- * @param types  each with its own id
- * @param hosted the type of scenes whose referee is a program of its own, or {@code null}; it is not listed
+ * @param types each with its own id
+ * @param guest the type of scenes whose referee is a program of its own, or {@code null}; it is not listed
  */
-public record GameTypes(List<GameType> types, GameType hosted) {
+public record GameTypes(List<GameType> types, GameType guest) {
 
     private static final String SERVICES = "/META-INF/services/" + GameType.class.getName();
 
@@ -83,7 +83,7 @@ public record GameTypes(List<GameType> types, GameType hosted) {
     }
 
     public Optional<GameType> of(String gameId) {
-        return hosted != null && hosted.id().equals(gameId) ? Optional.of(hosted)
+        return guest != null && guest.id().equals(gameId) ? Optional.of(guest)
             : types.stream().filter(type -> type.id().equals(gameId)).findFirst();
     }
 
@@ -105,8 +105,8 @@ public record GameTypes(List<GameType> types, GameType hosted) {
      */
     public GameSetup open(Scene scene) {
         List<String> known = new ArrayList<>();
-        if (hosted != null && hosted.id().equals(scene.gameId())) {
-            return hosted.open(scene);
+        if (guest != null && guest.id().equals(scene.gameId())) {
+            return guest.open(scene);
         }
         for (GameType type : types) {
             if (type.id().equals(scene.gameId())) {

@@ -21,7 +21,7 @@ import steward.bot.isolation.HoldMeans;
 import steward.bot.isolation.Isolation;
 import steward.files.InputException;
 import steward.game.GameSetup;
-import steward.match.HostedSetup;
+import steward.match.GuestSetup;
 import steward.match.MatchListener;
 import steward.match.MatchResult;
 import steward.match.OwnLimits;
@@ -66,7 +66,7 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
     /** Returns this contest with bots kept apart in another way. */
     @Internal
     public Contest isolatedBy(Supplier<Isolation> other) {
-        GameSetup kept = setup instanceof HostedSetup hosted ? hosted.isolatedBy(other) : setup;
+        GameSetup kept = setup instanceof GuestSetup guest ? guest.isolatedBy(other) : setup;
         return new Contest(kept, entrants, time, timeFactor, staging.isolatedBy(other));
     }
 
@@ -249,7 +249,7 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
 
     private static Contest create(GameSetup setup, List<String> bots, List<Path> folders, Protocol usual,
                                   double timeFactor) {
-        List<Entrant> entrants = entrants(bots, folders, setup.isHosted() ? Protocol.CODINGAME : usual);
+        List<Entrant> entrants = entrants(bots, folders, setup.isGuest() ? Protocol.CODINGAME : usual);
         checkPlayable(setup, entrants);
         return new Contest(setup, entrants, timeControl(setup, timeFactor), timeFactor);
     }
@@ -331,7 +331,7 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
     /** Refuses bots whose protocol the scene's game does not support, and builtin bots of other games. */
     public static void checkPlayable(GameSetup setup, List<Entrant> entrants) {
         for (Entrant entrant : entrants) {
-            if (entrant.protocol() == Protocol.JSON && setup.isHosted()) {
+            if (entrant.protocol() == Protocol.JSON && setup.isGuest()) {
                 throw new InputException("bot '" + entrant.bot() + "': the scene \"" + setup.scene().name()
                     + "\" has a referee of its own, expected a bot that speaks its lines, codingame");
             }
@@ -355,7 +355,7 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
 
     /** True if the scene's game speaks CodinGame's lines too; all games speak JSON. */
     boolean hasBothProtocols() {
-        return !setup.isHosted() && hasText(setup);
+        return !setup.isGuest() && hasText(setup);
     }
 
     /** The number of players of a game: that of the bots, or 1 where each of them plays alone. */

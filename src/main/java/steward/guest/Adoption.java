@@ -15,7 +15,7 @@ import java.util.stream.IntStream;
 import java.util.stream.LongStream;
 import steward.bot.command.Program;
 import steward.bot.isolation.Isolation;
-import steward.guest.Block.Name;
+import steward.guest.RefereeBlock.Name;
 import steward.guest.project.LeagueLevels;
 import steward.guest.project.SdkProject;
 import tools.jackson.core.util.DefaultIndenter;

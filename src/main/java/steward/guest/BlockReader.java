@@ -32,29 +32,29 @@ final class BlockReader {
     }
 
     /**
-     * Returns all blocks up to the first that {@link Block.Name#isLast() ends} the referee's turn to speak.
+     * Returns all blocks up to the first that {@link RefereeBlock.Name#isLast() ends} the referee's turn to speak.
      *
      * @throws EOFException if the stream ends before
      * @throws RefereeFault if it says anything else than blocks, or too much
      */
-    List<Block> next() throws IOException {
-        List<Block> blocks = new ArrayList<>();
+    List<RefereeBlock> next() throws IOException {
+        List<RefereeBlock> blocks = new ArrayList<>();
         read = 0;
         count = 0;
-        Block.Name name;
+        RefereeBlock.Name name;
         do {
             String first = line();
-            Matcher head = Block.HEAD.matcher(first);
+            Matcher head = RefereeBlock.HEAD.matcher(first);
             if (!head.matches()) {
                 throw new RefereeFault("said '" + TextFormat.plain(TextFormat.beginning(first, SHOWN))
                     + "', expected a block such as [[VIEW] 3]");
             }
-            name = Block.Name.valueOf(head.group(1));
+            name = RefereeBlock.Name.valueOf(head.group(1));
             List<String> lines = new ArrayList<>();
             for (int left = Integer.parseInt(head.group(2)); left > 0; left--) {
                 lines.add(line());
             }
-            blocks.add(new Block(name, lines));
+            blocks.add(new RefereeBlock(name, lines));
         } while (!name.isLast());
         return blocks;
     }

@@ -11,7 +11,7 @@ import steward.bot.isolation.Isolation;
 import steward.game.AbstractGame;
 import steward.game.Game;
 import steward.game.TurnEvent;
-import steward.guest.Block.Name;
+import steward.guest.RefereeBlock.Name;
 import steward.numerics.StateHash;
 import steward.physics.Bodies;
 import steward.text.TextFormat;
@@ -47,9 +47,9 @@ final class GuestGame extends AbstractGame {
     private final long seed;
     private final Supplier<Isolation> isolation;
     private final Supplier<byte[]> recorded;
-    private final Deque<Block> unsaid = new ArrayDeque<>();
+    private final Deque<RefereeBlock> unsaid = new ArrayDeque<>();
     private final StateHash said = new StateHash();
-    private final List<Block> blocks = new ArrayList<>();
+    private final List<RefereeBlock> blocks = new ArrayList<>();
     private final StringBuilder[] pending;
     private final Bodies bodies = new Bodies(1);
     private final double[] scores;
@@ -122,13 +122,13 @@ final class GuestGame extends AbstractGame {
     /** Returns the block that tells an answer, or that there was none for {@code null}. */
     private String told(List<String> output) {
         if (output == null) {
-            return Block.text("SET_PLAYER_TIMEOUT", List.of());
+            return RefereeBlock.text("SET_PLAYER_TIMEOUT", List.of());
         }
         List<String> all = new ArrayList<>(output);
         if (monitored) {
             all.add(0, Long.toString(answerMs));
         }
-        return Block.text("SET_PLAYER_OUTPUT", all);
+        return RefereeBlock.text("SET_PLAYER_OUTPUT", all);
     }
 
     /** Tells the referee this and listens until somebody has to be asked, or the game is over. */
@@ -136,9 +136,9 @@ final class GuestGame extends AbstractGame {
         String told = first;
         for (;;) {
             hash(told);
-            List<Block> answered = hear(told);
+            List<RefereeBlock> answered = hear(told);
             answered.forEach(this::take);
-            Block last = answered.get(answered.size() - 1);
+            RefereeBlock last = answered.get(answered.size() - 1);
             if (last.name() == Name.SCORES) {
                 finish(last);
                 return;
@@ -152,21 +152,21 @@ final class GuestGame extends AbstractGame {
         }
     }
 
-    private List<Block> hear(String told) {
+    private List<RefereeBlock> hear(String told) {
         if (recorded == null) {
-            return process.exchange(told + Block.text("GET_GAME_INFO", List.of()));
+            return process.exchange(told + RefereeBlock.text("GET_GAME_INFO", List.of()));
         }
         if (unsaid.isEmpty()) {
             unsaid.addAll(GuestJson.said(recorded.get()));
         }
-        List<Block> said = new ArrayList<>();
+        List<RefereeBlock> said = new ArrayList<>();
         while (said.isEmpty() || !said.get(said.size() - 1).name().isLast()) {
-            said.add(unsaid.isEmpty() ? new Block(Name.FAIL, List.of()) : unsaid.remove());
+            said.add(unsaid.isEmpty() ? new RefereeBlock(Name.FAIL, List.of()) : unsaid.remove());
         }
         return said;
     }
 
-    private void take(Block block) {
+    private void take(RefereeBlock block) {
         monitored |= block.name() == Name.MONITORING;
         metadata = block.name() == Name.METADATA ? String.join("\n", block.lines()) : metadata;
         if (!program.undetermined().contains(block.name())) {
@@ -211,7 +211,7 @@ final class GuestGame extends AbstractGame {
     }
 
     /** Reads who is asked; the lines that came before are that player's. */
-    private void ask(Block info) {
+    private void ask(RefereeBlock info) {
         int[] numbers = info.lines().stream().flatMap(line -> List.of(line.trim().split("\\s+")).stream())
             .mapToInt(GuestGame::number).toArray();
         if (numbers.length != 3 || numbers[0] < 0 || numbers[0] >= players() || numbers[1] < 0
@@ -238,7 +238,7 @@ final class GuestGame extends AbstractGame {
         return word.matches("\\d{1,9}") ? Integer.parseInt(word) : -1;
     }
 
-    private void finish(Block told) {
+    private void finish(RefereeBlock told) {
         int found = 0;
         for (String line : told.lines()) {
             String[] words = line.trim().split("\\s+");
@@ -357,7 +357,7 @@ final class GuestGame extends AbstractGame {
     }
 
     /** All that the referee has said since the last answer. */
-    List<Block> blocks() {
+    List<RefereeBlock> blocks() {
         open();
         return blocks;
     }

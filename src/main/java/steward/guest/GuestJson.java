@@ -108,11 +108,11 @@ record GuestJson(GuestGame game) implements GameJson {
     }
 
     /** Reads what the referee said from a start or outcome; a block of no known name is a failure of it. */
-    static List<Block> said(byte[] outcome) {
-        List<Block> said = new ArrayList<>();
+    static List<RefereeBlock> said(byte[] outcome) {
+        List<RefereeBlock> said = new ArrayList<>();
         for (JsonNode block : JsonMapper.shared().readTree(outcome).at("/state/said")) {
-            said.add(new Block(Stream.of(Block.Name.values()).filter(name ->
-                name.name().equals(block.path("block").asString(""))).findFirst().orElse(Block.Name.FAIL),
+            said.add(new RefereeBlock(Stream.of(RefereeBlock.Name.values()).filter(name ->
+                name.name().equals(block.path("block").asString(""))).findFirst().orElse(RefereeBlock.Name.FAIL),
                 block.path(LINES).valueStream().map(line -> line.asString("")).toList()));
         }
         return said;

@@ -14,7 +14,7 @@ import java.util.TreeMap;
 import java.util.stream.Stream;
 import steward.bot.command.ProgramFinder;
 import steward.bot.isolation.Isolation;
-import steward.guest.Block.Name;
+import steward.guest.RefereeBlock.Name;
 import steward.guest.project.SdkProject;
 import steward.scene.SceneReader;
 import steward.scene.json.Block;
@@ -163,8 +163,8 @@ record GuestProgram(List<String> command, List<String> classPath, String main, S
         lines.add(Integer.toString(players));
         lines.addAll(tests.lines(seed));
         lines.addAll(assignments(properties));
-        return (isResident() ? steward.guest.Block.text("START", assignments(system)) : "")
-            + steward.guest.Block.text("INIT", lines);
+        return (isResident() ? RefereeBlock.text("START", assignments(system)) : "")
+            + RefereeBlock.text("INIT", lines);
     }
 
     private static List<String> assignments(Map<String, String> values) {
@@ -193,7 +193,7 @@ record GuestProgram(List<String> command, List<String> classPath, String main, S
         List<String> entries = classPath.stream().map(entry -> Path.of(entry).toAbsolutePath().toString()).toList();
         // The referee has loaders of its own, but some look for their files by the system's.
         words.addAll(List.of("-cp", hostPath() + File.pathSeparator + String.join(File.pathSeparator, entries),
-            RefereeHost.class.getName(), main, reuse == null ? "fresh" : "classes"));
+            GuestJvm.class.getName(), main, reuse == null ? "fresh" : "classes"));
         words.addAll(entries);
         return words;
     }
@@ -201,7 +201,7 @@ record GuestProgram(List<String> command, List<String> classPath, String main, S
     /** Where the classes of this program are, of which the JVM needs one. */
     private static String hostPath() {
         try {
-            return Path.of(RefereeHost.class.getProtectionDomain().getCodeSource().getLocation().toURI()).toString();
+            return Path.of(GuestJvm.class.getProtectionDomain().getCodeSource().getLocation().toURI()).toString();
         } catch (URISyntaxException impossible) {
             throw new IllegalStateException(impossible);
         }

@@ -13,7 +13,7 @@ import steward.game.GameSetup;
 import steward.game.GameType;
 import steward.game.Pilot;
 import steward.game.TextCodec;
-import steward.match.HostedSetup;
+import steward.match.GuestSetup;
 import steward.physics.Contacts;
 import steward.scene.Plan;
 import steward.scene.Scene;
@@ -76,7 +76,7 @@ public final class GuestType implements GameType {
     }
 
     private record Setup(Scene scene, GuestProgram program, Plan plan, RefereeDigest files,
-                         Supplier<Isolation> isolation) implements HostedSetup, Digested {
+                         Supplier<Isolation> isolation) implements GuestSetup, Digested {
 
         @Override
         public String digest() {

@@ -12,7 +12,7 @@ import steward.bot.hold.HoldPolicy;
 import steward.bot.isolation.Isolation;
 import steward.bot.isolation.Launch;
 import steward.bot.process.DaemonThreadPool;
-import steward.bot.process.HostedProcess;
+import steward.bot.process.GuestProcess;
 import steward.text.TextFormat;
 
 /**
@@ -28,12 +28,12 @@ final class RefereeProcess {
 
     private final List<String> command;
     private final Isolation isolation;
-    private final HostedProcess process;
+    private final GuestProcess process;
     private final BlockReader reader;
     private volatile int limitMs;
     private volatile boolean closed;
 
-    private RefereeProcess(List<String> command, Isolation isolation, HostedProcess process, int limitMs) {
+    private RefereeProcess(List<String> command, Isolation isolation, GuestProcess process, int limitMs) {
         this.command = command;
         this.isolation = isolation;
         this.process = process;
@@ -45,7 +45,7 @@ final class RefereeProcess {
     static RefereeProcess start(List<String> command, Isolation isolation, int limitMs) {
         Launch launch = new Launch(command, isolation.withoutMemoryLimit().holding(HoldPolicy.NEVER), List.of());
         try {
-            return new RefereeProcess(command, isolation, HostedProcess.start(launch), limitMs);
+            return new RefereeProcess(command, isolation, GuestProcess.start(launch), limitMs);
         } catch (IOException problem) {
             throw new RefereeFault("cannot be started: " + problem.getMessage());
         }
@@ -62,8 +62,8 @@ final class RefereeProcess {
     }
 
     /** Says blocks and returns those of the answer. */
-    List<Block> exchange(String blocks) {
-        FutureTask<List<Block>> task = new FutureTask<>(() -> {
+    List<RefereeBlock> exchange(String blocks) {
+        FutureTask<List<RefereeBlock>> task = new FutureTask<>(() -> {
             try {
                 process.input().write(blocks.getBytes(StandardCharsets.UTF_8));
                 process.input().flush();
@@ -73,15 +73,15 @@ final class RefereeProcess {
             return reader.next();
         });
         DaemonThreadPool.run(task);
-        List<Block> answer = await(task);
-        Block last = answer.get(answer.size() - 1);
-        if (last.name() == Block.Name.FAIL) {
+        List<RefereeBlock> answer = await(task);
+        RefereeBlock last = answer.get(answer.size() - 1);
+        if (last.name() == RefereeBlock.Name.FAIL) {
             throw fault("failed: " + String.join(" | ", last.lines()));
         }
         return answer;
     }
 
-    private List<Block> await(FutureTask<List<Block>> task) {
+    private List<RefereeBlock> await(FutureTask<List<RefereeBlock>> task) {
         for (long waited = 0; waited < limitMs; waited += LOOK_MS) {
             try {
                 return task.get(Math.min(LOOK_MS, limitMs - waited), TimeUnit.MILLISECONDS);

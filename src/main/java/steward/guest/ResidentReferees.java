@@ -33,9 +33,9 @@ final class ResidentReferees {
 
     /** Takes a referee back whose game is over. If it is full, or others are idle already, one is ended. */
     void giveBack(RefereeProcess process) {
-        List<Block> answer;
+        List<RefereeBlock> answer;
         try {
-            answer = process.exchange(Block.text("END", List.of()));
+            answer = process.exchange(RefereeBlock.text("END", List.of()));
         } catch (RefereeFault late) {
             return;                                  // it is ended; the game was over, and its result counts
         }

@@ -15,7 +15,7 @@ import steward.bot.command.Program;
 import steward.bot.isolation.Isolation;
 import steward.bot.isolation.Launch;
 import steward.bot.process.BotProcess;
-import steward.guest.Block.Name;
+import steward.guest.RefereeBlock.Name;
 
 /**
  * A game that is played to learn about its referee, or its beginning.
@@ -97,7 +97,7 @@ record TrialGame(Map<Name, Long> said, int questions, boolean whole) {
         }
     }
 
-    private static void add(Map<Name, Long> said, Block block) {
+    private static void add(Map<Name, Long> said, RefereeBlock block) {
         said.merge(block.name(), block.lines().hashCode() + 1L, (before, more) -> before * 31 + more);
     }
 

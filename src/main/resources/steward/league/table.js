@@ -11,7 +11,8 @@ function toHead() {
 export function drawTable(onChoose) {
   const table = find('table');
   heads(table, [['#', 'num'], ['Bot', 'name'], ['Rating', ''], ['±', '', '95% bar, for a number of games fixed before'],
-    ['Elo', 'bars'], [toHead(), 'table-wide', 'the difference with its 95% bar'], ['± anytime', 'table-wide', '95% bar that holds however often one looks and whenever one stops'],
+    ['Elo', 'bars'], [toHead(), 'table-wide', 'the difference with its 95% bar'],
+    ['± anytime', 'table-wide', '95% bar that holds however often one looks and whenever one stops'],
     ['Ranks', '', 'what the games leave open, with 95%'], ['Games', ''],
     ['Points', '', 'share of the points'], ['Faults', ''],
     ['All failed', 'table-wide', 'games in which all players failed in the same turn: they count in no rating'], ['Mean ms', 'table-wide', 'mean answer time'],

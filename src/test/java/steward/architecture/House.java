@@ -159,7 +159,7 @@ final class House {
     ArchRule onlyTheStreamsKnowTheProcess() {
         return noClasses().that().resideOutsideOfPackages(in("lab"), in("cli.streams"))
             .and().haveNameNotMatching("steward\\.cli\\.(Main|ArchiveTraining)"
-                + "|steward\\.guest\\.RefereeHost.*"                  // the main class of a referee's JVM
+                + "|steward\\.guest\\.GuestJvm.*"                  // the main class of a referee's JVM
                 + "|steward\\.cli\\.shared\\.OutOfMemory.*"            // ends the JVM that has none left
                 + "|steward\\.replay\\.WriteBehind.*")                  // writes what all commands have left
             .should().accessTargetWhere(describe("reaches the streams or the end of the process", access ->

@@ -57,7 +57,7 @@ class LauncherTest {
         return said;
     }
 
-    /** Elsewhere Java knows no VFORK, and could start no bot; from 25 on it warns about it. */
+    /** RemoteMachines Java knows no VFORK, and could start no bot; from 25 on it warns about it. */
     @Test
     void vforkIsAskedForOnLinuxUpToJava24() throws IOException, InterruptedException {
         String there = Files.createFile(folder.resolve("there")).toString();

@@ -20,7 +20,7 @@ class LeagueJsonTest {
         StringWriter text = new StringWriter();
         try (JsonGenerator out = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(), text)) {
             out.writeStartObject();
-            LeagueJson.write(out, seed, result,
+            RatingToolJson.write(out, seed, result,
                 result.players().stream().map(PlayerResult::fault).toArray(String[]::new), attributes);
             out.writeEndObject();
         }

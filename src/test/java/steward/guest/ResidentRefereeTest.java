@@ -55,7 +55,7 @@ class ResidentRefereeTest {
         List<String> summaries = new ArrayList<>();
         try {
             while (!game.isOver()) {
-                game.blocks().stream().filter(block -> block.name() == Block.Name.SUMMARY)
+                game.blocks().stream().filter(block -> block.name() == RefereeBlock.Name.SUMMARY)
                     .forEach(block -> summaries.addAll(block.lines()));
                 game.answer(List.of("WAIT"), 0);
                 game.play();

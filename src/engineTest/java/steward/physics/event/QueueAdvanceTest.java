@@ -35,8 +35,8 @@ import steward.physics.TurnSink;
 import steward.physics.Wall;
 
 /**
- * A crowd has the impacts that {@link EventAdvance} has, which looks at all pairs: the same pairs in the same order, at
- * the same times and with the same outcome, to the last bit. One long file: all cases share what compares.
+ * A crowd has the impacts that {@link EventAdvance} has, which looks at all pairs: the same in order, time and outcome,
+ * to the last bit. One long file: all cases share what compares.
  */
 @Execution(ExecutionMode.CONCURRENT)
 class QueueAdvanceTest {
@@ -300,10 +300,10 @@ class QueueAdvanceTest {
         }
         compare("ask, seed " + seed, new PhysicsParts(ImpactLaw.PHYSICS, Arithmetic.DOUBLE, contacts,
             List.of(seed % 2 == 0 ? BOX : ODD), reaction, false), bodies, 5);
-        assertTrue(impacts > 50, impacts + " impacts");
+        assertTrue(impacts > 50, "impacts " + impacts);
     }
 
-    /** Some contacts begin farther away than the radii say, others at less, and bodies bounce off walls at their own. */
+    /** Some contacts begin farther away than the radii say, others at less; walls are met at the radius. */
     @ParameterizedTest
     @EnumSource(Arithmetic.class)
     void contactsAtADistanceOfTheirOwn(Arithmetic arithmetic) {
@@ -483,8 +483,7 @@ class QueueAdvanceTest {
             Impact a = expected.impact(k);
             Impact b = seen.impact(k);
             String impact = where + ", impact " + k + " of " + expected.impacts();
-            assertEquals(a.a() + "-" + a.b(), b.a() + "-" + b.b(),
-                () -> impact + " at " + a.time() + ", seen at " + b.time());
+            assertEquals(a.a() + "-" + a.b(), b.a() + "-" + b.b(), () -> impact + " at " + a.time() + ", " + b.time());
             assertSame(a.time(), b.time(), impact);
             assertSame(a.impulse(), b.impulse(), impact);
         }

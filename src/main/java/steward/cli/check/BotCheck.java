@@ -46,7 +46,8 @@ public record BotCheck(Contest contest, List<Tried> games) {
      *                programs used
      * @param turns   what it was sent and answered
      */
-    public record Tried(String against, MatchResult result, Failure failure, long worst, List<Dialog.Turn> turns) { }
+    public record Tried(String against, MatchResult result, Failure failure, long worst,
+                        List<CheckDialogue.Turn> turns) { }
 
     /**
      * Tries a bot.
@@ -108,13 +109,13 @@ public record BotCheck(Contest contest, List<Tried> games) {
         for (int k = 0; k < others.size(); k++) {
             all.add(others.get(k).named(against + (others.size() > 1 ? "-" + (k + 1) : "")));
         }
-        List<Dialog> dialog = new ArrayList<>();
+        List<CheckDialogue> dialog = new ArrayList<>();
         Contest contest = empty.between(all).startedBy((entrant, isolation, rest) -> {
             if (entrant != bot) {
                 return silent ? new UnstartablePlayer(entrant.name(), "it is silent")
                     : empty.staging().starter().player(entrant, isolation, rest);
             }
-            dialog.add(new Dialog(empty.staging().starter().player(entrant, isolation, rest)));
+            dialog.add(new CheckDialogue(empty.staging().starter().player(entrant, isolation, rest)));
             return dialog.get(0);
         });
         GameLog log = new GameLog(contest, 0);
@@ -173,7 +174,7 @@ public record BotCheck(Contest contest, List<Tried> games) {
     }
 
     private static long limit(Contest contest, Contest.Entrant bot, int answers) {
-        return contest.setup().isHosted() && bot.limits() == null ? Long.MAX_VALUE
+        return contest.setup().isGuest() && bot.limits() == null ? Long.MAX_VALUE
             : contest.time().limit(contest.limits(List.of(bot)).get(0), 0, answers);
     }
 

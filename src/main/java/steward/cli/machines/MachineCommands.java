@@ -2,7 +2,7 @@ package steward.cli.machines;
 
 import java.util.LinkedHashMap;
 import java.util.Map;
-import steward.cli.league.run.RunCommand;
+import steward.cli.league.run.LeagueRunCommand;
 
 /** Commands of a league that are about several machines. */
 public final class MachineCommands {
@@ -12,7 +12,7 @@ public final class MachineCommands {
     /** The commands by their names, in listed order. */
     public static Map<String, Object> ofLeague() {
         Map<String, Object> commands = new LinkedHashMap<>();
-        commands.put("run", new RunCommand(new ServeOptions()));
+        commands.put("run", new LeagueRunCommand(new ServeOptions()));
         commands.put("worker", new LeagueWorkerCommand());
         return commands;
     }

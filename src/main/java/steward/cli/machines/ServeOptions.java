@@ -5,7 +5,7 @@ import java.util.function.Consumer;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import picocli.CommandLine.Option;
-import steward.cli.league.run.RunCommand;
+import steward.cli.league.run.LeagueRunCommand;
 import steward.cli.league.run.Serving;
 import steward.cli.options.CallCheck;
 import steward.cli.options.OptionSection;
@@ -55,7 +55,7 @@ final class ServeOptions implements Serving {
         check.that(!scaled || address != null, "--scale-time is for --serve, expected both");
         check.that(lease == null || address != null, "--lease is for --serve, expected both");
         check.range("--again", again, 0, 100);
-        long nanos = RunCommand.nanos("--lease", lease == null ? "10m" : lease);
+        long nanos = LeagueRunCommand.nanos("--lease", lease == null ? "10m" : lease);
         return address == null ? null : new ServedGames(folder, season, contest, settings,
             new RemoteGames.Service(address(check, "--serve", address), again == null ? 0.05 : again / 100.0, nanos,
                 ProgramVersion.text(), scaled), teller);

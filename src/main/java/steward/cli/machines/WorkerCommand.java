@@ -12,7 +12,7 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import steward.bot.command.Platform;
 import steward.bot.isolation.Isolation;
-import steward.cli.league.run.RunCommand;
+import steward.cli.league.run.LeagueRunCommand;
 import steward.cli.options.ProgramCommand;
 import steward.cli.options.SandboxOptions;
 import steward.cli.options.ThreadsOption;
@@ -100,8 +100,8 @@ public final class WorkerCommand extends ProgramCommand {
         log = streams.logging(json);
         check.range("--games", games, 1, Integer.MAX_VALUE);
         InetSocketAddress found = ServeOptions.address(check, "--join", address);
-        long nanos = RunCommand.nanos(time);
-        long idleNanos = RunCommand.nanos("--idle", idle);
+        long nanos = LeagueRunCommand.nanos(time);
+        long idleNanos = LeagueRunCommand.nanos("--idle", idle);
         check.that(platform == null || Platform.isWritten(platform), "--platform: found '" + platform + "', expected "
             + Platform.FORM);
         check.that(!sandbox.isHold(), "--hold: expected none: the league says which bots are held");
@@ -110,7 +110,7 @@ public final class WorkerCommand extends ProgramCommand {
         Worker worker = new Worker(new Worker.Options(found.getHostString(), found.getPort(), token,
             threads.count(streams), games == null ? Long.MAX_VALUE : games, nanos, isolation, folder(),
             platform == null ? Platform.here() : platform, ProgramVersion.text(),
-            RunCommand.machine(isolation.get().level().word()), null), Games.types(guests),
+            LeagueRunCommand.machine(isolation.get().level().word()), null), Games.types(guests),
             what -> log.err().println("steward: " + TextFormat.plain(what)));
         watch(worker, idleNanos, stopFile == null ? null : OutputFiles.path(stopFile));
         return play(worker);

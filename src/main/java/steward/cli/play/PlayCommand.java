@@ -18,7 +18,7 @@ import steward.cli.shared.ExitStatus;
 import steward.cli.shared.FailureText;
 import steward.cli.shared.Games;
 import steward.codingame.LeagueAttributes;
-import steward.codingame.LeagueJson;
+import steward.codingame.RatingToolJson;
 import steward.contest.Contest;
 import steward.contest.CountedGame;
 import steward.files.InputException;
@@ -94,7 +94,7 @@ public final class PlayCommand extends ProgramCommand {
         String[] faults = game.result().players().stream().map(MatchResult.PlayerResult::fault).toArray(String[]::new);
         game.failures().forEach(failure -> faults[failure.player()] += FailureText.said(failure));
         MatchJson.printObject(streams, json -> {
-            LeagueJson.write(json, used, game.result(), faults, game.follower());
+            RatingToolJson.write(json, used, game.result(), faults, game.follower());
             JsonObject.writeTexts(json, "played_again", game.again());
         });
         return ExitStatus.DONE;

@@ -55,7 +55,7 @@ record SeriesRun(Streams streams, Series series, Verbosity report, boolean stric
         if (random) {
             play.standings().random();
         }
-        if (why && !series.contest().setup().isHosted()) {
+        if (why && !series.contest().setup().isGuest()) {
             play.followLeads();                        // nobody knows the standing of a guest's game before its end
         }
         AtomicBoolean told = new AtomicBoolean();

@@ -8,7 +8,7 @@ import steward.contest.Contest;
 import steward.contest.Series;
 import steward.contest.Standings;
 import steward.game.GameSetup;
-import steward.match.HostedSetup;
+import steward.match.GuestSetup;
 import steward.text.TextFormat;
 
 /** Scores by test in a game for one: a row for each test that was played, and their sum. */
@@ -18,7 +18,7 @@ final class TestScores {
 
     /** Returns how many tests a scene has; 0 where games follow from seeds. */
     static int count(GameSetup setup) {
-        return setup instanceof HostedSetup hosted ? hosted.tests() : 0;
+        return setup instanceof GuestSetup guest ? guest.tests() : 0;
     }
 
     static void print(PrintStream out, Series series, Standings standings) {

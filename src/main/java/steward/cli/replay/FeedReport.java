@@ -13,7 +13,7 @@ import steward.match.MatchResult;
 import steward.replay.ReplayHeader;
 import steward.replay.feed.FedTurn;
 import steward.replay.feed.Takeover;
-import steward.replay.verify.Difference;
+import steward.replay.verify.ReplayDifference;
 import steward.text.TextFormat;
 
 /** Reports, turn by turn, whether a bot does what was recorded, and counts. */
@@ -75,7 +75,7 @@ final class FeedReport {
             return "recorded " + turn.recordedFault() + ", now a command";
         }
         List<String> fields = new ArrayList<>();
-        for (Difference each : turn.differences()) {
+        for (ReplayDifference each : turn.differences()) {
             if (fields.size() == MOST_FIELDS) {
                 fields.add("and " + (turn.differences().size() - MOST_FIELDS) + " more");
                 break;

@@ -17,7 +17,7 @@ import steward.match.OwnLimits;
 import steward.replay.RecordedTurn;
 import steward.replay.ReplayHeader;
 import steward.replay.ReplayReader;
-import steward.replay.verify.Difference;
+import steward.replay.verify.ReplayDifference;
 import steward.replay.verify.Verification;
 import steward.text.TextFormat;
 import tools.jackson.core.JsonGenerator;
@@ -129,7 +129,7 @@ record ReplayJson(Streams streams, ReplayReader replay) {
      * @return the exit status
      */
     int verification(Verification verification, VerifyReport report) {
-        Difference difference = verification.difference();
+        ReplayDifference difference = verification.difference();
         String wrong = report.wrong(replay, verification);
         Json.print(streams, out -> {
             out.writeBooleanProperty("verified", wrong == null && verification.verified());

@@ -8,7 +8,7 @@ import steward.cli.shared.ExitStatus;
 import steward.cli.streams.Colour;
 import steward.replay.ReplayReader;
 import steward.replay.sign.SignerKey;
-import steward.replay.verify.Difference;
+import steward.replay.verify.ReplayDifference;
 import steward.replay.verify.SignatureCheck;
 import steward.replay.verify.Verification;
 import steward.replay.verify.ViewCounts;
@@ -34,9 +34,9 @@ record VerifyReport(PrintStream out, Colour colour, boolean partial, Path file, 
         String wrong = wrong(replay, verification);
         if (wrong != null) {
             out.println(TextFormat.plain(wrong).replaceFirst("^differs:|^not verified:", colour.bad("$0")));
-            Difference difference = verification.difference();
+            ReplayDifference difference = verification.difference();
             if (difference != null && difference.lines() != null) {
-                Difference.Lines lines = difference.lines();
+                ReplayDifference.Lines lines = difference.lines();
                 out.println("  server: " + TextFormat.plain(TextFormat.beginning(lines.server(), LONGEST)));
                 out.println("  here:   " + TextFormat.plain(TextFormat.beginning(lines.ours(), LONGEST)));
             }

@@ -17,7 +17,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import steward.bot.isolation.SandboxLevel;
 import steward.bot.isolation.SandboxSupport;
-import steward.cli.league.run.RunCommand;
+import steward.cli.league.run.LeagueRunCommand;
 import steward.cli.options.ProgramCommand;
 import steward.cli.shared.ExitStatus;
 import steward.cli.streams.Streams;
@@ -55,7 +55,7 @@ public final class ResidentCommand extends ProgramCommand {
 
     @Override
     public Integer call() {
-        long idleNanos = RunCommand.nanos("--idle", idle);
+        long idleNanos = LeagueRunCommand.nanos("--idle", idle);
         check.that(socket != null, "found no --socket and no client that names one, expected an installation made with "
             + "a C compiler, on Linux");
         try {

@@ -22,8 +22,8 @@ import steward.cli.play.StoredSeries;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Games;
 import steward.cli.shared.Verbosity;
-import steward.contest.Contest.Entrant;
 import steward.contest.Contest;
+import steward.contest.Contest.Entrant;
 import steward.contest.seeds.Seeds;
 import steward.files.OutputFiles;
 import steward.game.GameSetup;
@@ -155,7 +155,7 @@ public final class SprtCommand extends ProgramCommand {
         check.that(players > 1, "--pool: found a scene for " + TextFormat.count(players, "player")
             + ", expected one for two or more");
         Path league = into == null ? null : OutputFiles.path(into);
-        Protocol usual = setup.isHosted() ? Protocol.CODINGAME : ProtocolWord.parse(protocol);
+        Protocol usual = setup.isGuest() ? Protocol.CODINGAME : ProtocolWord.parse(protocol);
         List<Entrant> entrants = Pool.find(bots, folders.of("--bot"), options.pool(), league, usual);
         Contest.checkPlayable(setup, entrants);
         check.that(entrants.size() - 2 >= players - 1, "--pool: found " + TextFormat.count(entrants.size() - 2, "bot")

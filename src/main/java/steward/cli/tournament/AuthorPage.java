@@ -13,7 +13,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import steward.cli.check.BotCheck;
 import steward.cli.check.CheckCommand;
-import steward.cli.check.Dialog;
+import steward.cli.check.CheckDialogue;
 import steward.cli.league.view.GameFailures;
 import steward.cli.shared.Games;
 import steward.contest.Failure;
@@ -155,7 +155,7 @@ record AuthorPage(TournamentCommand.Entry entry, int version, List<StoredGame> g
 
     private static void dialog(StringBuilder page, BotCheck.Tried game) {
         page.append("<h2>What it was sent and answered, against ").append(Html.escape(game.against())).append("</h2>");
-        for (Dialog.Turn turn : game.turns()) {
+        for (CheckDialogue.Turn turn : game.turns()) {
             page.append("<h3>Turn ").append(turn.number()).append(", ").append(TextFormat.ms(turn.nanos()))
                 .append(" ms</h3>");
             part(page, "It was sent", turn.received());

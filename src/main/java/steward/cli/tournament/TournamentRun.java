@@ -8,8 +8,8 @@ import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.stream.Collectors;
+import steward.cli.league.run.LeagueRunCommand;
 import steward.cli.league.run.NoServing;
-import steward.cli.league.run.RunCommand;
 import steward.cli.league.view.LeagueOpening;
 import steward.cli.shared.ExitStatus;
 import steward.cli.streams.Streams;
@@ -104,7 +104,7 @@ final class TournamentRun {
             }
             status = play((found, decided) -> group -> decisions * rounds.met().getOrDefault(names(group), 0));
         }
-        streams.out().println(RunCommand.playedText(games.get(), games.get() * NANOS
+        streams.out().println(LeagueRunCommand.playedText(games.get(), games.get() * NANOS
             / Math.max(1, System.nanoTime() - began)));
         return status;
     }
@@ -118,7 +118,7 @@ final class TournamentRun {
         if (wall != null) {
             wall.follow(played(), league.replays(), this::scores);
         }
-        return new RunCommand(new NoServing()).following(plan, rounds != null, game -> {
+        return new LeagueRunCommand(new NoServing()).following(plan, rounds != null, game -> {
             games.incrementAndGet();
             if (wall != null) {
                 wall.add(game);

@@ -32,7 +32,7 @@ final class ImportedMatch {
     private final long seed;
     private final List<List<ServerRecording.Frame>> frames;
     private final ServerRecording.End end;
-    private final GameFacts facts;
+    private final RecordingFacts facts;
     private final List<Player> players;
 
     /**
@@ -40,7 +40,7 @@ final class ImportedMatch {
      * @param end    what the server says of the whole game; without ranks it goes on
      */
     ImportedMatch(GameSetup setup, long seed, List<List<ServerRecording.Frame>> frames, ServerRecording.End end,
-                  GameFacts facts, List<? extends Player> players) {
+                  RecordingFacts facts, List<? extends Player> players) {
         this.setup = setup;
         this.seed = seed;
         this.frames = frames;

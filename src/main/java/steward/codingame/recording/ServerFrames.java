@@ -70,8 +70,8 @@ final class ServerFrames {
             frame(frame).path("summary").asString(null));
     }
 
-    GameFacts facts(int players) {
-        return GameFacts.of(result, players);
+    RecordingFacts facts(int players) {
+        return RecordingFacts.of(result, players);
     }
 
     /** Returns the input of the server's referee, or "". */

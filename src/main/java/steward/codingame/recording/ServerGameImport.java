@@ -28,7 +28,7 @@ final class ServerGameImport implements RecordingImport {
     private final long seed;
     private final GameSetup setup;
     private final ServerRecording.End end;
-    private final GameFacts facts;
+    private final RecordingFacts facts;
     private final List<ServerRecording.Frame> first;
 
     private ServerGameImport(ServerFrames frames, GameType type, String source, GameTypes types, RulesEdition rules) {

@@ -136,7 +136,7 @@ public final class StoredLosses {
 
     private Told told(ReplayReader reader) {
         Resimulation again = new Resimulation(reader.header(), reader.start(), types, reader.source());
-        LeadLog leads = again.setup().isHosted() ? null : new LeadLog(again.game().players());
+        LeadLog leads = again.setup().isGuest() ? null : new LeadLog(again.game().players());
         boolean played = leads != null;
         for (RecordedTurn turn = reader.next(); turn != null; turn = reader.next()) {
             played = played && again.play(turn) == null;

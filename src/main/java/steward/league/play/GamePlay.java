@@ -66,7 +66,7 @@ public record GamePlay(Season season, Contest contest, Recordings recordings, St
      * @return the attempts, of which the last one counts if it has a result
      * @throws InputException if the replay cannot be written
      */
-    public List<StoredGame> play(Elsewhere.Game game) throws InterruptedException {
+    public List<StoredGame> play(RemoteMachines.Game game) throws InterruptedException {
         Schedule.Task task = game.task();
         LeagueSettings settings = game.settings();
         List<Member> members = game.members();

@@ -50,13 +50,13 @@ public final class LeagueRun {
     private final Consumer<StoredGame> listener;
     private final long end;
     /** Other machines, or {@code null}. */
-    private final Elsewhere elsewhere;
+    private final RemoteMachines remote;
     private final LeagueEnd leagueEnd;
 
     /** Guarded by this, as is all below. */
     private final RunResults results;
     private final Pauses pauses;
-    private final Standstill standstill;
+    private final IdleWatch idle;
     private Roster roster;
     private Map<Integer, Member> members;
     /** Games that wait, if there are so many, so that nobody waits for decisions to be stored. */
@@ -94,20 +94,20 @@ public final class LeagueRun {
     /**
      * A run that is to begin.
      *
-     * @param elsewhere other machines that play, too, or {@code null}
+     * @param remote    other machines that play, too, or {@code null}
      * @param machine   what is noted with each game
      * @param teller    is told what happens, by any thread
      * @param listener  is told of each game that is handed over to be stored, by any thread
      */
     public LeagueRun(OpenSeason season, Contest contest, RosterReader reader, Roster roster, Limits limits, Rules rules,
-                     Elsewhere elsewhere, String machine, Consumer<String> teller, Consumer<StoredGame> listener) {
+                     RemoteMachines remote, String machine, Consumer<String> teller, Consumer<StoredGame> listener) {
         this.season = season;
         this.limits = limits;
         this.rules = rules;
-        this.elsewhere = elsewhere;
+        this.remote = remote;
         this.teller = teller;
         this.listener = listener;
-        standstill = new Standstill(limits.threads() > 0, teller);
+        idle = new IdleWatch(limits.threads() > 0, teller);
         LeagueSettings settings = roster.settings();
         int players = season.season().players();
         play = new GamePlay(season.season(), contest, new KeptGames(season.folder()), machine,
@@ -178,11 +178,11 @@ public final class LeagueRun {
 
     /** Plays until an end is reached. Call once. */
     public void play() throws InterruptedException {
-        int far = elsewhere == null ? 0 : 1;
+        int far = remote == null ? 0 : 1;
         writer.start();                                // not before: a run that is refused leaves no thread
         try {
             WorkerThreads.run("league", limits.threads() + far, thread -> thread < limits.threads() ? this::playHere
-                : new FarGames(this, elsewhere)::play);
+                : new RemotePlay(this, remote)::play);
         } finally {
             writer.close();
         }
@@ -194,7 +194,7 @@ public final class LeagueRun {
     private Void playHere() throws InterruptedException {
         boolean more = true;
         while (more) {
-            List<Elsewhere.Game> games = take(1, Standstill::isForHere);
+            List<RemoteMachines.Game> games = take(1, IdleWatch::isForHere);
             more = !games.isEmpty() && play(games, one -> List.of(play.play(one.get(0))));
         }
         return null;
@@ -214,12 +214,12 @@ public final class LeagueRun {
 
     /** Player of games. */
     interface Player {
-        /** As {@link Elsewhere#play}. */
-        List<List<StoredGame>> play(List<Elsewhere.Game> games) throws InterruptedException;
+        /** As {@link RemoteMachines#play}. */
+        List<List<StoredGame>> play(List<RemoteMachines.Game> games) throws InterruptedException;
     }
 
     /** Plays games that were taken; whether there may be more. */
-    boolean play(List<Elsewhere.Game> games, Player player) throws InterruptedException {
+    boolean play(List<RemoteMachines.Game> games, Player player) throws InterruptedException {
         List<List<StoredGame>> played = Collections.nCopies(games.size(), null);
         String problem = null;
         try {
@@ -249,11 +249,11 @@ public final class LeagueRun {
      * @param attempts {@code null} if it has to be played once more
      * @return those that will be stored
      */
-    private List<StoredGame> handOver(Elsewhere.Game game, List<StoredGame> attempts) throws InterruptedException {
+    private List<StoredGame> handOver(RemoteMachines.Game game, List<StoredGame> attempts) throws InterruptedException {
         underWay--;
         boolean changed = watch.isChanged(game.members());
-        boolean none = attempts == null || elsewhere != null
-            && attempts.stream().anyMatch(attempt -> !elsewhere.isTrusted(attempt.machine()));
+        boolean none = attempts == null || remote != null
+            && attempts.stream().anyMatch(attempt -> !remote.isTrusted(attempt.machine()));
         if (brokenOff || changed || none) {
             if (attempts != null) {
                 attempts.forEach(attempt -> KeptGames.remove(season.folder(), attempt));
@@ -280,8 +280,8 @@ public final class LeagueRun {
      * @param can whether all of these bots may play together
      * @return none at the end
      */
-    synchronized List<Elsewhere.Game> take(int most, Predicate<List<Member>> can) throws InterruptedException {
-        List<Elsewhere.Game> games = new ArrayList<>();
+    synchronized List<RemoteMachines.Game> take(int most, Predicate<List<Member>> can) throws InterruptedException {
+        List<RemoteMachines.Game> games = new ArrayList<>();
         List<Member> bots = new ArrayList<>();
         ahead = Math.max(ahead, most);
         while (games.size() < most) {
@@ -292,7 +292,7 @@ public final class LeagueRun {
             int attempt = task == null ? 0 : attempt(task);
             if (attempt > 0) {
                 bots.addAll(members(task));
-                games.add(new Elsewhere.Game(task, roster.settings(), members(task), attempt));
+                games.add(new RemoteMachines.Game(task, roster.settings(), members(task), attempt));
                 underWay++;
             } else if (task == null && (!games.isEmpty() || isOverNow())) {
                 break;
@@ -309,8 +309,8 @@ public final class LeagueRun {
             !writer.isDecided(task.decision()));
         if (isStoring) {
             ahead = Math.min(2 * ahead, mostAhead());
-        } else if (elsewhere != null && underWay > 0) {
-            elsewhere.hurry();
+        } else if (remote != null && underWay > 0) {
+            remote.hurry();
         }
         lookWhetherAnyoneCanPlay();
         wait(isStoring ? 1 : WAIT_MS);
@@ -360,14 +360,14 @@ public final class LeagueRun {
     /** Ends the run where games wait that none of the machines can play, and says if they wait for a machine. */
     private void lookWhetherAnyoneCanPlay() {
         if (underWay > 0 || watch.isPaused() || isAtEnd()) {
-            standstill.moves();
+            idle.moves();
             return;
         }
         if (ahead < mostAhead()) {
             ahead = mostAhead();                       // decisions to come may be of bots that can play
             return;
         }
-        standstill.look(schedule.waiting(limits.games()).stream().map(this::members).toList(), elsewhere,
+        idle.look(schedule.waiting(limits.games()).stream().map(this::members).toList(), remote,
             System.nanoTime()).ifPresent(this::stop);
     }
 
@@ -451,7 +451,7 @@ public final class LeagueRun {
         return schedule.games() - underWay;
     }
 
-    /** Returns how many games are under way, here and elsewhere. */
+    /** Returns how many games are under way, here and on other machines. */
     public synchronized int underWay() {
         return underWay;
     }

@@ -1,6 +1,6 @@
 package steward.machines.broker;
 
-/** Decides who may connect. Called by the broker's threads. */
+/** Admission of workers: who connects, and who is handed jobs. Called by the broker's threads, which must not wait. */
 public interface Admission {
 
     /** True if a worker of a name has this secret and may play. */
@@ -16,4 +16,12 @@ public interface Admission {
     default String enrol(String worker, String secret, String invitation) {
         return "the invitation is unknown";
     }
+
+    /** True if a worker that has so many jobs may be handed another. */
+    default boolean mayTake(String worker, int jobs) {
+        return true;
+    }
+
+    /** Notes that a worker has been handed a job. */
+    default void took(String worker) { }
 }

@@ -83,19 +83,16 @@ public final class LeagueBroker implements AutoCloseable {
      * @param address   to listen at
      * @param workers   whom there may be a queue for
      * @param admission of them, and of others that come with an invitation
-     * @param gate      who may be handed jobs
      * @throws InputException if the port is taken, or nothing can listen there
      */
-    public LeagueBroker(InetSocketAddress address, BrokerKey key, Iterable<String> workers,
-                        Admission admission, Gate gate) {
-        this(address, key, workers, admission, gate, QUOTA);
+    public LeagueBroker(InetSocketAddress address, BrokerKey key, Iterable<String> workers, Admission admission) {
+        this(address, key, workers, admission, QUOTA);
     }
 
     /** @param quota bytes of one worker's reports that may wait */
-    LeagueBroker(InetSocketAddress address, BrokerKey key, Iterable<String> workers, Admission admission, Gate gate,
-                 long quota) {
+    LeagueBroker(InetSocketAddress address, BrokerKey key, Iterable<String> workers, Admission admission, long quota) {
         refuseTaken(address);
-        leases = new LeasePlugin(gate);
+        leases = new LeasePlugin(admission);
         sessions = new WorkerSessions(quota);
         byte[] random = new byte[32];
         new SecureRandom().nextBytes(random);
@@ -275,10 +272,10 @@ public final class LeagueBroker implements AutoCloseable {
         }
     }
 
-    /** Offers what waits once more to workers that the gate has refused. */
+    /** Offers what waits once more to workers that were refused. */
     public void offerAgain() {
         Queue jobs = server.locateQueue(SimpleString.of(Queues.JOBS));
-        jobs.resetAllIterators();                      // they have passed the jobs that the gate refused
+        jobs.resetAllIterators();                      // they have passed the jobs that they were refused
         jobs.deliverAsync();
     }
 

@@ -13,7 +13,7 @@ import org.apache.activemq.artemis.core.server.plugin.ActiveMQServerPlugin;
 /** Decides which workers may be handed jobs, and notes which worker each job was handed to last. */
 final class LeasePlugin implements ActiveMQServerPlugin {
 
-    private final Gate gate;
+    private final Admission admission;
 
     private final Map<String, String> leases = new ConcurrentHashMap<>();
     private final Map<String, Long> since = new ConcurrentHashMap<>();
@@ -21,9 +21,9 @@ final class LeasePlugin implements ActiveMQServerPlugin {
     private final Map<String, String> sessions = new ConcurrentHashMap<>();
     private volatile ActiveMQServer server;
 
-    /** @param gate says who may be handed jobs */
-    LeasePlugin(Gate gate) {
-        this.gate = gate;
+    /** @param admission says who may be handed jobs */
+    LeasePlugin(Admission admission) {
+        this.admission = admission;
     }
 
     @Override
@@ -32,7 +32,7 @@ final class LeasePlugin implements ActiveMQServerPlugin {
             return true;
         }
         ServerSession session = server.getSessionByID(consumer.getSessionID());
-        return session != null && gate.mayTake(session.getUsername(),
+        return session != null && admission.mayTake(session.getUsername(),
             (int) leases.values().stream().filter(session.getUsername()::equals).count());
     }
 
@@ -50,7 +50,7 @@ final class LeasePlugin implements ActiveMQServerPlugin {
                 leases.put(job, session.getUsername());
                 sessions.put(job, consumer.getSessionID());
                 since.put(job, System.nanoTime());
-                gate.took(session.getUsername());
+                admission.took(session.getUsername());
             }
         }
     }

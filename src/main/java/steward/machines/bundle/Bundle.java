@@ -22,7 +22,7 @@ import steward.files.OutputFiles;
 import steward.files.Sha256;
 import steward.league.LeagueBot;
 import steward.machines.wire.HeaderText;
-import steward.match.HostedSetup;
+import steward.match.GuestSetup;
 
 /**
  * A bot's files, packed: a ZIP archive whose first entry, {@value #LIST}, has the command and says which of its words
@@ -106,7 +106,7 @@ public record Bundle(String hash, byte[] bytes) {
     }
 
     /** Packs a guest's referee as a bot: all files of its class path, or those that its command names. */
-    public static Bundle of(HostedSetup setup) {
+    public static Bundle of(GuestSetup setup) {
         List<String> files = new ArrayList<>();
         for (String entry : setup.isOnClassPath() ? setup.words() : List.<String>of()) {
             try (Stream<Path> all = Files.walk(Path.of(entry), FileVisitOption.FOLLOW_LINKS)) {

@@ -28,7 +28,7 @@ public final class RulesFingerprint {
     public static String of(GameSetup setup) {
         StateHash hash = new StateHash().add(FORM);
         setup.edition().chars().forEach(hash::add);    // the games may be too short to tell
-        for (Pilot.Aim aim : setup.isHosted() ? new Pilot.Aim[0] : Pilot.Aim.values()) {
+        for (Pilot.Aim aim : setup.isGuest() ? new Pilot.Aim[0] : Pilot.Aim.values()) {
             Pilot pilot = setup.pilot(aim);
             for (int seed = 0; seed < SEEDS; seed++) {
                 play(setup.create(seed), setup, pilot, new SplitMix64(seed), hash);

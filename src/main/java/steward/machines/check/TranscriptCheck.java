@@ -26,7 +26,7 @@ import steward.replay.ReplayException;
 import steward.replay.ReplayHeader;
 import steward.replay.ReplayWriter;
 import steward.replay.TranscriptDigest;
-import steward.replay.verify.Difference;
+import steward.replay.verify.ReplayDifference;
 import steward.replay.verify.Resimulation;
 import steward.scene.json.JsonProblem;
 import steward.scene.json.SceneException;
@@ -286,7 +286,7 @@ public final class TranscriptCheck {
             if (turns != null) {
                 turns.add(read);
             }
-            Difference wrong = again.prepare(read);
+            ReplayDifference wrong = again.prepare(read);
             if (wrong != null) {
                 throw DisprovedException.computed(source + ": cannot be played again: " + wrong);
             }

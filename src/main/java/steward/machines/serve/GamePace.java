@@ -6,7 +6,7 @@ import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import steward.league.StoredGame;
 import steward.league.StoredGame.StoredSeat;
-import steward.league.play.Elsewhere;
+import steward.league.play.RemoteMachines;
 
 /**
  * Time after which games go to others, from what their bots took before: a worker that keeps games must not stop the
@@ -47,10 +47,10 @@ final class GamePace {
      *
      * @param hurry true for the time after which somebody else plays them who has nothing else to play
      */
-    synchronized long patience(List<Elsewhere.Game> games, boolean hurry) {
+    synchronized long patience(List<RemoteMachines.Game> games, boolean hurry) {
         double sum = 0;
         int doublings = 0;
-        for (Elsewhere.Game game : games) {
+        for (RemoteMachines.Game game : games) {
             sum += game.members().stream().mapToDouble(member ->
                 means.getOrDefault(member.version().id(), Double.POSITIVE_INFINITY)).sum();
             doublings = Math.max(doublings, ended.getOrDefault(game.task().seed(), 0));
@@ -59,7 +59,7 @@ final class GamePace {
     }
 
     /** Notes that these games were taken away. */
-    synchronized void ended(List<Elsewhere.Game> games) {
+    synchronized void ended(List<RemoteMachines.Game> games) {
         games.forEach(game -> ended.merge(game.task().seed(), 1, (before, one) -> Math.min(20, before + one)));
     }
 }

@@ -37,7 +37,7 @@ final class LeagueTerms {
         String ours = contest.setup().plan().law().key();
         String theirs = contest.setup().plan().law().keyAmong(hello.bits());
         return !theirs.equals(ours) ? state.apart(shown(hello.version()), shown(theirs), version, ours)
-            : contest.setup().isHosted() && !hello.guests() ? state.withoutGuests() : null;
+            : contest.setup().isGuest() && !hello.guests() ? state.withoutGuests() : null;
     }
 
     /** Notes in a worker's state on which terms it plays. */

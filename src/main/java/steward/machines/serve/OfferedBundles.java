@@ -14,7 +14,7 @@ import steward.machines.wire.HeaderText;
 import steward.machines.wire.LeagueWord;
 import steward.machines.wire.WireMessage;
 import steward.machines.wire.WorkerWord;
-import steward.match.HostedSetup;
+import steward.match.GuestSetup;
 
 /** Bundles of the bots that were offered to workers, and a long scene or the files of a guest. Thread-safe. */
 final class OfferedBundles {
@@ -35,8 +35,8 @@ final class OfferedBundles {
 
     /** Offers the scene if it is a long one, or its referee if it has one. Call once, before workers come. */
     void offerScene(GameSetup setup) {
-        ofReferee = setup.isHosted();
-        scene = ofReferee ? Bundle.of((HostedSetup) setup) : LongScene.of(setup.scene().json());
+        ofReferee = setup.isGuest();
+        scene = ofReferee ? Bundle.of((GuestSetup) setup) : LongScene.of(setup.scene().json());
         if (scene != null) {
             byHash.put(scene.hash(), scene);
         }

@@ -18,16 +18,16 @@ import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
 import steward.league.Season;
 import steward.league.StoredGame;
-import steward.league.play.Elsewhere;
 import steward.league.play.KeptGames;
+import steward.league.play.RemoteMachines;
 import steward.league.play.Roster.Member;
 import steward.machines.broker.LeagueBroker;
 import steward.machines.bundle.Bundle;
 import steward.machines.check.DisprovedException;
 import steward.machines.check.WorkerBook;
 import steward.machines.token.BrokerKey;
-import steward.machines.token.KeptPauses;
 import steward.machines.token.WorkerList;
+import steward.machines.token.WorkerPauses;
 import steward.machines.wire.GameJob;
 import steward.machines.wire.LeagueWord;
 import steward.machines.wire.WorkerWord;
@@ -43,7 +43,7 @@ import steward.text.TextFormat;
  *
  * <p>Over 400 lines: each word of a worker is answered here, and each game believed or not.
  */
-public final class RemoteGames implements Elsewhere, AutoCloseable {
+public final class RemoteGames implements RemoteMachines, AutoCloseable {
 
     /** All of a new worker's first games are asked again. */
     static final int FIRST = 20;
@@ -62,11 +62,10 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
     private final OfferedJobs offered;
     private final GamePace pace;
     private final WorkerPauses pauses;
-    private final WorkerGate gate;
+    private final WorkerAdmission admission;
     private final JobSize size = new JobSize();
     private final OfferedBundles bundles = new OfferedBundles();
     private final Thread listening = new Thread(this::listen, "what workers say");
-    private final WorkerDoor door;
     private final LeagueTerms terms;
     private volatile boolean closed;
     /** Why no game can be kept any more, or {@code null}. */
@@ -104,16 +103,14 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
         share = service.share();
         bundles.offerScene(contest.setup());
         reported = new ReportedGames(folder, season, contest, types, teller, this::suspect);
-        door = new WorkerDoor(folder, teller);
         terms = new LeagueTerms(contest, settings, service);
         settings.active().forEach(Bundle::of);         // what cannot be sent is said before any game is played
         BrokerKey key = new BrokerKey(folder);
         key.make();
-        KeptPauses kept = new KeptPauses(folder);
-        pauses = new WorkerPauses(System::currentTimeMillis, kept.read(), kept::write);
-        gate = new WorkerGate(pauses);
-        broker = new LeagueBroker(service.address(), key, door.workers().stream().map(WorkerList.Worker::name).toList(),
-            door, gate);
+        pauses = new WorkerPauses(System::currentTimeMillis, folder);
+        admission = new WorkerAdmission(folder, pauses, teller);
+        broker = new LeagueBroker(service.address(), key, admission.workers().stream().map(WorkerList.Worker::name)
+            .toList(), admission);
         pace = new GamePace(service.leaseNanos());
         offered = new OfferedJobs(broker, () -> anyConnected, this::canPlay, (worker, why) ->
             unplayed(state(worker), why), pauses::untested);
@@ -124,7 +121,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
     /** Says how games are set aside, and has it done for workers revoked before; before any are played. */
     public void onCaught(SettingAside how) throws InterruptedException {
         setter = how;
-        for (WorkerList.Worker worker : door.workers()) {
+        for (WorkerList.Worker worker : admission.workers()) {
             setAside(worker);
         }
     }
@@ -132,8 +129,8 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
     /** Sets the games of a worker aside, or suspends them, if the list says so and it has not been done. */
     private void setAside(WorkerList.Worker worker) throws InterruptedException {
         boolean suspended = worker.doubt() != null;
-        if (suspended != gate.isSuspended(worker.name())) {
-            gate.suspend(worker.name(), suspended);
+        if (suspended != admission.isSuspended(worker.name())) {
+            admission.suspend(worker.name(), suspended);
             if (suspended || worker.revoked() == null) {
                 suspend(worker.name(), suspended);
             }
@@ -162,8 +159,8 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
 
     /** A worker's answers are not those of its bots: its games wait for a decision, and it gets no more. */
     private void suspect(String worker, String doubt) throws InterruptedException {
-        if (!gate.isSuspended(worker) && door.doubt(worker, LeagueTerms.shown(doubt))) {
-            gate.suspend(worker, true);
+        if (!admission.isSuspended(worker) && admission.doubt(worker, LeagueTerms.shown(doubt))) {
+            admission.suspend(worker, true);
             suspend(worker, true);
         }
     }
@@ -195,7 +192,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
     }
 
     private int slots(WorkerState worker) {
-        return gate.isSuspended(worker.name) ? 0 : pauses.places(worker.name, worker.slots);
+        return admission.isSuspended(worker.name) ? 0 : pauses.places(worker.name, worker.slots);
     }
 
     @Override
@@ -294,7 +291,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
                 reported.askAgain(game, state.name, scale, played.transcripts().get(attempts.size() - 1));
             }
             synchronized (this) {
-                if (state.caught || gate.isSuspended(state.name)) {
+                if (state.caught || admission.isSuspended(state.name)) {
                     return null;
                 }
                 state.games++;
@@ -305,7 +302,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
             }
             return attempts;
         } catch (DisprovedException wrong) {
-            if (wrong.isComputed() && !contest.setup().isHosted()) {
+            if (wrong.isComputed() && !contest.setup().isGuest()) {
                 caught(state, wrong.getMessage());
             } else {
                 unplayed(state, LeagueTerms.shown(wrong.getMessage()));
@@ -339,7 +336,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
             state.caught = true;
             state.slots = 0;
         }
-        door.revoke(state.name, "caught: " + LeagueTerms.shown(why));
+        admission.revoke(state.name, "caught: " + LeagueTerms.shown(why));
         broker.disconnect(state.name);
         int games = setAside(state);
         say("worker " + state.name + " is caught and revoked: " + why + "; " + games
@@ -348,7 +345,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
 
     @Override
     public synchronized boolean isTrusted(String machine) {
-        return workers.values().stream().noneMatch(worker -> (worker.caught || gate.isSuspended(worker.name))
+        return workers.values().stream().noneMatch(worker -> (worker.caught || admission.isSuspended(worker.name))
             && machine.startsWith(WorkerBook.machine(worker.name)));
     }
 
@@ -386,10 +383,10 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
             anyConnected = workers.values().stream().anyMatch(worker -> worker.slots > 0);
             notifyAll();
         }
-        if (!door.isChanged()) {
+        if (!admission.isChanged()) {
             return;
         }
-        for (WorkerList.Worker worker : door.workers()) {
+        for (WorkerList.Worker worker : admission.workers()) {
             if (worker.revoked() == null) {
                 broker.open(worker.name());
             } else if (connected.contains(worker.name())) {
@@ -437,7 +434,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
         }
         synchronized (this) {
             state.slots = hello.slots();
-            gate.joined(state.name, hello.slots());
+            admission.joined(state.name, hello.slots());
             state.unfit.clear();                       // it may be another machine by now; it says them again
             terms.note(state, hello);
             state.began = state.began == 0 ? System.nanoTime() : state.began;
@@ -478,7 +475,7 @@ public final class RemoteGames implements Elsewhere, AutoCloseable {
     /** All workers that have said anything. */
     public synchronized List<WorkerSeen> seen() {
         List<WorkerSeen> seen = new ArrayList<>();
-        workers.values().forEach(worker -> seen.add(worker.seen(gate.isSuspended(worker.name),
+        workers.values().forEach(worker -> seen.add(worker.seen(admission.isSuspended(worker.name),
             reported.doubts(worker.name))));
         return seen;
     }

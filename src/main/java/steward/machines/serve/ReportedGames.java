@@ -18,8 +18,8 @@ import steward.league.Schedule;
 import steward.league.Season;
 import steward.league.StoredGame;
 import steward.league.StoredGame.StoredSeat;
-import steward.league.play.Elsewhere;
 import steward.league.play.KeptGames;
+import steward.league.play.RemoteMachines;
 import steward.league.play.Roster.Member;
 import steward.machines.check.AnswerCheck;
 import steward.machines.check.AskedAgain;
@@ -72,7 +72,7 @@ final class ReportedGames {
      * @param nanos   that the worker had the game, at most
      * @throws DisprovedException if it was not so
      */
-    List<StoredGame> attempts(Elsewhere.Game game, WorkerWord.Played played, String machine, double scale,
+    List<StoredGame> attempts(RemoteMachines.Game game, WorkerWord.Played played, String machine, double scale,
                               long nanos) throws DisprovedException, InterruptedException {
         List<StoredGame> attempts = new ArrayList<>();
         long[] left = {nanos};
@@ -90,7 +90,7 @@ final class ReportedGames {
         return attempts;
     }
 
-    private StoredGame attempt(Elsewhere.Game game, WorkerWord.Played played, String machine,
+    private StoredGame attempt(RemoteMachines.Game game, WorkerWord.Played played, String machine,
                                TranscriptCheck check, int k, long... left) throws DisprovedException {
         Schedule.Task task = game.task();
         List<Member> members = game.members();
@@ -135,7 +135,7 @@ final class ReportedGames {
             System.currentTimeMillis(), machine, file, outcome.facts().transcript(), seats);
     }
 
-    private ExpectedGame expected(Elsewhere.Game game) {
+    private ExpectedGame expected(RemoteMachines.Game game) {
         return new ExpectedGame(game.task().seed(),
             game.members().stream().map(member -> member.entrant().name()).toList(),
             game.members().stream().map(member -> member.entrant().protocol()).toList(),
@@ -149,7 +149,7 @@ final class ReportedGames {
      * @param scale  of its time limits
      * @param sent   the transcript of the last attempt, compressed
      */
-    void askAgain(Elsewhere.Game game, String worker, double scale, byte[] sent)
+    void askAgain(RemoteMachines.Game game, String worker, double scale, byte[] sent)
             throws DisprovedException, InterruptedException {
         String source = "game of seed " + game.task().seed();
         RecordedMatch match;

@@ -29,7 +29,7 @@ import steward.machines.wire.HeaderText;
 import steward.machines.wire.LeagueWord;
 import steward.machines.wire.WireMessage;
 import steward.machines.wire.WorkerWord;
-import steward.match.HostedSetup;
+import steward.match.GuestSetup;
 import steward.scene.RungLaw;
 import steward.scene.Scene;
 import steward.scene.SceneReader;
@@ -97,7 +97,7 @@ public final class Worker {
     public Worker(Options options, GameTypes types, Consumer<String> teller) {
         this.options = options;
         this.types = types;
-        runsReferees = types.hosted() != null && types.hosted().isTrusted();
+        runsReferees = types.guest() != null && types.guest().isTrusted();
         this.teller = teller;
         end = options.nanos() == Long.MAX_VALUE ? Long.MAX_VALUE : System.nanoTime() + options.nanos();
     }
@@ -213,13 +213,13 @@ public final class Worker {
         String text = welcome.scene() != null ? welcome.scene()
             : LongScene.text(welcome.bundle(), fetch(client, welcome.bundle(), welcome.size()));
         Scene scene = SceneReader.read(text, "the league's scene");
-        if (types.hosted() == null || !types.hosted().id().equals(scene.gameId())) {
+        if (types.guest() == null || !types.guest().id().equals(scene.gameId())) {
             return text;
         }
         UnpackedBundle files = !runsReferees || welcome.scene() == null || welcome.bundle() == null ? null
             : UnpackedBundle.of(options.folder(), welcome.bundle(), fetch(client, welcome.bundle(), welcome.size()),
                 options.platform());
-        HostedSetup setup = (HostedSetup) types.open(scene);
+        GuestSetup setup = (GuestSetup) types.open(scene);
         if (files == null || setup.isOnClassPath() && !files.command().words().stream()
                 .allMatch(entry -> Path.of(entry).startsWith(files.root().toAbsolutePath()))) {
             throw new RefusedException("the league's scene has a referee of its own, expected --guests here, and its "

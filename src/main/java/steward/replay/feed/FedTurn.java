@@ -1,7 +1,7 @@
 package steward.replay.feed;
 
 import java.util.List;
-import steward.replay.verify.Difference;
+import steward.replay.verify.ReplayDifference;
 
 /**
  * A bot's answer to a recorded turn, beside the recorded one.
@@ -13,8 +13,8 @@ import steward.replay.verify.Difference;
  * @param differences   between the commands, if both are good
  * @param gone          whether the bot can be asked no more
  */
-public record FedTurn(int number, boolean replaced, String fault, String recordedFault, List<Difference> differences,
-                      boolean gone) {
+public record FedTurn(int number, boolean replaced, String fault, String recordedFault,
+                      List<ReplayDifference> differences, boolean gone) {
 
     public FedTurn {
         differences = List.copyOf(differences);

@@ -11,7 +11,7 @@ import steward.replay.JsonLine;
 import steward.replay.RecordedMatch;
 import steward.replay.RecordedTurn;
 import steward.replay.ReplayException;
-import steward.replay.verify.Difference;
+import steward.replay.verify.ReplayDifference;
 import steward.replay.verify.Resimulation;
 
 /**
@@ -34,7 +34,7 @@ public final class Feed {
     private static final int NO_OUTCOME = "{}".length();
 
     private final RecordedMatch match;
-    private final Conversation conversation;
+    private final FeedDialogue conversation;
 
     /**
      * @param player   counted from 0
@@ -55,7 +55,7 @@ public final class Feed {
      */
     public Feed(RecordedMatch match, Resimulation again, int player, Protocol protocol, Player bot) {
         this.match = match;
-        conversation = new Conversation(again, player, protocol, bot, match.header().limits());
+        conversation = new FeedDialogue(again, player, protocol, bot, match.header().limits());
     }
 
     /**
@@ -99,7 +99,7 @@ public final class Feed {
     }
 
     /** Refuses a turn that cannot be played again. */
-    static void requireSame(RecordedTurn turn, Difference difference) {
+    static void requireSame(RecordedTurn turn, ReplayDifference difference) {
         if (difference != null) {
             throw new ReplayException(turn.where() + ": cannot be played again: " + difference);
         }

@@ -44,7 +44,7 @@ public final class Takeover {
     private final RecordedMatch match;
     private final List<String> names;
     private final int from;
-    private final Conversation conversation;
+    private final FeedDialogue conversation;
     private final Resimulation again;
     private final Game game;
     private final ReplayWriter writer;
@@ -64,7 +64,7 @@ public final class Takeover {
         this.match = match;
         this.from = from;
         again = new Resimulation(match.header(), null, types, match.source());
-        conversation = new Conversation(again, player, protocol, asked, match.header().limits());
+        conversation = new FeedDialogue(again, player, protocol, asked, match.header().limits());
         game = again.game();
         names = names(match.header().names(), player, asked.name());
         writer = new ReplayWriter(out, header(match.header(), names, player, protocol, bot));

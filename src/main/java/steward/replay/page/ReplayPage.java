@@ -18,7 +18,7 @@ import steward.replay.JsonLine;
 import steward.replay.RecordedTurn;
 import steward.replay.ReplayException;
 import steward.replay.ReplayReader;
-import steward.replay.verify.Difference;
+import steward.replay.verify.ReplayDifference;
 import steward.replay.verify.Verification;
 import steward.scene.json.SceneException;
 import steward.text.TextFormat;
@@ -139,12 +139,13 @@ public final class ReplayPage {
     /** Attributes that tell from which turn on a server has shown another match, and in which line; or none. */
     private static String differs(byte[] replay, String source, GameTypes types) {
         try (ReplayReader reader = new ReplayReader(new ByteArrayInputStream(replay), source)) {
-            Difference found = types == null || !reader.imported() ? null : Verification.of(reader, types).difference();
+            ReplayDifference found = types == null || !reader.imported() ? null
+                : Verification.of(reader, types).difference();
             if (found == null) {
                 return "";
             }
-            Difference.Lines lines = found.lines() != null ? found.lines()
-                : new Difference.Lines(found.recorded(), found.found());
+            ReplayDifference.Lines lines = found.lines() != null ? found.lines()
+                : new ReplayDifference.Lines(found.recorded(), found.found());
             return " data-differs-from=\"" + found.turn() + "\" data-differs=\"" + PageTemplate.escape(
                 "The server's game differs from here on: turn " + found.turn() + ", " + found.field() + "\nserver: "
                     + TextFormat.beginning(lines.server(), LONGEST) + "\nhere:   "

@@ -61,7 +61,7 @@ final class LineCheck {
      * @param asked counts in how many turns each player was asked; or {@code null}
      */
     Verification verify(int... asked) {
-        Difference difference = header();
+        ReplayDifference difference = header();
         String[] faults = new String[game.players()];
         boolean[] in = new boolean[faults.length];
         int turns = 0;
@@ -101,11 +101,11 @@ final class LineCheck {
             views == null ? ViewCounts.NONE : views.counts(), null, signed.check(whole));
     }
 
-    Difference header() {
+    ReplayDifference header() {
         read(replay.headerLine());
         lines.header(game, again.codec());
         boolean agrees = agrees(replay.headerLine().json());
-        Difference difference = agrees ? null : RecordedJson.compareOpening(replay, again);
+        ReplayDifference difference = agrees ? null : RecordedJson.compareOpening(replay, again);
         if (difference == null && !agrees) {
             difference = lineDiffers(0, "headerHash", replay.headerLine());
         }
@@ -159,7 +159,7 @@ final class LineCheck {
         outcomeTo = lines.line().size();
     }
 
-    Difference turn(byte[] line, RecordedTurn recorded) {
+    ReplayDifference turn(byte[] line, RecordedTurn recorded) {
         if (server != null) {
             read(new JsonLine(recorded.where(), line));
         }
@@ -170,7 +170,7 @@ final class LineCheck {
                     fill(turn, recorded, player);
                 }
             }
-            Difference wrong = again.prepare(recorded);
+            ReplayDifference wrong = again.prepare(recorded);
             if (wrong != null) {
                 return wrong;
             }
@@ -188,7 +188,7 @@ final class LineCheck {
             lines.texts(played);
         }
         boolean agrees = agrees(line);
-        Difference difference = agrees ? null : RecordedJson.compare(recorded.number(), recorded.outcome(),
+        ReplayDifference difference = agrees ? null : RecordedJson.compare(recorded.number(), recorded.outcome(),
             Arrays.copyOfRange(lines.line().bytes(), outcomeFrom, outcomeTo));
         if (difference == null && !agrees) {
             difference = lineDiffers(recorded.number(), "turnHash", new JsonLine(recorded.where(), line));
@@ -209,7 +209,7 @@ final class LineCheck {
         }
     }
 
-    private Difference result(String[] turnFaults) {
+    private ReplayDifference result(String[] turnFaults) {
         JsonLine result = replay.result();
         read(result);
         String[] recorded = result.textsOf("players", "fault");
@@ -219,7 +219,7 @@ final class LineCheck {
                 faults[player] = game.expulsion(player);
             }
         }
-        Difference difference = end(game, result.integer("turns"), result.text("ending"));
+        ReplayDifference difference = end(game, result.integer("turns"), result.text("ending"));
         difference = difference != null ? difference : RecordedJson.compareStanding(replay, game);
         difference = difference != null ? difference : players(game.turn(), replay.header().names(), faults,
             result.textsOf("players", "name"), recorded);
@@ -266,15 +266,15 @@ final class LineCheck {
     /**
      * The difference of a line whose values agree: its hash is wrong, or was computed for another spelling of the line.
      */
-    private Difference lineDiffers(int turn, String hash, JsonLine line) {
-        Difference difference = RecordedJson.compareHash(turn, hash, line);
+    private ReplayDifference lineDiffers(int turn, String hash, JsonLine line) {
+        ReplayDifference difference = RecordedJson.compareHash(turn, hash, line);
         if (difference != null) {
             return difference;
         }
         LineBuffer written = lines.line();
         byte[] bytes = line.json();
         int at = Arrays.mismatch(bytes, 0, bytes.length, written.bytes(), 0, written.size());
-        return new Difference(turn, "byte " + (at + 1) + " of the line", shown(bytes, at, bytes.length),
+        return new ReplayDifference(turn, "byte " + (at + 1) + " of the line", shown(bytes, at, bytes.length),
             shown(written.bytes(), at, written.size()));
     }
 
@@ -283,29 +283,30 @@ final class LineCheck {
     }
 
     /** The result is there although the match is not over, or is not that of this match. */
-    private static Difference end(Game game, int turns, String ending) {
+    private static ReplayDifference end(Game game, int turns, String ending) {
         if (!game.isOver()) {
-            return new Difference(game.turn(), "result", "an end of the match", "the match goes on");
+            return new ReplayDifference(game.turn(), "result", "an end of the match", "the match goes on");
         }
         if (turns != game.turn()) {
-            return new Difference(game.turn(), "turns", Integer.toString(turns), Integer.toString(game.turn()));
+            return new ReplayDifference(game.turn(), "turns", Integer.toString(turns), Integer.toString(game.turn()));
         }
-        return ending.equals(game.ending()) ? null : new Difference(game.turn(), "ending", ending, game.ending());
+        return ending.equals(game.ending()) ? null : new ReplayDifference(game.turn(), "ending", ending, game.ending());
     }
 
     /** Names and faults of the result are those of the header and the turns. */
-    private static Difference players(int turn, List<String> names, String[] faults, String[] recordedNames,
+    private static ReplayDifference players(int turn, List<String> names, String[] faults, String[] recordedNames,
                               String[] recordedFaults) {
         if (recordedNames.length != names.size()) {
-            return new Difference(turn, "players", recordedNames.length + " entries", names.size() + " entries");
+            return new ReplayDifference(turn, "players", recordedNames.length + " entries", names.size() + " entries");
         }
         for (int player = 0; player < faults.length; player++) {
             String field = "players[" + player + "].";
             if (!names.get(player).equals(recordedNames[player])) {
-                return new Difference(turn, field + "name", String.valueOf(recordedNames[player]), names.get(player));
+                return new ReplayDifference(turn, field + "name", String.valueOf(recordedNames[player]),
+                    names.get(player));
             }
             if (!said(faults[player]).equals(said(recordedFaults[player]))) {
-                return new Difference(turn, field + "fault", said(recordedFaults[player]), said(faults[player]));
+                return new ReplayDifference(turn, field + "fault", said(recordedFaults[player]), said(faults[player]));
             }
         }
         return null;

@@ -18,12 +18,12 @@ final class RecordedJson {
     }
 
     /** Compares the bytes; only where they differ, both are parsed. */
-    static Difference compare(int turn, byte[] recorded, byte[] found) {
-        return Arrays.equals(recorded, found) ? null : Difference.between(turn, recorded, found);
+    static ReplayDifference compare(int turn, byte[] recorded, byte[] found) {
+        return Arrays.equals(recorded, found) ? null : ReplayDifference.between(turn, recorded, found);
     }
 
     /** Compares drawing and start. */
-    static Difference compareOpening(ReplayReader replay, Resimulation again) {
+    static ReplayDifference compareOpening(ReplayReader replay, Resimulation again) {
         byte[] recorded = JsonObject.of(out -> {
             raw(out, "drawing", replay.drawing());
             raw(out, "start", replay.start());
@@ -32,16 +32,16 @@ final class RecordedJson {
     }
 
     /** Compares what the result says of every player's place. */
-    static Difference compareStanding(ReplayReader replay, Game game) {
+    static ReplayDifference compareStanding(ReplayReader replay, Game game) {
         return compare(game.turn(), JsonObject.of(out -> raw(out, "standing", replay.result().array("standing"))),
             JsonObject.of(out -> ReplayLines.writeStanding(out, game)));
     }
 
     /** Compares the hash of everything before the field, which also covers what has no effect on the game. */
-    static Difference compareHash(int turn, String field, JsonLine line) {
+    static ReplayDifference compareHash(int turn, String field, JsonLine line) {
         String recorded = line.text(field);
         String found = line.hashBefore(field);
         return recorded.equals(found) ? null
-            : new Difference(turn, field, recorded, found + " of the line as it stands");
+            : new ReplayDifference(turn, field, recorded, found + " of the line as it stands");
     }
 }

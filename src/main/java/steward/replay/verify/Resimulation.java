@@ -18,7 +18,7 @@ import steward.game.GameTypes;
 import steward.game.ViewWriter;
 import steward.json.JsonNumbers;
 import steward.json.LineParser;
-import steward.match.HostedSetup;
+import steward.match.GuestSetup;
 import steward.replay.RecordedTurn;
 import steward.replay.ReplayException;
 import steward.replay.ReplayHeader;
@@ -68,18 +68,18 @@ public final class Resimulation {
         this.views = views;
         outcome = start;
         Scene scene = SceneReader.read(header.scene(), source + " (scene)");
-        if (types.hosted() == null || !types.hosted().id().equals(header.game())) {
+        if (types.guest() == null || !types.guest().id().equals(header.game())) {
             checkJar(header, types, source);
         }
         setup = types.open(views == null ? scene : views.observed(scene));
-        boolean runs = setup.isHosted() && (start == null || types.hosted().isTrusted());
-        if (runs && !types.hosted().isTrusted()) {
+        boolean runs = setup.isGuest() && (start == null || types.guest().isTrusted());
+        if (runs && !types.guest().isTrusted()) {
             throw new ReplayException(source + ":1: scene: found a referee of its own, which is a program that the "
                 + "replay names and is not run unless that is asked for",
                 List.of(new Remedied.Remedy("run-referee", "runs it again")));
         }
         if (runs) {
-            checkFiles(header, (HostedSetup) setup, source);
+            checkFiles(header, (GuestSetup) setup, source);
         }
         if (!header.game().equals(setup.scene().gameId())) {
             throw new ReplayException(source + ":1: game: found \""
@@ -87,9 +87,9 @@ public final class Resimulation {
                 + setup.scene().gameId() + "\" as in the scene");
         }
         checkLaw(header.law(), source);
-        if (setup instanceof HostedSetup hosted && !runs) {
+        if (setup instanceof GuestSetup guest && !runs) {
             recorded = source;
-            game = hosted.recorded(header.seed(), () -> outcome);
+            game = guest.recorded(header.seed(), () -> outcome);
             said("start", 1, () -> game.isAsked(0));
         } else {
             recorded = null;
@@ -119,7 +119,7 @@ public final class Resimulation {
     }
 
     /** Refuses to run a referee whose files are missing, or are others than those that were recorded. */
-    private static void checkFiles(ReplayHeader header, HostedSetup setup, String source) {
+    private static void checkFiles(ReplayHeader header, GuestSetup setup, String source) {
         setup.check();
         String here = JarFolder.digestOf(setup);
         if (Objects.equals(header.jar(), here)) {
@@ -188,8 +188,8 @@ public final class Resimulation {
      *
      * @return {@code null}, or the difference because of which it cannot be played
      */
-    public Difference play(RecordedTurn turn) {
-        Difference difference = prepare(turn);
+    public ReplayDifference play(RecordedTurn turn) {
+        ReplayDifference difference = prepare(turn);
         if (difference == null) {
             said("outcome", turn.number() + 1, game::play);
         }
@@ -234,16 +234,16 @@ public final class Resimulation {
     }
 
     /** Everything of a turn except playing it: commands are read, and players that failed are out. */
-    public Difference prepare(RecordedTurn turn) {
+    public ReplayDifference prepare(RecordedTurn turn) {
         int expected = game.turn() + 1;
         if (game.isOver()) {
-            return new Difference(turn.number(), "turn", Integer.toString(turn.number()),
+            return new ReplayDifference(turn.number(), "turn", Integer.toString(turn.number()),
                 "the match is over: " + game.ending());
         }
         if (turn.number() != expected) {
-            return new Difference(expected, "turn", Integer.toString(turn.number()), Integer.toString(expected));
+            return new ReplayDifference(expected, "turn", Integer.toString(turn.number()), Integer.toString(expected));
         }
-        Difference wrong = readCommands(turn);
+        ReplayDifference wrong = readCommands(turn);
         if (wrong != null) {
             return wrong;
         }
@@ -267,7 +267,7 @@ public final class Resimulation {
     }
 
     /** Reads the commands anew if anything is wrong with them: the error has its place in a parser of their own. */
-    private Difference readCommands(RecordedTurn turn) {
+    private ReplayDifference readCommands(RecordedTurn turn) {
         byte[] json = turn.commands();
         if (readCommands(json, 0, json.length, turn.faults()) >= 0) {
             return null;
@@ -276,7 +276,7 @@ public final class Resimulation {
             in.nextToken();
             return readEach(in, turn.number(), turn.faults());
         } catch (JacksonException problem) {
-            return new Difference(turn.number(), "commands", JsonProblem.message(problem), "JSON");
+            return new ReplayDifference(turn.number(), "commands", JsonProblem.message(problem), "JSON");
         }
     }
 
@@ -311,21 +311,21 @@ public final class Resimulation {
     }
 
     /** Reads an array of commands, behind its bracket. @return what is wrong, or {@code null} */
-    private Difference readEach(JsonParser in, int turn, String... faults) {
+    private ReplayDifference readEach(JsonParser in, int turn, String... faults) {
         int player = 0;
         for (JsonToken token = in.nextToken(); token != JsonToken.END_ARRAY; token = in.nextToken()) {
             boolean asked = player < game.players() && game.isAsked(player) && !isSpared(token, player, faults);
             if (!asked && token != JsonToken.VALUE_NULL) {
-                return new Difference(turn, "commands[" + player + "]", "a command", "null");
+                return new ReplayDifference(turn, "commands[" + player + "]", "a command", "null");
             }
             String wrong = asked ? readOne(in, token, player, faults[player]) : null;
             if (wrong != null) {
-                return new Difference(turn, "commands[" + player + "]", wrong, "a command");
+                return new ReplayDifference(turn, "commands[" + player + "]", wrong, "a command");
             }
             player++;
         }
         return player == game.players() ? null
-            : new Difference(turn, "commands", player + " entries", game.players() + " entries");
+            : new ReplayDifference(turn, "commands", player + " entries", game.players() + " entries");
     }
 
     /**

@@ -18,7 +18,7 @@ import steward.replay.ReplayReader;
  *                   compared; otherwise {@code null}
  * @param signature  what its signature is worth; {@code CUT_OFF} wherever it was not reached
  */
-public record Verification(int turns, int states, boolean whole, Difference difference, String warning,
+public record Verification(int turns, int states, boolean whole, ReplayDifference difference, String warning,
                            ViewCounts views, String olderLaw, SignatureCheck signature) {
 
     /** True if everything recorded agrees, even if the replay was cut off; false if the header is incomplete. */

@@ -37,7 +37,7 @@ final class ViewComparison {
     private int cut;
     private int unknown;
     private boolean isResultCompared = true;
-    private Difference difference;
+    private ReplayDifference difference;
 
     ViewComparison(ViewWriter writer, Game game) {
         this.writer = writer;
@@ -69,7 +69,7 @@ final class ViewComparison {
     }
 
     /** The first difference, or {@code null}. */
-    Difference difference() {
+    ReplayDifference difference() {
         return difference;
     }
 
@@ -107,7 +107,7 @@ final class ViewComparison {
     /** Compares the result, and what was shown behind the end. */
     void end(ServerRecording.End end) {
         if (difference == null && end.turns() != game.turn()) {
-            difference = new Difference(game.turn(), "turns", Integer.toString(end.turns()),
+            difference = new ReplayDifference(game.turn(), "turns", Integer.toString(end.turns()),
                 Integer.toString(game.turn()));
         }
         String ranks = IntStream.of(game.ranks()).mapToObj(Integer::toString).collect(Collectors.joining(" "));
@@ -173,10 +173,10 @@ final class ViewComparison {
     }
 
     private void compareLine(int turn, String where, String recorded, String found) {
-        Difference.Lines lines = new Difference.Lines(recorded == null ? "" : recorded.strip(),
+        ReplayDifference.Lines lines = new ReplayDifference.Lines(recorded == null ? "" : recorded.strip(),
             found == null ? "" : found.strip().replace(ViewWriter.NEAR, ""));
         if (recorded == null || found == null) {
-            difference = new Difference(turn, where, recorded == null ? "nothing" : recorded,
+            difference = new ReplayDifference(turn, where, recorded == null ? "nothing" : recorded,
                 found == null ? "nothing" : lines.ours(), lines);
             return;
         }
@@ -197,10 +197,10 @@ final class ViewComparison {
             } else if (!plain.equals(our) && distance(their, plain) <= NEAR) {
                 nearInAll++;
                 if (near.size() < ViewCounts.MOST_NEAR) {
-                    near.add(new Difference(turn, place, their, plain).toString());
+                    near.add(new ReplayDifference(turn, place, their, plain).toString());
                 }
             } else {
-                difference = new Difference(turn, place, their, plain, lines);
+                difference = new ReplayDifference(turn, place, their, plain, lines);
                 return;
             }
         }

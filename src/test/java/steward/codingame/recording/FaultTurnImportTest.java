@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Test;
 import steward.bot.Bot;
 import steward.match.SeededBot;
 import steward.match.TestScenes;
-import steward.replay.verify.Difference;
+import steward.replay.verify.ReplayDifference;
 import tools.jackson.databind.node.ObjectNode;
 
 /** The last turn of a pod race that a fault has ended: the server plays it and shows it, so it is compared. */
@@ -52,7 +52,7 @@ class FaultTurnImportTest {
         }
     }
 
-    private static Difference difference(ObjectNode result) {
+    private static ReplayDifference difference(ObjectNode result) {
         ByteArrayOutputStream replay = new ByteArrayOutputStream();
         try {
             RecordingImport.of(result.toString(), "game.json", TestScenes.TYPES).write(replay);
@@ -62,7 +62,7 @@ class FaultTurnImportTest {
         return TextMatches.verify(replay.toByteArray()).difference();
     }
 
-    private Difference changed(int line, int word, String to) {
+    private ReplayDifference changed(int line, int word, String to) {
         ObjectNode result = game.gameResult();
         ObjectNode frame = (ObjectNode) result.get("frames").get(OfficialGame.keyFrame(game.turns()));
         List<String> lines = new ArrayList<>(frame.get("view").stringValue().lines().toList());
@@ -84,8 +84,8 @@ class FaultTurnImportTest {
 
     @Test
     void impulsePlaceAndMissingImpactsAreFound() {
-        for (Difference found : new Difference[] {changed(FIRST_IMPACT, IMPULSE, "1234.5"), changed(1, 0, "77"),
-            changed(3, 1, "78"), changed(FIRST_IMPACT, 0, null)}) {
+        for (ReplayDifference found : new ReplayDifference[] {changed(FIRST_IMPACT, IMPULSE, "1234.5"),
+            changed(1, 0, "77"), changed(3, 1, "78"), changed(FIRST_IMPACT, 0, null)}) {
             assertNotNull(found);
             assertEquals(game.turns(), found.turn(), found.toString());
         }

@@ -21,7 +21,7 @@ import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.codingame.recording.RecordingImport.Imported;
 import steward.match.TestScenes;
 import steward.match.TestSize;
-import steward.replay.verify.Difference;
+import steward.replay.verify.ReplayDifference;
 import steward.replay.verify.Verification;
 import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.ObjectNode;
@@ -95,7 +95,7 @@ class GameRecordingImportTest {
     }
 
     private void assertFound(int turn, String field, String json) {
-        Difference difference = verified(json).difference();
+        ReplayDifference difference = verified(json).difference();
         assertNotNull(difference, field);
         assertEquals(turn, difference.turn(), difference.toString());
         assertEquals(field, difference.field(), difference.toString());

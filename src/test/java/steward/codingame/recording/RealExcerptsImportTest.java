@@ -20,7 +20,7 @@ import steward.game.GroundTruth;
 import steward.game.podrace.PodRace;
 import steward.game.podrace.protocol.PodRaceType;
 import steward.match.TestScenes;
-import steward.replay.verify.Difference;
+import steward.replay.verify.ReplayDifference;
 import steward.replay.verify.Verification;
 import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.ArrayNode;
@@ -91,7 +91,7 @@ class RealExcerptsImportTest {
                     other.set(line, String.join(" ", words));
                     frame.put("view", String.join("\n", other));
                     replay.reset();
-                    Difference found = verified(game.toString(), name).difference();
+                    ReplayDifference found = verified(game.toString(), name).difference();
                     assertEquals("turn " + turn + ", view line " + line + ", word " + word,
                         found == null ? null : "turn " + found.turn() + ", " + found.field());
                 }

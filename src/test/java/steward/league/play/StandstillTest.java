@@ -31,13 +31,13 @@ class StandstillTest {
             Contest.entrant(bot.typed(), Protocol.JSON), "");
     }
 
-    private Optional<String> look(Standstill standstill, int millis) {
+    private Optional<String> look(IdleWatch standstill, int millis) {
         return standstill.look(WAITING, new Others(), TimeUnit.MILLISECONDS.toNanos(millis));
     }
 
     @Test
     void gamesThatWaitForAWorkerAreSaidToOnce() {
-        Standstill standstill = new Standstill(false, told::add);
+        IdleWatch standstill = new IdleWatch(false, told::add);
         for (int millis : List.of(1000, 3000, 5999)) {
             assertEquals(Optional.empty(), look(standstill, millis));
             assertEquals(List.of(), told);
@@ -59,7 +59,7 @@ class StandstillTest {
 
     @Test
     void whatNoWorkerCanPlayEndsTheRun() {
-        Standstill standstill = new Standstill(true, told::add);
+        IdleWatch standstill = new IdleWatch(true, told::add);
         away = false;
         obstacle = "worker w: no such library";
         assertEquals(Optional.empty(), look(standstill, 0));
@@ -74,7 +74,7 @@ class StandstillTest {
 
     @Test
     void whatThisMachineCanPlayWaitsForNobody() {
-        Standstill standstill = new Standstill(true, told::add);
+        IdleWatch standstill = new IdleWatch(true, told::add);
         List<List<Member>> here = List.of(WAITING.get(0), List.of(member("a"), member("c")));
         for (int seconds : List.of(0, 10, 100)) {
             assertEquals(Optional.empty(), standstill.look(here, new Others(), TimeUnit.SECONDS.toNanos(seconds)));
@@ -83,7 +83,7 @@ class StandstillTest {
     }
 
     /** Other machines, which are away, or have an obstacle or none. */
-    private final class Others implements Elsewhere {
+    private final class Others implements RemoteMachines {
 
         @Override
         public boolean isAway() {

@@ -43,7 +43,7 @@ final class ServedBroker implements AutoCloseable {
         port = FreePort.next();
         WorkerList list = WorkerList.read(league);
         broker = new LeagueBroker(new InetSocketAddress("127.0.0.1", port), new BrokerKey(league),
-            workers, list::admits, Gate.OPEN, quota);
+            workers, list::admits, quota);
     }
 
     /** Returns the folder, with a league in it and the tokens of its workers. */

@@ -27,7 +27,7 @@ import steward.files.Sha256;
 import steward.game.GameSetup;
 import steward.guest.GuestType;
 import steward.league.LeagueBot;
-import steward.match.HostedSetup;
+import steward.match.GuestSetup;
 import steward.scene.SceneReader;
 
 /** Bots packed and unpacked; archives that want out of their folder. */
@@ -79,7 +79,7 @@ class BundleTest {
     }
 
     private static String refusal(GameSetup setup) {
-        return assertThrows(InputException.class, () -> Bundle.of((HostedSetup) setup)).getMessage();
+        return assertThrows(InputException.class, () -> Bundle.of((GuestSetup) setup)).getMessage();
     }
 
     /** A class path of a contest alone is longer than a text of JSON may be. */

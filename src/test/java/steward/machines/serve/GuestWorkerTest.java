@@ -34,7 +34,6 @@ import steward.contest.Hiccups;
 import steward.guest.StandInProject;
 import steward.league.LeagueBot;
 import steward.league.LeagueFolder;
-import steward.machines.broker.Gate;
 import steward.machines.broker.LeagueBroker;
 import steward.machines.bundle.Bundle;
 import steward.machines.token.BrokerKey;
@@ -191,7 +190,7 @@ class GuestWorkerTest extends ServedLeague {
         Bundle outside = Bundle.of(new LeagueBot("referee", "codingame:/etc /usr", List.of(), false, false));
         LeagueWord.Welcome others = none.with(none.scene(), outside.hash(), outside.bytes().length);
         try (LeagueBroker broker = new LeagueBroker(new InetSocketAddress("127.0.0.1", port), new BrokerKey(league),
-                List.of("open"), list::admits, Gate.OPEN)) {
+                List.of("open"), list::admits)) {
             assertRefused(broker, token, false, others, outside);
             assertRefused(broker, token, true, none, outside);
             assertRefused(broker, token, true, others, outside);

@@ -42,7 +42,6 @@ import steward.files.InputException;
 import steward.league.LeagueFolder;
 import steward.machines.broker.BrokerClient;
 import steward.machines.broker.BrokerClient.BrokenException;
-import steward.machines.broker.Gate;
 import steward.machines.broker.LeagueBroker;
 import steward.machines.bundle.Bundle;
 import steward.machines.token.BrokerKey;
@@ -176,7 +175,7 @@ class MessageSchemaTest {
         byte[] others = text.replaceFirst("\"rules\":\"[0-9a-f]{16}\"", "\"rules\":\"0123456789abcdef\"")
             .getBytes(StandardCharsets.ISO_8859_1);
         try (LeagueBroker broker = new LeagueBroker(new InetSocketAddress("127.0.0.1", port), new BrokerKey(league),
-                List.of("pen"), list::admits, Gate.OPEN)) {
+                List.of("pen"), list::admits)) {
             for (byte[] greeting : List.of(welcome, others)) {
                 List<String> told = new ArrayList<>();
                 Worker worker = new Worker(new Worker.Options("127.0.0.1", port, token, 1, 3, Long.MAX_VALUE,

@@ -31,7 +31,7 @@ import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
 import steward.league.Schedule;
 import steward.league.Season;
-import steward.league.play.Elsewhere;
+import steward.league.play.RemoteMachines;
 import steward.league.play.Roster.Member;
 import steward.league.store.GameQueries;
 import steward.league.store.GameStore;
@@ -236,17 +236,17 @@ abstract class ServedLeague {
     }
 
     /** A game of the first two bots of a league, which is not asked for by a run. */
-    Elsewhere.Game firstGame(String league) {
+    RemoteMachines.Game firstGame(String league) {
         return game(league, 0, 1);
     }
 
     /** A game of two bots of a league, by their places in the settings. */
-    Elsewhere.Game game(String league, int one, int other) {
+    RemoteMachines.Game game(String league, int one, int other) {
         LeagueSettings settings = new LeagueFolder(folder.resolve(league)).read();
         List<Member> members = Stream.of(one, other).map(settings.active()::get).map(bot -> new Member(bot,
             new GameStore.Version(1, bot.name(), 1, bot.command(), false, bot.name(), 0, false, null),
             Contest.entrant(bot.typed(), Protocol.JSON), "")).toList();
-        return new Elsewhere.Game(new Schedule.Task(0, 5, 1, 1), settings, members, 1);
+        return new RemoteMachines.Game(new Schedule.Task(0, 5, 1, 1), settings, members, 1);
     }
 
     String refused(WorkerToken token) {

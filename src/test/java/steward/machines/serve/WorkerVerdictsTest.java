@@ -19,7 +19,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import steward.league.StoredGame;
-import steward.league.play.Elsewhere;
+import steward.league.play.RemoteMachines;
 import steward.machines.broker.BrokerClient;
 import steward.machines.broker.BrokerClient.BrokenException;
 import steward.machines.bundle.Bundle;
@@ -249,7 +249,7 @@ class WorkerVerdictsTest extends ServedLeague {
         return played(games, firstGame("many"));
     }
 
-    private static CompletableFuture<List<List<StoredGame>>> played(RemoteGames games, Elsewhere.Game game) {
+    private static CompletableFuture<List<List<StoredGame>>> played(RemoteGames games, RemoteMachines.Game game) {
         return CompletableFuture.supplyAsync(() -> {
             try {
                 return games.play(List.of(game));
@@ -322,7 +322,7 @@ class WorkerVerdictsTest extends ServedLeague {
                 assertEquals(Collections.singletonList(null), third.get(), "nobody can play it");
             }
             try (BrokerClient.Taker taker = client.taker(List.of())) {
-                Elsewhere.Game others = game("many", 0, 2);
+                RemoteMachines.Game others = game("many", 0, 2);
                 CompletableFuture<List<List<StoredGame>>> fourth = played(games, others);
                 while (!fourth.isDone()) {
                     byte[] job = taker.take(200);

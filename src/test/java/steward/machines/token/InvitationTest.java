@@ -12,7 +12,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.time.Instant;
-import java.util.Map;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -107,18 +106,5 @@ class InvitationTest {
         assertThrows(InputException.class, () -> Invitation.until("2026-11-24", NOW));
         assertThrows(InputException.class, () -> Invitation.until("tomorrow", NOW));
         assertTrue(Invitation.until("2026-11-27", NOW).isAfter(NOW));
-    }
-
-    @Test
-    void pausesAreKept() throws IOException {
-        KeptPauses kept = new KeptPauses(league());
-        assertEquals(Map.of(), kept.read());
-        Map<String, KeptPauses.Pause> pauses = Map.of("a", new KeptPauses.Pause(4000, NOW.toEpochMilli()));
-        kept.write(pauses);
-        assertEquals(pauses, kept.read());
-        Path file = folder.resolve("machines/pauses.json");
-        Files.writeString(file, Files.readString(file).replace("2026-11", "2026-21"));
-        String said = assertThrows(InputException.class, kept::read).getMessage();
-        assertTrue(said.startsWith(file + ":2:"), said);
     }
 }

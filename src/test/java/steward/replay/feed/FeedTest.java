@@ -27,7 +27,7 @@ import steward.replay.Recorded;
 import steward.replay.RecordedMatch;
 import steward.replay.ReplayException;
 import steward.replay.ReplayReader;
-import steward.replay.verify.Difference;
+import steward.replay.verify.ReplayDifference;
 
 /** A bot is sent what a player of a recorded match was sent, and its answers are compared with the recorded ones. */
 class FeedTest {
@@ -117,9 +117,9 @@ class FeedTest {
             "\"pods\":[{\"x\":1234.5,").replaceFirst("\"y\":[-0-9.]+", "\"y\":-7"));
         assertEquals(Feed.Ending.WHOLE, feed(recorded.bytes(), 0, other, Integer.MAX_VALUE));
         assertEquals(List.of(5), differing());
-        List<Difference> differences = fed.get(4).differences();
+        List<ReplayDifference> differences = fed.get(4).differences();
         assertEquals("command[0].x command[0].y",
-            differences.stream().map(Difference::field).collect(Collectors.joining(" ")));
+            differences.stream().map(ReplayDifference::field).collect(Collectors.joining(" ")));
         assertEquals("1234.5", differences.get(0).found());
         assertEquals("-7", differences.get(1).found());
     }

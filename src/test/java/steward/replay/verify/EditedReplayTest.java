@@ -197,7 +197,7 @@ class EditedReplayTest {
             if (leaf.path().startsWith("/drawing/") || leaf.path().startsWith("/start/")
                 || leaf.path().equals("/seed")) {
                 try {
-                    Difference difference = verifyWith(0, line).difference();
+                    ReplayDifference difference = verifyWith(0, line).difference();
                     assertNotNull(difference, leaf.path());
                     assertEquals(0, difference.turn(), leaf.path());
                     differ++;
@@ -259,7 +259,7 @@ class EditedReplayTest {
         List<String> early = new ArrayList<>(lines.subList(0, 12));
         early.add(lines.get(31));
 
-        Difference difference = Recorded.verify(String.join("\n", early) + "\n").difference();
+        ReplayDifference difference = Recorded.verify(String.join("\n", early) + "\n").difference();
 
         assertEquals("turn 11, result: recorded an end of the match, re-simulated the match goes on",
             difference.toString());
@@ -270,7 +270,7 @@ class EditedReplayTest {
         List<String> longer = new ArrayList<>(lines.subList(0, 31));
         longer.add(lines.get(30).replace("\"turn\":30", "\"turn\":31"));
 
-        Difference difference = Recorded.verify(String.join("\n", longer) + "\n").difference();
+        ReplayDifference difference = Recorded.verify(String.join("\n", longer) + "\n").difference();
 
         assertEquals(31, difference.turn());
         assertTrue(difference.found().startsWith("the match is over"), difference.toString());
@@ -289,7 +289,7 @@ class EditedReplayTest {
         String line = lines.get(31);
         assertTrue(line.contains(from), line);
 
-        Difference difference = verifyWith(31, line.replaceFirst(Pattern.quote(from), to)).difference();
+        ReplayDifference difference = verifyWith(31, line.replaceFirst(Pattern.quote(from), to)).difference();
 
         assertNotNull(difference, "it passed");
         assertEquals(30, difference.turn());
@@ -300,7 +300,7 @@ class EditedReplayTest {
     void aFaultThatIsTakenAway() {
         String line = lines.get(9).replaceFirst("\"faults\":\\[[^]]*],", "");
 
-        Difference difference = verifyWith(9, line).difference();
+        ReplayDifference difference = verifyWith(9, line).difference();
 
         assertEquals(9, difference.turn());
         assertEquals("commands[2]", difference.field());

@@ -93,9 +93,9 @@ class LineCheckTest {
             byte[] bytes = reader.nextLine();
             LineCheck slow = check();
             LineCheck quick = check();
-            Difference told = slow.turn(bytes, reader.turn(bytes));
+            ReplayDifference told = slow.turn(bytes, reader.turn(bytes));
             ReplayReader again = Recorded.reader(bytes(lines.get(0) + "\n" + line + "\n"));
-            Difference then = quick.isSame(again.nextLine()) ? null : quick.turn(bytes, again.turn(bytes));
+            ReplayDifference then = quick.isSame(again.nextLine()) ? null : quick.turn(bytes, again.turn(bytes));
             assertEquals(told, then, line);
             assertEquals(line.equals(first) || !line.contains("\"times\"") || line.contains("1.5")
                 || line.contains("hello"), told == null, line);
@@ -109,7 +109,7 @@ class LineCheckTest {
         List<String> longer = new ArrayList<>(lines.subList(0, last + 1));
         longer.add(lines.get(last).replace("\"turn\":" + last, "\"turn\":" + (last + 1)));
 
-        Difference difference = Recorded.verify(String.join("\n", longer) + "\n").difference();
+        ReplayDifference difference = Recorded.verify(String.join("\n", longer) + "\n").difference();
 
         assertNotNull(difference, "it passed");
         assertEquals(last + 1, difference.turn());

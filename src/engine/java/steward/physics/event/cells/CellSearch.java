@@ -319,7 +319,7 @@ final class CellSearch extends ImpactSearch {
         }
     }
 
-    /** Offers the next impact of a pair: the body whose flight has started earlier is moved to the start of the other. */
+    /** Offers the next impact of a pair: the body whose flight starts earlier is moved to the start of the other. */
     private void offer(int body, int other, double ri, double rj, double now) {
         double[] state = crowd.state;
         int i = 8 * body;
@@ -336,8 +336,9 @@ final class CellSearch extends ImpactSearch {
         double vxj = state[j + VX];
         double vyj = state[j + VY];
         if (!crowd.exact) {
-            offerPair(body, other, xi + vxi * (since - sinceI), xj + vxj * (since - sinceJ), yi + vyi * (since - sinceI),
-                yj + vyj * (since - sinceJ), vxi, vxj, vyi, vyj, ri, rj, since, state[j + IMPACT], now);
+            offerPair(body, other, xi + vxi * (since - sinceI), xj + vxj * (since - sinceJ),
+                yi + vyi * (since - sinceI), yj + vyj * (since - sinceJ), vxi, vxj, vyi, vyj,
+                ri, rj, since, state[j + IMPACT], now);
             return;
         }
         double lowI = crowd.low[4 * body + SINCE_LOW];

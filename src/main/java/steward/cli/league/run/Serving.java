@@ -9,15 +9,15 @@ import steward.league.LeagueSettings;
 import steward.league.Season;
 import steward.league.StoredGame;
 import steward.league.page.WorkerRow;
-import steward.league.play.Elsewhere;
 import steward.league.play.LeagueRun;
+import steward.league.play.RemoteMachines;
 import steward.machines.check.WorkerBook;
 
 /** The options of a run that let other machines play, too. */
 public interface Serving {
 
     /** Other machines, while a run lasts. */
-    interface Service extends Elsewhere, AutoCloseable {
+    interface Service extends RemoteMachines, AutoCloseable {
 
         /**
          * Says for which run they play, and what is to be done when games that counted do no more.

@@ -11,7 +11,7 @@ import steward.bot.isolation.Launch;
  * A program that is kept apart, bounded and ended as a bot is, but talks in a format of its own: a referee. Its reader
  * has the streams; a blocked read or write ends when the process is closed.
  */
-public final class HostedProcess {
+public final class GuestProcess {
 
     /** How long a process may take to exit after closing its output, in milliseconds, to be reported as exited. */
     private static final long EXIT_MS = 1000;
@@ -19,17 +19,17 @@ public final class HostedProcess {
     private final ProcessGroup group;
     private final StderrFile stderr;
 
-    private HostedProcess(ProcessGroup group, StderrFile stderr) {
+    private GuestProcess(ProcessGroup group, StderrFile stderr) {
         this.group = group;
         this.stderr = stderr;
     }
 
     /** Starts a program. @throws IOException if the system refuses it */
-    public static HostedProcess start(Launch launch) throws IOException {
+    public static GuestProcess start(Launch launch) throws IOException {
         Sentinel.shared().start();
         StderrFile stderr = StderrFile.create();
         try {
-            return new HostedProcess(ProcessGroup.start(launch, stderr), stderr);
+            return new GuestProcess(ProcessGroup.start(launch, stderr), stderr);
         } catch (IOException problem) {
             stderr.close();
             throw problem;

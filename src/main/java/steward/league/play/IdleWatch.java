@@ -13,7 +13,7 @@ import steward.league.play.Roster.Member;
  * Watch over games that nobody plays: it says that they wait for a machine, and why they will never be played. Not
  * thread-safe.
  */
-final class Standstill {
+final class IdleWatch {
 
     /** How long nothing may happen before anything is said, in nanoseconds. */
     static final long PATIENCE_NANOS = TimeUnit.SECONDS.toNanos(5);
@@ -25,7 +25,7 @@ final class Standstill {
     private boolean said;
 
     /** @param playsHere true if this machine plays games, too */
-    Standstill(boolean playsHere, Consumer<String> teller) {
+    IdleWatch(boolean playsHere, Consumer<String> teller) {
         this.playsHere = playsHere;
         this.teller = teller;
     }
@@ -40,14 +40,14 @@ final class Standstill {
      * Looks at games that have been decided on while none is under way.
      *
      * @param waiting   the bots of each game, none if no game has been decided on
-     * @param elsewhere other machines, or {@code null}
+     * @param remote    other machines, or {@code null}
      * @param now       as of {@link System#nanoTime}
      * @return why none of them can be played by the machines that are there; empty if one may be
      */
-    Optional<String> look(List<List<Member>> waiting, Elsewhere elsewhere, long now) {
-        boolean away = elsewhere == null || elsewhere.isAway();
-        boolean here = playsHere && (waiting.isEmpty() || waiting.stream().anyMatch(Standstill::isForHere));
-        List<String> obstacles = away ? List.of() : waiting.stream().map(elsewhere::obstacle).toList();
+    Optional<String> look(List<List<Member>> waiting, RemoteMachines remote, long now) {
+        boolean away = remote == null || remote.isAway();
+        boolean here = playsHere && (waiting.isEmpty() || waiting.stream().anyMatch(IdleWatch::isForHere));
+        List<String> obstacles = away ? List.of() : waiting.stream().map(remote::obstacle).toList();
         if (here || obstacles.stream().anyMatch(Objects::isNull)) {
             moves();
             return Optional.empty();
@@ -57,7 +57,7 @@ final class Standstill {
         if (now - since < PATIENCE_NANOS) {
             return Optional.empty();
         }
-        if (elsewhere == null || !obstacles.isEmpty()) {
+        if (remote == null || !obstacles.isEmpty()) {
             return Optional.of("no machine can play " + waiting.get(0).stream().map(bot -> bot.bot().name()).distinct()
                 .collect(Collectors.joining(" against ")) + ": " + (playsHere ? notHere() : "")
                 + (playsHere && !obstacles.isEmpty() ? "; " : "") + (obstacles.isEmpty() ? "" : obstacles.get(0))

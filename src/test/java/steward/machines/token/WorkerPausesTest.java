@@ -1,26 +1,34 @@
-package steward.machines.serve;
+package steward.machines.token;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.Map;
-import java.util.TreeMap;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import steward.machines.token.KeptPauses.Pause;
+import org.junit.jupiter.api.io.TempDir;
+import steward.files.InputException;
+import steward.league.LeagueFolder;
 
 class WorkerPausesTest {
 
+    @TempDir
+    private Path folder;
     private long seconds;
-    private final Map<String, Pause> kept = new TreeMap<>();
-    private final WorkerPauses pauses = pauses();
+    private WorkerPauses pauses;
+
+    @BeforeEach
+    void begin() {
+        pauses = pauses();
+    }
 
     private WorkerPauses pauses() {
-        return new WorkerPauses(() -> TimeUnit.SECONDS.toMillis(seconds), kept, all -> {
-            kept.clear();
-            kept.putAll(all);
-        });
+        return new WorkerPauses(() -> TimeUnit.SECONDS.toMillis(seconds), new LeagueFolder(folder));
     }
 
     @Test
@@ -77,10 +85,11 @@ class WorkerPausesTest {
         assertTrue(next.mayTake("a"), "its test");
         next.took("a");
         assertFalse(next.failed("a"));
-        assertEquals(4000, kept.get("a").length());
-        seconds += 4;
+        seconds += 3;
+        assertFalse(pauses().mayTake("a"), "for 4 s");
+        seconds += 1;
         assertTrue(next.played("a"));
-        assertEquals(Map.of(), kept);
+        assertEquals(8, pauses().places("a", 8));
     }
 
     @Test
@@ -89,5 +98,14 @@ class WorkerPausesTest {
         pauses.failed("a");
         seconds = 0;
         assertTrue(pauses.mayTake("a"));
+    }
+
+    @Test
+    void aDamagedFileIsNamed() throws IOException {
+        pauses.failed("a");
+        Path file = folder.resolve("machines/pauses.json");
+        Files.writeString(file, Files.readString(file).replaceAll("\\d{4}-\\d\\d", "1970-21"));
+        String said = assertThrows(InputException.class, this::pauses).getMessage();
+        assertTrue(said.startsWith(file + ":2:"), said);
     }
 }

@@ -2,17 +2,29 @@ package steward.machines.serve;
 
 import java.time.Instant;
 import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Consumer;
 import steward.files.InputException;
 import steward.league.LeagueFolder;
 import steward.machines.broker.Admission;
 import steward.machines.token.WorkerList;
+import steward.machines.token.WorkerPauses;
 
-/** Admission of workers by the league's list, which is read anew when its file has changed. Thread-safe. */
-final class WorkerDoor implements Admission {
+/**
+ * Admission of workers by the league's list, which is read anew when its file has changed. Jobs are handed to workers
+ * that are neither paused nor suspended, as many as they said they play. Thread-safe.
+ */
+final class WorkerAdmission implements Admission {
 
     private final LeagueFolder folder;
+    private final WorkerPauses pauses;
     private final Consumer<String> teller;
+    /** Jobs that each worker may have at the same time: twice its places, as a report and its job's end are apart. */
+    private final Map<String, Integer> most = new ConcurrentHashMap<>();
+    /** Workers that may not play until somebody decides. */
+    private final Set<String> suspended = ConcurrentHashMap.newKeySet();
     private volatile WorkerList list;
     /** Stamp of the file when a worker was not on the list. */
     private volatile String missed = "";
@@ -20,8 +32,9 @@ final class WorkerDoor implements Admission {
     private String stamp;
 
     /** @param teller is told who comes with an invitation, and when the list cannot be read */
-    WorkerDoor(LeagueFolder folder, Consumer<String> teller) {
+    WorkerAdmission(LeagueFolder folder, WorkerPauses pauses, Consumer<String> teller) {
         this.folder = folder;
+        this.pauses = pauses;
         this.teller = teller;
         stamp = WorkerList.stamp(folder);
         list = WorkerList.read(folder);
@@ -60,6 +73,33 @@ final class WorkerDoor implements Admission {
             teller.accept(problem.getMessage());
             return "the league cannot change its list of workers";
         }
+    }
+
+    void suspend(String worker, boolean held) {
+        if (held) {
+            suspended.add(worker);
+        } else {
+            suspended.remove(worker);
+        }
+    }
+
+    boolean isSuspended(String worker) {
+        return suspended.contains(worker);
+    }
+
+    void joined(String worker, int slots) {
+        most.put(worker, 2 * slots + 2);
+        pauses.untested(worker);
+    }
+
+    @Override
+    public boolean mayTake(String worker, int jobs) {
+        return !isSuspended(worker) && jobs < most.getOrDefault(worker, 0) && pauses.mayTake(worker);
+    }
+
+    @Override
+    public void took(String worker) {
+        pauses.took(worker);
     }
 
     List<WorkerList.Worker> workers() {

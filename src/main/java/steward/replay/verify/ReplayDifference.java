@@ -19,7 +19,7 @@ import tools.jackson.core.ObjectReadContext;
  * @param found    what the re-simulation gives
  * @param lines    of a server's text and of ours in which they stand, or {@code null}
  */
-public record Difference(int turn, String field, String recorded, String found, Lines lines) {
+public record ReplayDifference(int turn, String field, String recorded, String found, Lines lines) {
 
     private static final int SHOWN = 100;
 
@@ -27,7 +27,7 @@ public record Difference(int turn, String field, String recorded, String found, 
     public record Lines(String server, String ours) { }
 
     /** A difference that is in no text of a server. */
-    public Difference(int turn, String field, String recorded, String found) {
+    public ReplayDifference(int turn, String field, String recorded, String found) {
         this(turn, field, recorded, found, null);
     }
 
@@ -41,16 +41,17 @@ public record Difference(int turn, String field, String recorded, String found, 
      * The first difference between two JSON values whose bytes differ, in the order of fields. Numbers are compared as
      * they are written: two texts can mean the same double, but only one of them was recorded.
      */
-    static Difference between(int turn, byte[] recorded, byte[] found) {
-        List<Difference> differences = new ArrayList<>();
+    static ReplayDifference between(int turn, byte[] recorded, byte[] found) {
+        List<ReplayDifference> differences = new ArrayList<>();
         new Comparer(turn, 1, differences).compare("", read(recorded), read(found));
         return !differences.isEmpty() ? differences.get(0)
-            : new Difference(turn, "spelling", "other blanks, escapes or order", "the spelling of a fresh recording");
+            : new ReplayDifference(turn, "spelling", "other blanks, escapes or order",
+                "the spelling of a fresh recording");
     }
 
     /** All differences between two JSON values, whose path begins with {@code name}. */
-    public static List<Difference> all(int turn, String name, byte[] recorded, byte[] found) {
-        List<Difference> differences = new ArrayList<>();
+    public static List<ReplayDifference> all(int turn, String name, byte[] recorded, byte[] found) {
+        List<ReplayDifference> differences = new ArrayList<>();
         new Comparer(turn, Integer.MAX_VALUE, differences).compare(name, read(recorded), read(found));
         return differences;
     }
@@ -60,7 +61,7 @@ public record Difference(int turn, String field, String recorded, String found, 
      *
      * @param most how many differences are collected
      */
-    private record Comparer(int turn, int most, List<Difference> into) {
+    private record Comparer(int turn, int most, List<ReplayDifference> into) {
 
         void compare(String path, Object recorded, Object found) {
             if (into.size() >= most) {
@@ -79,7 +80,7 @@ public record Difference(int turn, String field, String recorded, String found, 
                         k < foundValues.size() ? foundValues.get(k) : null);
                 }
             } else if (recorded == null || !recorded.equals(found)) {
-                into.add(new Difference(turn, path, shown(recorded), shown(found)));
+                into.add(new ReplayDifference(turn, path, shown(recorded), shown(found)));
             }
         }
     }

@@ -7,7 +7,7 @@ import steward.game.Game;
 import steward.game.GameSetup;
 
 /** Setup of a game whose referee is a program of its own. */
-public interface HostedSetup extends GameSetup {
+public interface GuestSetup extends GameSetup {
 
     /** Returns this setup with a referee that is kept apart as bots are. */
     GameSetup isolatedBy(Supplier<Isolation> isolation);
@@ -27,7 +27,7 @@ public interface HostedSetup extends GameSetup {
     String sceneWith(List<String> words);
 
     @Override
-    default boolean isHosted() {
+    default boolean isGuest() {
         return true;
     }
 }

@@ -59,7 +59,7 @@ import steward.text.TextFormat;
         "", "Exit status: 0 an end was reached; 1 broken: games could not be stored, or no",
         "machine can play them; 2 the call or the league is unusable; 130 interrupted,",
         "143 terminated."})
-public final class RunCommand extends ProgramCommand {
+public final class LeagueRunCommand extends ProgramCommand {
 
     private static final Pattern TIME = Pattern.compile("([0-9]{1,9})([smhd])");
 
@@ -129,7 +129,7 @@ public final class RunCommand extends ProgramCommand {
     private List<String> choosers = List.of();
 
     /** @param serving an object with options that let other machines play */
-    public RunCommand(Serving serving) {
+    public LeagueRunCommand(Serving serving) {
         this.serving = serving;
     }
 
@@ -139,7 +139,7 @@ public final class RunCommand extends ProgramCommand {
      * @param ofMore   true if the caller says itself what begins and how many games there were
      * @param listener is told of each game, by any thread
      */
-    public RunCommand following(LeagueRun.Planner maker, boolean ofMore, Consumer<StoredGame> listener) {
+    public LeagueRunCommand following(LeagueRun.Planner maker, boolean ofMore, Consumer<StoredGame> listener) {
         plan = maker;
         part = ofMore;
         follower = listener;

@@ -14,12 +14,12 @@ import tools.jackson.core.JsonGenerator;
  * {@code player_data}, with numbers as numbers, and once more as {@code attributes}: name, player or null, turn or
  * null, value as text.
  */
-public final class LeagueJson {
+public final class RatingToolJson {
 
     private static final String SEED = "seed";
     private static final Pattern WHOLE = Pattern.compile("[-+]?\\d{1,18}");
 
-    private LeagueJson() { }
+    private RatingToolJson() { }
 
     /**
      * Fields of the object, which the caller has opened and closes.

@@ -14,11 +14,11 @@ import tools.jackson.databind.JsonNode;
  * @param data    of the game: its number; empty if not recorded
  * @param players per player: the number of the agent, and the league, as far as recorded
  */
-record GameFacts(List<String> names, Map<String, String> data, List<Map<String, String>> players) {
+record RecordingFacts(List<String> names, Map<String, String> data, List<Map<String, String>> players) {
 
     private static final int LONGEST_NAME = 60;
 
-    static GameFacts of(JsonNode result, int players) {
+    static RecordingFacts of(JsonNode result, int players) {
         List<String> names = new ArrayList<>();
         List<Map<String, String>> data = new ArrayList<>();
         for (int player = 0; player < players; player++) {
@@ -40,7 +40,7 @@ record GameFacts(List<String> names, Map<String, String> data, List<Map<String, 
         }
         Map<String, String> game = new TreeMap<>();
         put(game, "game", result.path("gameId"));
-        return new GameFacts(names, game, data);
+        return new RecordingFacts(names, game, data);
     }
 
     private static void put(Map<String, String> data, String name, JsonNode value) {

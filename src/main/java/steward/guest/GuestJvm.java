@@ -30,7 +30,7 @@ import java.util.jar.JarFile;
  *
  * <p>Arguments: the main class, {@code fresh} or {@code classes}, the entries of the class path.
  */
-public final class RefereeHost {
+public final class GuestJvm {
 
     /** Metaspace in bytes above which a collection is asked for, and above which the JVM is recycled. */
     private static final long COLLECT_ABOVE = 96L << 20;
@@ -47,7 +47,7 @@ public final class RefereeHost {
     private final List<WeakReference<ClassLoader>> loaders = new ArrayList<>();
     private ClassLoader kept;
 
-    private RefereeHost(String main, boolean reuse, List<String> classPath) throws IOException {
+    private GuestJvm(String main, boolean reuse, List<String> classPath) throws IOException {
         this.main = main;
         this.reuse = reuse;
         List<URL> shared = new ArrayList<>();
@@ -73,7 +73,7 @@ public final class RefereeHost {
         PrintStream out = new PrintStream(System.out, false, StandardCharsets.UTF_8);
         System.setOut(new PrintStream(System.err, true, StandardCharsets.UTF_8));
         System.setIn(InputStream.nullInputStream());
-        RefereeHost host = new RefereeHost(words[0], words[1].equals("classes"),
+        GuestJvm host = new GuestJvm(words[0], words[1].equals("classes"),
             List.of(words).subList(2, words.length));
         List<String> set = new ArrayList<>();
         for (String head = in.line(); head != null; head = in.line()) {

@@ -9,7 +9,7 @@ import steward.bot.Player;
 import steward.bot.TimeBasis;
 
 /** A player with a copy of what it is sent and what it answers: all of the first turns and of the last ones. */
-public final class Dialog implements Player {
+public final class CheckDialogue implements Player {
 
     private static final int FIRST = 20;
     private static final int LAST = 10;
@@ -34,7 +34,7 @@ public final class Dialog implements Player {
      */
     public record Turn(int number, String received, String answer, String stderr, String fault, long nanos) { }
 
-    Dialog(Player player) {
+    CheckDialogue(Player player) {
         this.player = player;
     }
 

@@ -10,7 +10,7 @@ import java.util.stream.Stream;
  *
  * @param lines behind its head, without line ends
  */
-record Block(Name name, List<String> lines) {
+record RefereeBlock(Name name, List<String> lines) {
 
     /** The names of blocks that a referee says. */
     enum Name {
@@ -36,7 +36,7 @@ record Block(Name name, List<String> lines) {
         SCORES,
         /** End of the game by an exception of the referee. */
         FAIL,
-        /** Said by a JVM of {@link RefereeHost} between two games. */
+        /** Said by a JVM of {@link GuestJvm} between two games. */
         READY;
 
         /** True if the host speaks next. */
@@ -49,7 +49,7 @@ record Block(Name name, List<String> lines) {
     static final Pattern HEAD = Pattern.compile("\\[\\[(" + Stream.of(Name.values()).map(Name::name)
         .collect(Collectors.joining("|")) + ")\\] ?(\\d{1,9})\\]");
 
-    Block {
+    RefereeBlock {
         lines = List.copyOf(lines);
     }
 

@@ -7,7 +7,7 @@ import steward.league.StoredGame;
 import steward.league.play.Roster.Member;
 
 /** Other machines that play games of a run. All methods are called by any thread. */
-public interface Elsewhere {
+public interface RemoteMachines {
 
     /**
      * A game that is to be played.

@@ -13,7 +13,7 @@ import java.util.concurrent.Future;
  * single thread waits for free places and for games: thousands of waiting threads, each looking several times a second,
  * would keep a processor busy.
  */
-record FarGames(LeagueRun run, Elsewhere elsewhere) {
+record RemotePlay(LeagueRun run, RemoteMachines remote) {
 
     /**
      * Plays until the run is over and all of its games here have ended.
@@ -32,12 +32,12 @@ record FarGames(LeagueRun run, Elsewhere elsewhere) {
                 while (!games.isEmpty() && games.peek().isDone()) {
                     games.remove().get();              // throws what has ended it
                 }
-                int most = elsewhere.takePlace(LeagueRun.WAIT_MS);
-                List<Elsewhere.Game> next = most == 0 ? List.of() : run.take(most, elsewhere::canPlay);
+                int most = remote.takePlace(LeagueRun.WAIT_MS);
+                List<RemoteMachines.Game> next = most == 0 ? List.of() : run.take(most, remote::canPlay);
                 if (most == 0) {
                     run.hasNoPlace();
                 } else if (next.isEmpty()) {
-                    elsewhere.leavePlace();
+                    remote.leavePlace();
                 } else {
                     games.add(threads.submit(() -> play(next)));
                 }
@@ -53,15 +53,15 @@ record FarGames(LeagueRun run, Elsewhere elsewhere) {
         }
     }
 
-    private Void play(List<Elsewhere.Game> games) throws InterruptedException {
+    private Void play(List<RemoteMachines.Game> games) throws InterruptedException {
         try {
-            run.play(games, elsewhere::play);
+            run.play(games, remote::play);
             return null;
         } catch (RuntimeException problem) {
             run.stop("a game of another machine: " + problem);
             throw problem;
         } finally {
-            elsewhere.leavePlace();
+            remote.leavePlace();
         }
     }
 }

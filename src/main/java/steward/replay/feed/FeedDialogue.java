@@ -12,7 +12,7 @@ import steward.match.Protocol;
 import steward.match.SafeText;
 import steward.replay.RecordedTurn;
 import steward.replay.ReplayException;
-import steward.replay.verify.Difference;
+import steward.replay.verify.ReplayDifference;
 import steward.replay.verify.Resimulation;
 import steward.scene.Time;
 import tools.jackson.core.JsonGenerator;
@@ -22,7 +22,7 @@ import tools.jackson.core.ObjectWriteContext;
  * A bot that is sent what a player of a recorded match was sent. The lines are not recorded: they follow from the game,
  * which is played again. There are no deadlines.
  */
-final class Conversation {
+final class FeedDialogue {
 
     private final Resimulation again;
     private final Dialogue dialogue;
@@ -40,7 +40,7 @@ final class Conversation {
      * @param limits of players that had their own, which they were told
      * @throws IllegalArgumentException if the game does not speak the protocol
      */
-    Conversation(Resimulation again, int player, Protocol protocol, Player bot, Map<Integer, Time> limits) {
+    FeedDialogue(Resimulation again, int player, Protocol protocol, Player bot, Map<Integer, Time> limits) {
         this.again = again;
         dialogue = Dialogue.of(protocol, again.setup(), again.game(), again.codec(), limits);
         this.player = player;
@@ -87,7 +87,7 @@ final class Conversation {
         boolean none = recorded.faults()[player] != null || replaced && !recorded.hasCommand(player);
         again.codec().clearCommand(player);
         String fault = gone ? answer.fault() : read();
-        List<Difference> differences = none || fault == null && isRecorded(recorded) ? List.of()
+        List<ReplayDifference> differences = none || fault == null && isRecorded(recorded) ? List.of()
             : differences(recorded, fault, gone);
         return new FedTurn(recorded.number(), replaced, fault, recorded.faults()[player], differences, gone);
     }
@@ -99,7 +99,7 @@ final class Conversation {
     }
 
     /** Reads also the recorded command, and then the answer once more, whose command counts. */
-    private List<Difference> differences(RecordedTurn recorded, String fault, boolean gone) {
+    private List<ReplayDifference> differences(RecordedTurn recorded, String fault, boolean gone) {
         byte[] now = fault == null ? command() : null;
         byte[] then = recordedCommand(recorded);
         again.codec().clearCommand(player);
@@ -107,7 +107,7 @@ final class Conversation {
             read();
         }
         return fault != null || Arrays.equals(then, now) ? List.of()
-            : Difference.all(recorded.number(), "command", then, now);
+            : ReplayDifference.all(recorded.number(), "command", then, now);
     }
 
     private String read() {
