@@ -116,6 +116,18 @@ public final class PairedPlay {
             return Arrays.stream(games).anyMatch(Outcome::allFailed);
         }
 
+        /** True if a player failed in one of the games. */
+        public boolean isAnyFailed() {
+            for (Outcome game : games) {
+                for (boolean each : game.failed()) {
+                    if (each) {
+                        return true;
+                    }
+                }
+            }
+            return false;
+        }
+
         /**
          * Points of one bot less those of another, averaged over the games, -1..1. A bot's points in a game are the
          * share of the others that it is before, half for those that it is level with.

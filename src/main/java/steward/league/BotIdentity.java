@@ -1,14 +1,19 @@
 package steward.league;
 
+import java.io.File;
 import java.io.IOException;
 import java.io.InputStream;
 import java.net.URISyntaxException;
 import java.net.URL;
 import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.HashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.stream.Stream;
 import steward.bot.command.BotCommand;
@@ -62,12 +67,68 @@ public final class BotIdentity {
         return hash.hex();
     }
 
-    /** The identity of a contest's bot as a program, whatever its limits and its environment are. */
+    /**
+     * The identity of a contest's bot as a program, however its command is written and whatever its limits and its
+     * environment are: the contents of the files that its words name, or else of those that are listed, and its other
+     * words. The program of the system that runs a file, such as {@code python3}, does not count beside it; a folder
+     * counts by its place.
+     */
     public static String ofProgram(Contest.Entrant entrant) {
-        String command = BotCommand.parse(entrant.bot()).name() == null ? entrant.bot()
-            : entrant.bot().substring(entrant.bot().indexOf('=') + 1);
-        return new BotIdentity(Map.of()).of(new LeagueBot("bot", command, null, false, false)
-            .in(none -> entrant.program().folder().toString()));
+        BotCommand command = BotCommand.parse(entrant.bot());
+        if (command.prefix() == BotCommand.Prefix.BUILTIN) {
+            String words = command.name() == null ? entrant.bot()
+                : entrant.bot().substring(entrant.bot().indexOf('=') + 1);
+            return new BotIdentity(Map.of()).of(new LeagueBot("bot", words, null, false, false));
+        }
+        Program program = entrant.program();
+        TextHash hash = new TextHash();
+        Set<Path> files = new LinkedHashSet<>();
+        new Program(program.words(), program.folder(), null).paths().forEach(file -> files.add(real(file)));
+        Path first = program.words().isEmpty() ? null : file(program, program.words().get(0));
+        boolean isOfSystem = first == null || !Files.isRegularFile(first) || isOfSystem(first);
+        if (isOfSystem && first != null) {
+            files.remove(real(first));
+        }
+        if (files.isEmpty() && program.named() != null) {
+            program.paths().forEach(file -> files.add(real(file)));
+        }
+        for (int k = isOfSystem && !files.isEmpty() ? 1 : 0; k < program.words().size(); k++) {
+            String word = program.words().get(k);
+            Path file = file(program, word);
+            if (k == 0 && isOfSystem) {
+                hash.add(word.substring(word.lastIndexOf('/') + 1));
+            } else if (file == null || !Files.exists(file)) {
+                hash.add(word);
+            } else if (Files.isDirectory(file)) {
+                hash.add(real(file).toString());
+            }
+        }
+        files.stream().filter(Files::isRegularFile).map(file -> hash(entrant.name(), file)).forEach(hash::add);
+        return hash.hex();
+    }
+
+    private static Path file(Program program, String word) {
+        try {
+            return word.isEmpty() ? null : program.folder().resolve(word).normalize();
+        } catch (InvalidPathException none) {
+            return null;
+        }
+    }
+
+    /** The file without links; as it is named where it is gone. */
+    private static Path real(Path file) {
+        try {
+            return file.toRealPath();
+        } catch (IOException gone) {
+            return file;
+        }
+    }
+
+    /** True of a program in a folder where commands are looked for. */
+    private static boolean isOfSystem(Path file) {
+        String folders = System.getenv("PATH");
+        return folders != null && Arrays.stream(folders.split(File.pathSeparator)).anyMatch(folder ->
+            !folder.isEmpty() && Path.of(folder).normalize().equals(file.getParent()));
     }
 
     /** Returns a stamp of the bot: it changes when a file of any platform has been touched. No file is read. */
@@ -117,14 +178,18 @@ public final class BotIdentity {
         String stamp = Program.stamp(file);
         Content content = known.get(file);
         if (content == null || !content.stamp().equals(stamp)) {
-            try (InputStream in = Files.newInputStream(file)) {
-                content = new Content(stamp, TextHash.of(in));
-            } catch (IOException problem) {
-                throw new InputException("bot '" + bot.name() + "': its file " + file + " cannot be read: "
-                    + (Files.exists(file) ? problem.getMessage() : "there is no such file"));
-            }
+            content = new Content(stamp, hash(bot.name(), file));
             known.put(file, content);
         }
         return content.hash();
+    }
+
+    private static String hash(String bot, Path file) {
+        try (InputStream in = Files.newInputStream(file)) {
+            return TextHash.of(in);
+        } catch (IOException problem) {
+            throw new InputException("bot '" + bot + "': its file " + file + " cannot be read: "
+                + (Files.exists(file) ? problem.getMessage() : "there is no such file"));
+        }
     }
 }

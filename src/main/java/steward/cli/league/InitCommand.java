@@ -73,10 +73,7 @@ final class InitCommand extends ProgramCommand {
         check.that(factor == null || factor > 0 && factor < Double.POSITIVE_INFINITY,
             "--time-factor: found " + factor + ", expected a finite number above 0");
         check.exclusive("--seed", seed.isGiven(), SeedFileOption.NAME, list != null);
-        Path seeds = list == null ? null : OutputFiles.path(list);
-        if (seeds != null) {
-            SeedFile.read(seeds);
-        }
+        SeedFile seeds = list == null ? null : SeedFile.read(OutputFiles.path(list));
         KeptReplays kept = keep == null ? KeptReplays.FAILED : keepOf(keep);
         Games.warn(Games.open(scene), streams);
         Path path = league.path();
@@ -90,7 +87,7 @@ final class InitCommand extends ProgramCommand {
                 SceneFiles.copy(Path.of(scene), path.resolve(LeagueFolder.SCENE));
             }
             if (seeds != null) {
-                Files.copy(seeds, path.resolve(LeagueFolder.SEEDS));
+                Files.writeString(path.resolve(LeagueFolder.SEEDS), seeds.text());
             }
         } catch (IOException problem) {
             throw new InputException(path + ": cannot be written: "

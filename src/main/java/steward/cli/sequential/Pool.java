@@ -28,7 +28,7 @@ final class Pool {
     /**
      * Finds those who play, each under a name of its own: the tested ones, then the opponents. Nothing is started.
      *
-     * @param bots    who are tested; an opponent with the same program is left out
+     * @param bots    who are tested; an opponent with the same program is left out, and so is one that is named twice
      * @param folders of theirs
      * @param typed   the folder of a league, another folder, or names apart by commas
      * @param into    the league whose bots may be named, or {@code null}
@@ -66,13 +66,18 @@ final class Pool {
             }
         }
         Set<String> known = new HashSet<>();
-        tested.forEach(bot -> known.add(BotIdentity.ofProgram(bot)));
-        List<Entrant> others = found.stream().filter(bot -> known.add(BotIdentity.ofProgram(bot))).toList();
+        tested.forEach(bot -> known.add(key(bot)));
+        List<Entrant> others = found.stream().filter(bot -> known.add(key(bot))).toList();
         if (others.isEmpty()) {
             throw new InputException("--pool: found no bot in " + typed + (found.isEmpty() ? "" : " but those that are "
                 + "tested") + ", expected a league, a folder of programs, or names such as builtin:racer,./other");
         }
         return others;
+    }
+
+    /** Key of a program: each is an opponent once, however often it is named. */
+    private static String key(Entrant bot) {
+        return BotIdentity.ofProgram(bot) + (bot.program().named() == null ? "" : bot.program().folder());
     }
 
     private static List<Entrant> ofLeague(LeagueSettings settings) {

@@ -30,7 +30,7 @@ import steward.league.sequential.Gsprt;
 import steward.text.TextFormat;
 
 /**
- * A test of two bots against a pool while it is played. Each seed is of one opponent, in a game for more than two
+ * A test of two bots against a pool while it is played. Each seed draws one opponent, in a game for more than two
  * players of as many as there are other seats; the new bot and the base both play it from all seats.
  */
 final class PoolRun implements PairedPlay.Tables {
@@ -97,7 +97,7 @@ final class PoolRun implements PairedPlay.Tables {
 
     @Override
     public PairedPlay.Table at(int place) {
-        return place < seeds.count() ? new PairedPlay.Table(seeds.at(place), contests.get(place % contests.size()))
+        return place < seeds.count() ? new PairedPlay.Table(seeds.at(place), contests.get(opponent(seeds.at(place))))
             : null;
     }
 
@@ -136,8 +136,13 @@ final class PoolRun implements PairedPlay.Tables {
         return end(watch.changed());
     }
 
+    private int opponent(long seed) {
+        return PoolScores.opponent(seed, contests.size());
+    }
+
     private synchronized boolean take(PairedPlay.Seed seed) {
-        int opponent = taken++ % contests.size();
+        int opponent = opponent(seed.seed());
+        taken++;
         pool.add(opponent, seed);
         int first = 0;
         for (Contest contest : contests.get(opponent)) {
@@ -150,14 +155,14 @@ final class PoolRun implements PairedPlay.Tables {
             told = System.nanoTime();
             streams.err().println(text.standing(pool));
         }
-        return test.state(pool.scores()) == Gsprt.State.OPEN && pool.idleInARow() < MOST_IDLE
+        return pool.state(test) == Gsprt.State.OPEN && pool.idleInARow() < MOST_IDLE
             && pool.repeatsInARow() < Repeats.ENOUGH && (ending.keepGoing() || streaks.failing() == null)
             && (pool.played() + 1) * pool.gamesOfSeed() <= ending.budget();
     }
 
     /** @param changed the file that made a program another one before the test was over, or {@code null} */
     private synchronized int end(String changed) {
-        boolean isOpen = test.state(pool.scores()) == Gsprt.State.OPEN;
+        boolean isOpen = pool.state(test) == Gsprt.State.OPEN;
         boolean ended = changed != null && isOpen;
         if (!ended || store == null) {
             tell();

@@ -5,15 +5,22 @@ import java.util.List;
 import steward.contest.Contest;
 import steward.contest.PairedPlay;
 import steward.contest.repeat.Repeats;
+import steward.league.sequential.Gsprt;
 import steward.league.sequential.ScoreCounts;
+import steward.numerics.SplitMix64;
 
 /**
  * Points of two bots against the same opponents on the same seeds. The new bot and the base have played a seed against
  * an opponent from each seat; the value of a seat is the difference of their points there, -1..1, and an observation is
- * the mean d of the seats of a seed, which belong together, as the score (1 + d) / 2. Opponents take turns, and each
- * observation has a seed of its own, so that observations are independent. Not thread-safe.
+ * the mean d of the seats of a seed, which belong together, as the score (1 + d) / 2. The seed draws the opponent, so
+ * that observations are independent and of one distribution, whatever the order and the number of opponents are. Games
+ * that repeat those of an earlier seed count, too: without them an opponent that plays alike on all seeds would weigh
+ * less than the others. Not thread-safe.
  */
 final class PoolScores {
+
+    /** Keeps the draw of an opponent apart from those of maps, which games begin with the seed itself. */
+    private static final long STREAM = 0x706f6f6cL;
 
     private final Contest contest;
     private final ScoreCounts scores;
@@ -70,6 +77,11 @@ final class PoolScores {
         names.forEach(name -> opponents.add(new Opponent(name)));
     }
 
+    /** Returns the opponent of a seed, each as likely. @param opponents their number */
+    static int opponent(long seed, int opponents) {
+        return new SplitMix64(seed ^ STREAM).nextInt(opponents);
+    }
+
     /** Adds the games of a seed: those of the new bot from all seats, then those of the base. */
     void add(int opponent, PairedPlay.Seed seed) {
         Opponent other = opponents.get(opponent);
@@ -77,18 +89,16 @@ final class PoolScores {
             without += seed.allFailed() ? 0 : 1;
             allFailed += seed.allFailed() ? 1 : 0;
             idleInARow++;
-        } else if (!random && seed.isRepeat(other.seen)) {
-            repeats++;
-            repeatsInARow++;
-            idleInARow = 0;
         } else {
+            boolean isRepeat = !random && seed.isRepeat(other.seen);
+            repeats += isRepeat ? 1 : 0;
+            repeatsInARow = isRepeat ? repeatsInARow + 1 : 0;
             double ofNew = points(seed, 0);
             double ofBase = points(seed, contest.players());
             other.seeds++;
             other.ofNew += ofNew;
             other.ofBase += ofBase;
             scores.add((1 + ofNew - ofBase) / 2);
-            repeatsInARow = 0;
             idleInARow = 0;
         }
     }
@@ -105,9 +115,14 @@ final class PoolScores {
         return opponents;
     }
 
-    /** Seeds that the test does not use. */
+    /** Seeds that the test does not use, and those whose games are repeats. */
     SprtText.Unused unused() {
         return new SprtText.Unused(without, allFailed, repeats);
+    }
+
+    /** Returns how a test stands: it is open while fewer seeds than it needs have games that are no repeats. */
+    Gsprt.State state(Gsprt test) {
+        return scores.observations() - repeats < Gsprt.LEAST ? Gsprt.State.OPEN : test.state(scores);
     }
 
     int repeatsInARow() {
@@ -126,7 +141,7 @@ final class PoolScores {
 
     /** Number of seeds that were played. */
     long played() {
-        return scores.observations() + without + allFailed + repeats;
+        return scores.observations() + without + allFailed;
     }
 
     /** Mean points of the base against all that it has met. */

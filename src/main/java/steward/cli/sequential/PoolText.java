@@ -50,7 +50,7 @@ record PoolText(Gsprt test, double points0, double points1, String one, String b
 
     private String left(PoolScores pool) {
         ScoreCounts scores = pool.scores();
-        return test.state(scores) != Gsprt.State.OPEN || scores.observations() == 0 ? ""
+        return pool.state(test) != Gsprt.State.OPEN || scores.observations() == 0 ? ""
             : ", about " + TextFormat.count(gamesLeft(pool), "game") + " left";
     }
 
@@ -72,7 +72,7 @@ record PoolText(Gsprt test, double points0, double points1, String one, String b
 
     /** Returns the line of the result. */
     String line(PoolScores pool) {
-        return standing(pool).replaceFirst(", .*", "") + ": " + verdict(test.state(pool.scores())) + left(pool)
+        return standing(pool).replaceFirst(", .*", "") + ": " + verdict(pool.state(test)) + left(pool)
             + (choosers.isEmpty() ? "" : "; " + SeedFileOption.flag(choosers));
     }
 
@@ -82,12 +82,12 @@ record PoolText(Gsprt test, double points0, double points1, String one, String b
         ScoreCounts scores = pool.scores();
         SprtText.Unused unused = pool.unused();
         lines.add(heading(pool.opponents().size()));
-        lines.add(colour.strong(standing(pool).replaceFirst(", .*", "") + ": " + verdict(test.state(scores)))
+        lines.add(colour.strong(standing(pool).replaceFirst(", .*", "") + ": " + verdict(pool.state(test)))
             + left(pool));
         lines.add(TextFormat.count(scores.observations(), "seed") + ", "
             + TextFormat.count(scores.observations() * pool.gamesOfSeed(), "game") + text(unused.without(),
                 " without a result left out") + text(unused.allFailed(), " left out in which all players failed in "
-                + "the same turn") + text(unused.repeats(), " that only repeat games left out"));
+                + "the same turn") + text(unused.repeats(), " that only repeat games, and count as the opponent was drawn"));
         if (scores.observations() > 1) {
             StoppedRange found = test.range(scores);
             double low = 2 * found.scoreLow() - 1;
@@ -98,7 +98,7 @@ record PoolText(Gsprt test, double points0, double points1, String one, String b
                 + TextFormat.fixed(pool.ofBase(), 4) + ": " + fixed(ahead, 4) + (isVoid
                 ? ", of too few seeds for a range" : " (" + fixed(low, 4) + " to " + fixed(high, 4) + "), "
                 + TextFormat.fixed(100 * (1 - test.alpha() - test.beta()), 0) + "%"
-                + (test.state(scores) == Gsprt.State.OPEN ? " however it ends" : " corrected for stopping")));
+                + (pool.state(test) == Gsprt.State.OPEN ? " however it ends" : " corrected for stopping")));
             lines.add("In Elo against this pool: " + fixed(elo(pool, ahead), 1) + (isVoid ? "" : " ("
                 + fixed(elo(pool, low), 1) + " to " + fixed(elo(pool, high), 1) + ")") + "; H0 "
                 + fixed(elo(pool, points0), 1) + ", H1 " + fixed(elo(pool, points1), 1));
@@ -139,7 +139,7 @@ record PoolText(Gsprt test, double points0, double points1, String one, String b
     void json(JsonGenerator out, PoolScores pool) {
         ScoreCounts scores = pool.scores();
         SprtText.Unused unused = pool.unused();
-        out.writeStringProperty("state", test.state(scores).name());
+        out.writeStringProperty("state", pool.state(test).name());
         out.writeNumberProperty("points0", points0);
         out.writeNumberProperty("points1", points1);
         out.writeNumberProperty("llr", test.ratio(scores));
@@ -167,7 +167,7 @@ record PoolText(Gsprt test, double points0, double points1, String one, String b
         JsonNumbers.writeOrNull(out, "eloHigh", elo(pool, high));
         JsonNumbers.writeOrNull(out, "eloOfPoints0", elo(pool, points0));
         JsonNumbers.writeOrNull(out, "eloOfPoints1", elo(pool, points1));
-        if (isAny && test.state(scores) == Gsprt.State.OPEN) {
+        if (isAny && pool.state(test) == Gsprt.State.OPEN) {
             out.writeNumberProperty("gamesLeft", gamesLeft(pool));
         }
         JsonObject.writeAll(out, "pool", pool.opponents(), each -> {

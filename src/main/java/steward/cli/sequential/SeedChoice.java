@@ -12,7 +12,8 @@ import steward.text.TextFormat;
  * Choice of seeds that tell two bots apart and are fair to all seats. On each both have played from all seats; with d
  * the difference of their mean points, -1..1, and s the greatest distance of a seat's mean points from 1/2, a seed is
  * worth |d| - 2 s. Of two players it is 1 where one bot won from both sides, 0 or less where the side decided. Seeds
- * worth more than 0 are chosen, the worthiest first, of equal ones the earlier.
+ * worth more than 0 are chosen, the worthiest first, of equal ones the earlier. A seed with a game in which one of the
+ * two failed is passed over: the failure is a merit of the program, not of the seed.
  */
 final class SeedChoice {
 
@@ -27,6 +28,7 @@ final class SeedChoice {
     private int repeats;
     private int repeatsInARow;
     private int without;
+    private int failed;
 
     /**
      * A seed that may be chosen.
@@ -49,6 +51,8 @@ final class SeedChoice {
         repeatsInARow = isRepeat ? repeatsInARow + 1 : 0;
         if (!seed.isWhole()) {
             without++;
+        } else if (seed.isAnyFailed()) {
+            failed++;
         } else if (isRepeat) {
             repeats++;
         } else {
@@ -96,8 +100,8 @@ final class SeedChoice {
             "Chosen: " + chosen.size() + ", " + first + " for " + name(0) + ", " + (chosen.size() - first) + " for "
                 + name(1) + ". Passed over: " + (found.size() - chosen.size()) + " others above 0, " + bySeat
                 + " that a seat decided,",
-            even + " that told nothing, " + repeats + " that only repeat games, " + without
-                + " without a result of merit.");
+            even + " that told nothing, " + repeats + " that only repeat games, " + failed + " in which a bot failed, "
+                + without + " without a result.");
     }
 
     private String name(int entrant) {

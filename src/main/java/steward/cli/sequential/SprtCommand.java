@@ -25,8 +25,10 @@ import steward.cli.shared.Verbosity;
 import steward.contest.Contest;
 import steward.contest.Contest.Entrant;
 import steward.contest.seeds.Seeds;
+import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.game.GameSetup;
+import steward.league.BotIdentity;
 import steward.league.sequential.Gsprt;
 import steward.league.sequential.ScoreCounts;
 import steward.match.Protocol;
@@ -40,9 +42,9 @@ import steward.text.TextFormat;
         "mean difference of the points of a seed. It ends when one hypothesis is",
         "accepted, or after --games. With --into the same command goes on after an",
         "interruption, and games that the league has of the two come first.",
-        "With --pool both meet the same opponents, which take turns: each seed is played",
-        "by both from all seats against one of them, and what counts is the difference",
-        "of their points a game.",
+        "With --pool both meet the same opponents: each seed draws one of them and is",
+        "played by both from all seats, and what counts is the difference of their points",
+        "a game.",
         "", "Examples:",
         "  steward sprt --bot new=./new --bot old=./old --threads auto",
         "  steward sprt --bot ./new --bot ./old --elo0 -5 --elo1 5 --into night",
@@ -157,6 +159,10 @@ public final class SprtCommand extends ProgramCommand {
         Path league = into == null ? null : OutputFiles.path(into);
         Protocol usual = setup.isGuest() ? Protocol.CODINGAME : ProtocolWord.parse(protocol);
         List<Entrant> entrants = Pool.find(bots, folders.of("--bot"), options.pool(), league, usual);
+        if (BotIdentity.ofProgram(entrants.get(0)).equals(BotIdentity.ofProgram(entrants.get(1)))) {
+            throw new InputException("found the same program twice, as '" + entrants.get(0).name() + "' and as '"
+                + entrants.get(1).name() + "', expected bots that differ in command or files");
+        }
         Contest.checkPlayable(setup, entrants);
         check.that(entrants.size() - 2 >= players - 1, "--pool: found " + TextFormat.count(entrants.size() - 2, "bot")
             + ", expected at least " + (players - 1) + ", one for each other seat");

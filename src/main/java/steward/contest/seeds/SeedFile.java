@@ -1,6 +1,7 @@
 package steward.contest.seeds;
 
 import java.io.IOException;
+import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -20,15 +21,17 @@ import steward.text.Utf8Text.NotUtf8Exception;
  * names a bot by whose games the seeds were chosen.
  *
  * @param source   the file
+ * @param text     all of it, so that a copy needs no second reading, which a pipe does not allow
  * @param choosers names of the bots by whose games they were chosen, by identity
  */
-public record SeedFile(String source, Seeds seeds, Map<String, String> choosers) {
+public record SeedFile(String source, String text, Seeds seeds, Map<String, String> choosers) {
 
     private static final String CHOSEN_BY = "# chosen by ";
     private static final Pattern CHOOSER = Pattern.compile("#\\s*chosen by ([0-9a-f]{32}) (\\S.*)");
     /** Largest file that is read, in bytes: some millions of seeds. */
-    private static final long MOST_BYTES = 64L << 20;
+    private static final int MOST_BYTES = 64 << 20;
     private static final int SHOWN = 40;
+    private static final String BYTE_ORDER_MARK = "\uFEFF";
 
     public SeedFile {
         choosers = Map.copyOf(choosers);
@@ -49,12 +52,14 @@ public record SeedFile(String source, Seeds seeds, Map<String, String> choosers)
             if (Files.isDirectory(file)) {
                 throw new InputException(file + ": found a folder, expected a file of seeds");
             }
-            if (Files.size(file) > MOST_BYTES) {
-                throw new InputException(file + ": found a file of " + Files.size(file) + " bytes, expected at most "
-                    + MOST_BYTES);
+            try (InputStream in = Files.newInputStream(file)) {
+                byte[] bytes = in.readNBytes(MOST_BYTES + 1);
+                if (bytes.length > MOST_BYTES) {
+                    throw new InputException(file + ": found a file of more than " + MOST_BYTES
+                        + " bytes, expected no larger one");
+                }
+                return read(Utf8Text.decode(bytes, file.toString(), "a text in UTF-8"), file.toString());
             }
-            return read(Utf8Text.decode(Files.readAllBytes(file), file.toString(), "a text in UTF-8"),
-                file.toString());
         } catch (NotUtf8Exception problem) {
             throw new InputException(problem.getMessage());
         } catch (IOException problem) {
@@ -67,7 +72,7 @@ public record SeedFile(String source, Seeds seeds, Map<String, String> choosers)
     static SeedFile read(String text, String source) {
         Map<Long, Integer> seeds = new LinkedHashMap<>();
         Map<String, String> choosers = new LinkedHashMap<>();
-        List<String> lines = text.lines().toList();
+        List<String> lines = (text.startsWith(BYTE_ORDER_MARK) ? text.substring(1) : text).lines().toList();
         for (int k = 0; k < lines.size(); k++) {
             Matcher chooser = CHOOSER.matcher(lines.get(k).strip());
             if (chooser.matches()) {
@@ -82,7 +87,7 @@ public record SeedFile(String source, Seeds seeds, Map<String, String> choosers)
         if (seeds.isEmpty()) {
             throw new InputException(source + ": found no seed, expected one a line");
         }
-        return new SeedFile(source, Seeds.of(new ArrayList<>(seeds.keySet())), choosers);
+        return new SeedFile(source, text, Seeds.of(new ArrayList<>(seeds.keySet())), choosers);
     }
 
     private static void add(Map<Long, Integer> seeds, String word, int line, String found) {

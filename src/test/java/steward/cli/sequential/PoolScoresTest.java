@@ -9,6 +9,7 @@ import org.junit.jupiter.api.Test;
 import steward.contest.Contest;
 import steward.contest.PairedPlay.Outcome;
 import steward.contest.PairedPlay.Seed;
+import steward.league.sequential.Gsprt;
 import steward.match.Protocol;
 import steward.match.TestScenes;
 
@@ -50,6 +51,44 @@ class PoolScoresTest {
         assertEquals(1, three.ofNew());
         assertEquals(0.5, three.ofBase());
         assertEquals(1L, three.scores().counts().get(0.75));
+    }
+
+    /** One opponent meets the same game on every seed, and weighs as much as another: (0.5 + 3 * 1) / 4. */
+    @Test
+    void repeatsCountAsTheOpponentWasDrawnButDecideNothing() {
+        PoolScores pool = new PoolScores(contest(2), List.of("alike", "other"), false);
+        Outcome[] alike = {transcript(true, 1), transcript(true, 2), transcript(false, 3), transcript(false, 4)};
+        pool.add(1, new Seed(1, game(true, 0), game(true, 1), game(true, 0), game(true, 1)));
+        for (int seed = 2; seed < 5; seed++) {
+            pool.add(0, new Seed(seed, alike));
+        }
+        assertEquals(1L, pool.scores().counts().get(0.5));
+        assertEquals(3L, pool.scores().counts().get(1.0));
+        assertEquals(2, pool.unused().repeats());
+        assertEquals(2, pool.repeatsInARow());
+        Gsprt test = Gsprt.ofScores(0.5, 0.6, 0.05, 0.05);
+        for (int seed = 5; seed < 50; seed++) {
+            pool.add(0, new Seed(seed, alike));
+        }
+        assertEquals(Gsprt.State.H1, test.state(pool.scores()));
+        assertEquals(Gsprt.State.OPEN, pool.state(test), "two games of the four decide nothing");
+    }
+
+    private static Outcome transcript(boolean isWon, long transcript) {
+        Outcome game = game(isWon, (int) (transcript + 1) % 2);
+        return new Outcome(game.values(), false, transcript, new boolean[2]);
+    }
+
+    /** 10,000 seeds in a row and twenty opponents: 500 each, with a standard deviation of 22; bound at five. */
+    @Test
+    void seedsDrawOpponentsEquallyOften() {
+        int[] drawn = new int[20];
+        for (long seed = Long.MAX_VALUE - 5000; seed != Long.MIN_VALUE + 5000; seed++) {
+            drawn[PoolScores.opponent(seed, 20)]++;
+        }
+        for (int count : drawn) {
+            assertEquals(500, count, 110);
+        }
     }
 
     private static Outcome three(double... values) {

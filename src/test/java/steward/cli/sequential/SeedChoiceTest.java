@@ -48,7 +48,17 @@ class SeedChoiceTest {
         String account = String.join(" ", choice.account());
         assertTrue(account.contains("played 6 seeds from all seats"), account);
         assertTrue(account.contains("Chosen: 2, 1 for bot0, 1 for bot1. Passed over: 0 others above 0, 2 that a seat "
-            + "decided, 1 that told nothing, 0 that only repeat games, 1 without"), account);
+            + "decided, 1 that told nothing, 0 that only repeat games, 0 in which a bot failed, 1 without"), account);
+    }
+
+    /** Who crashed lost from both sides: that is a merit of the seed in nothing. */
+    @Test
+    void aSeedOnWhichABotFailedIsPassedOver() {
+        SeedChoice choice = new SeedChoice(contest(2), 2);
+        choice.take(new Seed(1, new Outcome(new double[] {1, 0}, false, 7, false, true), game(0, 1)));
+        choice.take(seed(2, 1, 1));
+        assertEquals(List.of("2  # bot0 ahead by 1"), choice.lines());
+        assertTrue(choice.account().get(4).contains("1 in which a bot failed, 0 without a result."));
     }
 
     @Test

@@ -28,6 +28,13 @@ class SeedFileTest {
         assertEquals(Map.of(IDENTITY, "the old one"), file.choosers());
     }
 
+    /** Notepad begins a file with it. */
+    @Test
+    void aByteOrderMarkIsNoPartOfTheFirstSeed() {
+        assertEquals(7, SeedFile.read("\uFEFF7\n8\n", "s.txt").seeds().at(0));
+        assertEquals(1, SeedFile.read("\uFEFF" + SeedFile.chooser(IDENTITY, "old") + "\n7", "s.txt").choosers().size());
+    }
+
     @Test
     void errorsNameTheLine() {
         assertEquals("s.txt:2: found '8 9', expected a seed, a whole number of 64 bits, and behind # a comment",
