@@ -32,6 +32,8 @@ final class ClusterSpread {
     /** Points below which a pair has at least the model's variance. */
     static final double FEW_POINTS = 2;
     private static final double MOST_LEVERAGE = 0.9;
+    /** Part of the largest that is left of nothing by rounding. */
+    private static final double ROUNDING = 1e-9;
 
     private final List<Stratum> strata;
     private final double[][] weights;
@@ -137,6 +139,19 @@ final class ClusterSpread {
         Stratum stratum = strata.get(q);
         double apart = along[stratum.bots[stratum.low[k]]] - along[stratum.bots[stratum.high[k]]];
         return variances[q][k] * apart * apart;
+    }
+
+    /** True if a stratum's part is that of one of its pairs: the direction has none of its other pairs. */
+    boolean isOfOnePair(int q, double... along) {
+        Stratum stratum = strata.get(q);
+        double most = 0;
+        double sum = 0;
+        for (int k = 0; k < stratum.pairs(); k++) {
+            double apart = Math.abs(along[stratum.bots[stratum.low[k]]] - along[stratum.bots[stratum.high[k]]]);
+            most = Math.max(most, apart);
+            sum += apart;
+        }
+        return sum - most <= ROUNDING * most;
     }
 
     private void spread(int q, boolean own) {

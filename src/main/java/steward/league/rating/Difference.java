@@ -6,7 +6,7 @@ package steward.league.rating;
  * @param value   in natural units: the logarithm of wins per loss
  * @param freedom degrees of freedom of the variance
  * @param single  how much of a single pairing it is: the sum of the squares of the shares of the variance that
- *                pairings have whose seeds no other pair shares, 1 where one has all of it
+ *                seeds have of which one pairing alone enters the difference, 1 where one has all of it
  * @param bound   where the bar is one-sided, since a bot has won or lost nearly everything: its end, below a positive
  *                value and above a negative one, in natural units; otherwise NaN
  */

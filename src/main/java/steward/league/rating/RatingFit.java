@@ -423,7 +423,7 @@ public final class RatingFit {
             if (spread.isAny(q)) {
                 double part = spread.along(q, along);
                 variance += part;
-                squares += strata.get(q).pairs() == 1 ? part * part : 0;
+                squares += spread.isOfOnePair(q, along) ? part * part : 0;
                 byFreedom += part * part / spread.freedom(q);
             }
         }

@@ -118,12 +118,6 @@ class RatingFitTest {
         assertTrue(!fit.residuals().of(0, 3).isSurprise(6));
     }
 
-    /**
-     * 10 clusters of one game each, of two that are level by the other games: 6 won, 4 lost. The share is 0.6, and the
-     * expected one follows from the fit. The squares are 6 0.4^2 + 4 0.6^2 = 2.4, their factor 10/9; half a cluster of
-     * the model's variance is mixed in, the mean of that at 0.6 and that at the expected share. Student's t of 9
-     * degrees.
-     */
     /** Of n clusters of two games the share is min(1, n/8), a game has its 2n-th part; together they weigh 80 games. */
     @Test
     void aPairingOfFewerThanEightClustersHasItsEighths() {
@@ -142,6 +136,12 @@ class RatingFitTest {
         assertEquals(scale / 24, weights[3][0], 1e-12);
     }
 
+    /**
+     * 10 clusters of one game each, of two that are level by the other games: 6 won, 4 lost. The share is 0.6, and the
+     * expected one follows from the fit. The squares are 6 0.4^2 + 4 0.6^2 = 2.4, their factor 10/9; half a cluster of
+     * the model's variance is mixed in, the mean of that at 0.6 and that at the expected share. Student's t of 9
+     * degrees.
+     */
     @Test
     void aResidualIsMeasuredByTheSpreadOfItsClustersAndHalfAClusterOfTheModels() {
         RatingFit fit = RatingFit.of(3, List.of(games(0, 1, 6, 0, 4), games(0, 2, 500, 0, 500),
@@ -178,6 +178,37 @@ class RatingFitTest {
         assertEquals(199, sum.freedom(), 3);
         // Student's t of 97.5% with 398 degrees of freedom, from tables: 1.96594.
         assertEquals(1.96594 * ELO * Math.sqrt(sum.variance()), sum.bar(), 5e-3);
+    }
+
+    /**
+     * One against two on one list of 40 seeds. Only its own games enter the difference to one of them: the normal bar.
+     * That between these two has the games of both: Student's. A seed's influence is (points - their mean) / sum of
+     * p (1 - p); the variance is 40/39 times the sum of squares, with half a seed of the model's mixed in.
+     */
+    @Test
+    void onSharedSeedsADifferenceOfOnePairingHasTheNormalBar() {
+        int[][] seeds = {{10, 2, 1}, {5, 2, 2}, {10, 1, 1}, {5, 0, 1}, {10, 1, 0}};
+        Stratum stratum = new Stratum(1, new int[][] {{0, 1}, {0, 2}});
+        for (int[] each : seeds) {
+            stratum.add(stratum.pattern(2, each[1], 0, 2, each[2], 0), each[0]);
+        }
+        RatingFit fit = RatingFit.of(3, List.of(stratum), false);
+        double one = 80 * 50 / 80.0 * 30 / 80;
+        double other = 80 * 35 / 80.0 * 45 / 80;
+        double own = 0;
+        double both = 0;
+        for (int[] each : seeds) {
+            double first = (each[1] - 50 / 40.0) / one;
+            double second = (each[2] - 35 / 40.0) / other;
+            own += each[0] * first * first;
+            both += each[0] * (second - first) * (second - first);
+        }
+        own = (40 * own + 0.5 / one) / 39.5;
+        both = (40 * both + 0.5 / one + 0.5 / other) / 39.5;
+        assertEquals(400 * Math.log10(50 / 30.0), fit.difference(0, 1).elo(), 1e-9);
+        assertEquals(1.959964 * ELO * Math.sqrt(own), fit.difference(0, 1).bar(), 1e-3);
+        // Student's t of 97.5% with 39 and 40 degrees of freedom, from tables: 2.02269 and 2.02108.
+        assertEquals(2.02188 * ELO * Math.sqrt(both), fit.difference(1, 2).bar(), 0.01);
     }
 
     @Test
