@@ -1,6 +1,7 @@
 package steward.league.pairing;
 
 import java.util.List;
+import java.util.function.BiPredicate;
 import java.util.function.IntPredicate;
 import java.util.function.Supplier;
 import steward.league.rating.Ratings;
@@ -12,17 +13,23 @@ public final class LeagueEnd implements IntPredicate {
     private final KnownResults known;
     private final int lag;
     private final Supplier<List<Integer>> versions;
+    private final BiPredicate<Integer, Integer> meet;
     private Ratings met;
     private int asked = -1;
     /** Those that played then. */
     private List<Integer> rated = List.of();
 
-    /** @param versions those that play, when it is asked */
-    public LeagueEnd(StopRule rule, KnownResults known, int lag, Supplier<List<Integer>> versions) {
+    /**
+     * @param versions those that play, when it is asked
+     * @param meet     whether two versions may meet in a game
+     */
+    public LeagueEnd(StopRule rule, KnownResults known, int lag, Supplier<List<Integer>> versions,
+                     BiPredicate<Integer, Integer> meet) {
         this.rule = rule;
         this.known = known;
         this.lag = lag;
         this.versions = versions;
+        this.meet = meet;
     }
 
     /** True if the schedule ends before a decision. */
@@ -35,7 +42,7 @@ public final class LeagueEnd implements IntPredicate {
             met = null;
             if (Looks.isLook(decision) && decision >= lag && playing.size() > 1) {
                 Ratings ratings = Ratings.of(known.before(decision - lag + 1), playing);
-                met = rule.isMet(ratings) ? ratings : null;
+                met = rule.isMet(ratings, meet) ? ratings : null;
             }
         }
         return met != null;

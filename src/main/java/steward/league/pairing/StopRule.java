@@ -1,6 +1,7 @@
 package steward.league.pairing;
 
 import java.util.List;
+import java.util.function.BiPredicate;
 import java.util.stream.IntStream;
 import steward.league.rating.AnytimeBar;
 import steward.league.rating.Difference;
@@ -11,7 +12,7 @@ import steward.league.rating.Ratings;
  *
  * @param bars   ends when the rating of each bot that can have such a bar has one of at most so many Elo, see {@link
  *               BarNeed}; NaN for no such end
- * @param ranked ends when every two neighbours in the table are ordered or equal
+ * @param ranked ends when every two neighbours in the table are ordered or equal, or no game can compare them
  * @param equal  neighbours are equal whose difference is surely within so many Elo; 0 if none are
  */
 public record StopRule(double bars, boolean ranked, double equal) {
@@ -23,7 +24,9 @@ public record StopRule(double bars, boolean ranked, double equal) {
         /** They are equal, as far as is asked. */
         EQUAL,
         /** Neither is sure. */
-        OPEN
+        OPEN,
+        /** They cannot meet, and both are sure beside those that they meet: no game will compare them. */
+        APART
     }
 
     /** Elo within which bots count as equal, if nothing else is said. */
@@ -38,14 +41,36 @@ public record StopRule(double bars, boolean ranked, double equal) {
         return ranked || !Double.isNaN(bars);
     }
 
-    public boolean isMet(Ratings ratings) {
+    /** True if enough is known. @param meet whether two versions may meet in a game */
+    public boolean isMet(Ratings ratings, BiPredicate<Integer, Integer> meet) {
         return (Double.isNaN(bars) || BarNeed.of(ratings, bars).stream().noneMatch(BarNeed::isWaitedFor))
-            && (!ranked || !orders(ratings, ratings.order()).contains(Order.OPEN));
+            && (!ranked || !orders(ratings, ratings.order(), meet).contains(Order.OPEN));
     }
 
     /** Returns the known order of each version in a list and the next one. */
-    public List<Order> orders(Ratings ratings, List<Integer> order) {
-        return IntStream.range(1, order.size()).mapToObj(k -> order(ratings, order.get(k - 1), order.get(k))).toList();
+    public List<Order> orders(Ratings ratings, List<Integer> order, BiPredicate<Integer, Integer> meet) {
+        return IntStream.range(1, order.size()).mapToObj(k -> {
+            int upper = order.get(k - 1);
+            int lower = order.get(k);
+            return !meet.test(upper, lower) && !ratings.isComparable(upper, lower)
+                && isSettled(ratings, order, k - 1, meet) && isSettled(ratings, order, k, meet)
+                ? Order.APART : order(ratings, upper, lower);
+        }).toList();
+    }
+
+    /** True if a version is ordered beside the next above and the next below that it meets. */
+    private boolean isSettled(Ratings ratings, List<Integer> order, int place, BiPredicate<Integer, Integer> meet) {
+        int version = order.get(place);
+        for (int step = -1; step <= 1; step += 2) {
+            int next = place + step;
+            while (next >= 0 && next < order.size() && !meet.test(version, order.get(next))) {
+                next += step;
+            }
+            if (next >= 0 && next < order.size() && order(ratings, version, order.get(next)) == Order.OPEN) {
+                return false;
+            }
+        }
+        return true;
     }
 
     /**

@@ -122,8 +122,8 @@ public final class LeagueRun {
             pauses.bots(), pauses::tell);
         queries.tell(schedule, results.repeated());
         schedule.without(results.repeated());
-        leagueEnd = rules.end().isAny() ? new LeagueEnd(rules.end(), results.known(), settings.lag(), schedule::active)
-            : null;
+        leagueEnd = rules.end().isAny() ? new LeagueEnd(rules.end(), results.known(), settings.lag(), schedule::active,
+            (one, other) -> this.roster.isPair(players, one, other)) : null;
         if (leagueEnd != null) {
             schedule.until(leagueEnd);
         }

@@ -75,6 +75,12 @@ public record Roster(LeagueSettings settings, List<Member> members) {
             .distinct().count() <= 1;
     }
 
+    /** True if two versions may meet in a game of so many players. */
+    public boolean isPair(int players, int one, int other) {
+        return players == 1 || meeting().test(new int[] {one, other}) && (players > 2 || settings.gauntlet() == null
+            || versionOf(settings.gauntlet()).stream().anyMatch(hero -> hero == one || hero == other));
+    }
+
     /** Returns how many bots one platform can have in a game, at most. */
     private long together() {
         return Math.max(members.stream().filter(Member::playsHere).count(), members.stream()

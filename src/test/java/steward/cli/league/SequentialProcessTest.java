@@ -148,6 +148,37 @@ class SequentialProcessTest {
         assertEquals(games, tableHead(parts), "that was known already");
     }
 
+    /** Both win all games against the third of the gauntlet, and never meet. */
+    @Test
+    void aLeagueDoesNotWaitForTheOrderOfBotsThatCannotMeet() throws IOException {
+        String league = league("gauntlet", drives, drivesToo, stays);
+        Path settings = Path.of(league, "league.json");
+        Files.writeString(settings, Files.readString(settings).replace("\"adaptive\"", "\"gauntlet stays\""));
+        String said = done("league", "run", league, "--until-ranked", "--games", "6");
+        assertTrue(said.contains("Not yet ranked: the order of 2 of 2 pairs of neighbours is open."), said);
+        said = done("league", "run", league, "--until-ranked", "--games", "400");
+        assertTrue(said.contains("Ranked: drives | drivesToo > stays")
+            || said.contains("Ranked: drivesToo | drives > stays"), said);
+        assertTrue(said.contains("One pair of neighbours cannot meet, and no game compares them: not waited for."),
+            said);
+        assertFalse(tableHead(league).startsWith("400 "), "it ended by its rule");
+    }
+
+    /** The bot reads its first two words only: whatever the third is, it plays the same games. */
+    @Test
+    void aSearchThatSeesNoDifferenceSaysSoAndWhatToTry() throws IOException {
+        List<String> words = new ArrayList<>(List.of("tune", "--scene", scene, "--bot", drives + " {unread:10..90}",
+            "--against", stays, "--games", "16", "--seeds", "1", "--test-games", "0", "--seed", "1", "--no-deadline"));
+        Cli cli = Cli.run(words.toArray(String[]::new));
+        assertEquals(0, cli.status(), cli.err());
+        assertTrue(cli.err().contains("in each of the 4 steps both sets of values scored alike: the search saw no "
+            + "difference, and stays at the start. Try wider ranges, parameters that the bot reads, opponents nearer in "
+            + "strength (--against), or more seeds a step (--seeds)"), cli.err());
+        words.add("--json");
+        assertEquals(4L, ((Number) Json.object(done(words.toArray(String[]::new)).lines().findFirst().orElseThrow())
+            .get("tied")).longValue());
+    }
+
     @Test
     @Tag("campaign")
     void aSearchGoesOnWhereItWasAndFindsTheBetterChoice() throws IOException {

@@ -46,7 +46,7 @@ class AdaptivePairingTest {
             known = new KnownResults(season);
             stored.forEach(this::know);
             schedule = league.schedule(LAG, BOTS);
-            end = new LeagueEnd(RULE, known, LAG, schedule::active);
+            end = new LeagueEnd(RULE, known, LAG, schedule::active, (one, other) -> true);
             schedule.until(end);
             play(BOTS);
         }
@@ -101,7 +101,7 @@ class AdaptivePairingTest {
         assertTrue(games.size() < 20_000, "it has ended by itself");
         List<Integer> order = play.end.met().order();
         assertEquals(List.of(1, 2, 3, 4, 5), order);
-        assertTrue(!RULE.orders(play.end.met(), order).contains(StopRule.Order.OPEN));
+        assertTrue(!RULE.orders(play.end.met(), order, (one, other) -> true).contains(StopRule.Order.OPEN));
         return games;
     }
 

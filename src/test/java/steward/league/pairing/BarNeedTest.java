@@ -32,7 +32,7 @@ class BarNeedTest {
     }
 
     private boolean isMet(double bars, Integer... versions) {
-        return new StopRule(bars, false, StopRule.USUAL_EQUAL).isMet(ratings(versions));
+        return new StopRule(bars, false, StopRule.USUAL_EQUAL).isMet(ratings(versions), (one, other) -> true);
     }
 
     /** Bars shrink as the root of the games: with as many as were told they are as wide as was asked, nearly. */

@@ -1,12 +1,14 @@
 package steward.league.pairing;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.BiPredicate;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import steward.league.rating.RatingFit;
@@ -69,6 +71,31 @@ class DoubtTest {
         stratum.add(stratum.pattern(1, 1, 0, 1, 1, 0, 1, 1, 0), 20);
         stratum.add(stratum.pattern(1, 0, 0, 1, 0, 0, 1, 0, 0), 20);
         return stratum;
+    }
+
+    /** Two of a gauntlet win all their games and never meet: 1/2^n is below the permitted errors for n = 40, not 4. */
+    @Test
+    void whoCannotMeetIsWaitedForUntilItsOwnGamesAreSure() {
+        BiPredicate<Integer, Integer> gauntlet = (one, other) -> one == 2 || other == 2;
+        Ratings few = ratings(3, met(0, 2, 0, 0, 4), met(1, 2, 0, 0, 40));
+        assertFalse(RULE.isMet(few, gauntlet));
+        Ratings found = ratings(3, met(0, 2, 0, 0, 40), met(1, 2, 0, 0, 40));
+        assertEquals(List.of(StopRule.Order.APART, StopRule.Order.ORDERED), RULE.orders(found, found.order(), gauntlet));
+        assertTrue(RULE.isMet(found, gauntlet));
+        assertFalse(RULE.isMet(found, (one, other) -> true), "where they can meet they will");
+    }
+
+    /** Two groups of which no bot can meet one of the other: 0 beats 1, 2 beats 3, three points of four of 600 seeds. */
+    @Test
+    void groupsThatCannotMeetAreRankedEachForItself() {
+        BiPredicate<Integer, Integer> within = (one, other) -> one / 2 == other / 2;
+        Ratings half = ratings(4, met(0, 1, 0, 300, 300), met(2, 3, 1, 2, 3));
+        assertFalse(RULE.isMet(half, within));
+        Ratings found = ratings(4, met(0, 1, 0, 300, 300), met(2, 3, 0, 300, 300));
+        assertEquals(List.of(StopRule.Order.ORDERED, StopRule.Order.APART, StopRule.Order.ORDERED),
+            RULE.orders(found, found.order(), within));
+        assertTrue(RULE.isMet(found, within));
+        assertFalse(RULE.isMet(found, (one, other) -> true));
     }
 
     @Test

@@ -150,7 +150,7 @@ record PlayedLeagues(MadeUpLeague league, long leagues, long[] looks, long[] end
                 if (rule.isAny() && decision >= LAG && Looks.isLook(decision)) {
                     Ratings found = before(decision - LAG + 1, unknown);
                     look();
-                    over = rule.isMet(found);
+                    over = rule.isMet(found, this::isPair);
                 }
             }
             if (!over) {
@@ -174,11 +174,16 @@ record PlayedLeagues(MadeUpLeague league, long leagues, long[] looks, long[] end
             return new Ratings(versions, fit);
         }
 
+        private boolean isPair(int one, int other) {
+            return league.groups().stream().anyMatch(group -> IntStream.of(group.bots()).filter(bot -> bot == one
+                || bot == other).count() == 2);
+        }
+
         /** True if all that was found of neighbours is true. */
         private boolean isRight(StopRule rule) {
             Ratings found = new Ratings(versions, fit);
             List<Integer> order = found.order();
-            List<StopRule.Order> orders = new ArrayList<>(rule.orders(found, order));
+            List<StopRule.Order> orders = new ArrayList<>(rule.orders(found, order, this::isPair));
             return IntStream.range(0, orders.size()).allMatch(k -> {
                 double truth = league.truth(order.get(k), order.get(k + 1));
                 return orders.get(k) == StopRule.Order.ORDERED ? truth > 0

@@ -327,8 +327,9 @@ public final class LeagueRunCommand extends ProgramCommand {
         LeagueTable table = progress.table(run.roster().settings());
         TableText.whole(table, season, machines == null ? List.of() : machines.workers(), streams.outColour())
             .forEach(streams.out()::println);
-        (run.ended() != null ? UntilOptions.tell(run.ended(), run.roster())
-            : UntilOptions.missing(until.rule(), Ratings.of(table.results(), run.active()), run.roster()))
+        (run.ended() != null ? UntilOptions.tell(run.ended(), run.roster(), season.players())
+            : UntilOptions.missing(until.rule(), Ratings.of(table.results(), run.active()), run.roster(),
+                season.players()))
             .forEach(streams.out()::println);
         RoundText.unfinished(table, run.roster().settings(), season.players()).ifPresent(streams.out()::println);
         TableCommand.flag(choosers, streams);

@@ -25,6 +25,8 @@ final class UntilOptions {
     private static final double MOST_ELO = 1000;
     /** Bots that are named in a line. */
     private static final int NAMED = 5;
+    private static final Map<StopRule.Order, String> SIGNS = Map.of(StopRule.Order.ORDERED, " > ",
+        StopRule.Order.EQUAL, " = ", StopRule.Order.APART, " | ");
 
     private final CallCheck check = CallCheck.withHelp();
 
@@ -51,22 +53,24 @@ final class UntilOptions {
     }
 
     /** Describes at the end how the rule was met. */
-    static List<String> tell(LeagueEnd end, Roster roster) {
+    static List<String> tell(LeagueEnd end, Roster roster, int players) {
         List<String> lines = new ArrayList<>();
         Ratings met = end.met();
         if (end.rule().ranked()) {
             Map<Integer, String> names = names(roster);
             List<Integer> order = met.order();
-            List<StopRule.Order> orders = end.rule().orders(met, order);
+            List<StopRule.Order> orders = end.rule().orders(met, order,
+                (one, other) -> roster.isPair(players, one, other));
             StringBuilder line = new StringBuilder("Ranked: ");
             for (int k = 0; k < order.size(); k++) {
-                line.append(k == 0 ? "" : orders.get(k - 1) == StopRule.Order.EQUAL ? " = " : " > ")
+                line.append(k == 0 ? "" : SIGNS.get(orders.get(k - 1)))
                     .append(names.getOrDefault(order.get(k), "?"));
             }
             lines.add(TextFormat.plain(line.toString()));
             if (orders.contains(StopRule.Order.EQUAL)) {
                 lines.add("= within " + TextFormat.number(end.rule().equal(), 2) + " Elo.");
             }
+            apart(orders).ifPresent(lines::add);
         }
         if (!Double.isNaN(end.rule().bars())) {
             List<BarNeed> needs = BarNeed.of(met, end.rule().bars());
@@ -78,6 +82,12 @@ final class UntilOptions {
             beyond(needs, names(roster)).ifPresent(lines::add);
         }
         return lines;
+    }
+
+    private static Optional<String> apart(List<StopRule.Order> orders) {
+        long apart = orders.stream().filter(order -> order == StopRule.Order.APART).count();
+        return apart == 0 ? Optional.empty() : Optional.of((apart == 1 ? "One pair" : apart + " pairs")
+            + " of neighbours cannot meet, and no game compares them: not waited for.");
     }
 
     private static Map<Integer, String> names(Roster roster) {
@@ -129,15 +139,17 @@ final class UntilOptions {
     }
 
     /** Lists the open questions where a run ended before enough was known; nothing where little is. */
-    static List<String> missing(StopRule rule, Ratings found, Roster roster) {
+    static List<String> missing(StopRule rule, Ratings found, Roster roster, int players) {
         List<String> lines = needed(rule, found, roster);
         if (rule.ranked()) {
-            List<StopRule.Order> orders = rule.orders(found, found.order());
+            List<StopRule.Order> orders = rule.orders(found, found.order(),
+                (one, other) -> roster.isPair(players, one, other));
             long open = orders.stream().filter(order -> order == StopRule.Order.OPEN).count();
             if (open > 0) {
                 lines.add("Not yet ranked: the order of " + open + " of " + TextFormat.count(orders.size(), "pair")
                     + " of neighbours is open.");
             }
+            apart(orders).ifPresent(lines::add);
         }
         return lines;
     }
