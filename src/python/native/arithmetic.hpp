@@ -10,6 +10,11 @@
 #include <mutex>
 #include <thread>
 #include <vector>
+#ifdef _WIN32
+#include <process.h>
+#else
+#include <unistd.h>
+#endif
 #if defined(__SSE2__) || defined(_M_X64)
 #include <immintrin.h>
 #define STEWARD_SSE 1
@@ -41,30 +46,36 @@ public:
     Arithmetic& operator=(const Arithmetic&) = delete;
 };
 
-/// Threads that share out a range of races. The caller is one of them, so that one thread starts none.
+/// Threads that share out a range of races. The caller is one of them, so that one thread starts none. A process that
+/// was forked has none of them: there the caller works alone.
 class Workers {
 public:
+    /// Throws std::system_error if the system starts fewer threads.
     explicit Workers(int threads) {
-        for (int k = 1; k < threads; k++) {
-            pool.emplace_back([this, k] { serve(k); });
+        try {
+            for (int k = 1; k < threads; k++) {
+                pool.emplace_back([this, k] { serve(k); });
+            }
+        } catch (...) {
+            end();
+            throw;
         }
     }
 
-    ~Workers() {
-        {
-            std::lock_guard<std::mutex> lock(mutex);
-            ending = true;
-            round.fetch_add(1, std::memory_order_release);
+    ~Workers() { end(); }
+
+    /// Deletes workers. In a forked process they are left as they are: nothing there answers their locks.
+    struct Delete {
+        void operator()(Workers* workers) const {
+            if (!workers->isForked()) {
+                delete workers;
+            }
         }
-        wake.notify_all();
-        for (std::thread& each : pool) {
-            each.join();
-        }
-    }
+    };
 
     /// Calls work(from, to) for a part of 0..count each. Work may not throw.
     template <typename Work> void share(int count, Work&& work) {
-        if (pool.empty()) {
+        if (pool.empty() || isForked()) {
             work(0, count);
             return;
         }
@@ -98,6 +109,29 @@ private:
     std::function<void(int, int)> task;
     int total = 0;
     bool ending = false;
+    const int process = current();
+
+    static int current() {
+#ifdef _WIN32
+        return _getpid();
+#else
+        return static_cast<int>(getpid());
+#endif
+    }
+
+    bool isForked() const { return current() != process; }
+
+    void end() {
+        {
+            std::lock_guard<std::mutex> lock(mutex);
+            ending = true;
+            round.fetch_add(1, std::memory_order_release);
+        }
+        wake.notify_all();
+        for (std::thread& each : pool) {
+            each.join();
+        }
+    }
 
     void run(int part) {
         long long parts = static_cast<long long>(pool.size()) + 1;

@@ -46,8 +46,10 @@ struct Outputs {
 
 class Batch {
 public:
+    mutable std::atomic<bool> isUsed{false};                   ///< a call is at work: see Call
+
     Batch(int count, int threads, Settings chosen)
-        : settings(std::move(chosen)), view(settings.full, settings.discrete), workers(threads) {
+        : settings(std::move(chosen)), view(settings.full, settings.discrete), workers(new Workers(threads)) {
         Arithmetic exact;
         Map any({{0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0}, {5, 0}, {6, 0}, {7, 0}}, settings.rules);
         races.reserve(static_cast<std::size_t>(count));
@@ -78,7 +80,7 @@ public:
     /// Begins the races of a mask anew and writes their observations.
     void reset(const bool* mask, float* observations) {
         Arithmetic exact;
-        workers.share(count(), [&](int from, int to) {
+        workers->share(count(), [&](int from, int to) {
             for (int k = from; k < to; k++) {
                 if (mask[k]) {
                     begin(races[static_cast<std::size_t>(k)]);
@@ -93,7 +95,7 @@ public:
         Arithmetic exact;
         std::atomic<int> ended{0}, broken{0};
         const std::ptrdiff_t width = actionSize();
-        workers.share(count(), [&](int from, int to) {
+        workers->share(count(), [&](int from, int to) {
             int ends = 0;
             for (int k = from; k < to; k++) {
                 Slot& slot = races[static_cast<std::size_t>(k)];
@@ -132,7 +134,7 @@ public:
     bool play(const double* commands, const bool* faults) {
         Arithmetic exact;
         std::atomic<int> broken{0};
-        workers.share(count(), [&](int from, int to) {
+        workers->share(count(), [&](int from, int to) {
             for (int k = from; k < to; k++) {
                 Slot& slot = races[static_cast<std::size_t>(k)];
                 if (slot.race.isOver()) {
@@ -160,7 +162,7 @@ public:
     /// Writes what a player sees of every race.
     void observeAll(int seat, float* out) {
         Arithmetic exact;
-        workers.share(count(), [&](int from, int to) {
+        workers->share(count(), [&](int from, int to) {
             for (int k = from; k < to; k++) {
                 observe(k, seat, out);
             }
@@ -339,7 +341,7 @@ private:
     Settings settings;
     View view;
     std::vector<Slot> races;
-    Workers workers;
+    std::unique_ptr<Workers, Workers::Delete> workers;
 
     template <typename Test> int find(Test test) const {
         for (int k = 0; k < count(); k++) {
@@ -359,7 +361,8 @@ private:
         slot.member = 0;
         if (settings.members.size() > 1) {
             double drawn = slot.stream.fraction() * settings.members.back().sum;
-            while (settings.members[static_cast<std::size_t>(slot.member)].sum <= drawn) {
+            const int last = static_cast<int>(settings.members.size()) - 1;     // the product may round up to the sum
+            while (slot.member < last && settings.members[static_cast<std::size_t>(slot.member)].sum <= drawn) {
                 slot.member++;
             }
         }

@@ -7,6 +7,7 @@
 #include <nanobind/stl/vector.h>
 
 #include <optional>
+#include <system_error>
 
 #include "batch.hpp"
 
@@ -47,6 +48,22 @@ std::size_t numbers(const Batch& batch) { return static_cast<std::size_t>(batch.
 
 [[noreturn]] void refuse(const std::string& message) { throw nb::value_error(message.c_str()); }
 
+/// Refuses a second call while another thread's is at work: steps let go of the interpreter's lock.
+class Call {
+public:
+    explicit Call(const Batch& batch) : isUsed(batch.isUsed) {
+        if (isUsed.exchange(true)) {
+            refuse("found a call while another thread's is at work, expected one thread at a time for an environment");
+        }
+    }
+    ~Call() { isUsed = false; }
+    Call(const Call&) = delete;
+    Call& operator=(const Call&) = delete;
+
+private:
+    std::atomic<bool>& isUsed;
+};
+
 void check(const Batch& batch, const float* actions, const char* name) {
     const std::ptrdiff_t width = batch.actionSize();
     for (std::ptrdiff_t k = 0; k < batch.count() * width; k++) {
@@ -71,6 +88,7 @@ template <typename Action>
 int step(Batch& batch, const Array<const Action>& actions, const std::optional<Array<const Action>>& foreign,
          const Array<float>& observations, const Array<double>& rewards, const Array<bool>& terminated,
          const Array<double>& results, const Array<std::int64_t>& turns) {
+    Call call(batch);
     const std::size_t n = count(batch), width = static_cast<std::size_t>(batch.actionSize());
     const Action* own = data(actions, {n, width}, "actions");
     const Action* others = foreign ? data(*foreign, {n, width}, "the opponent's actions") : nullptr;
@@ -98,6 +116,7 @@ int step(Batch& batch, const Array<const Action>& actions, const std::optional<A
 }
 
 void play(Batch& batch, const Array<const double>& commands, const Array<const bool>& faults) {
+    Call call(batch);
     const double* given = data(commands, {count(batch), 4, 3}, "commands");
     const bool* faulty = data(faults, {count(batch), 2}, "faults");
     for (std::size_t k = 0; k < count(batch) * 12; k++) {
@@ -152,10 +171,15 @@ Batch* create(int races, int threads, bool contest, const std::vector<std::vecto
     settings.discrete = discrete;
     settings.reward = static_cast<steward::Reward>(reward);
     settings.autoreset = autoreset;
-    return new Batch(races, threads, std::move(settings));
+    try {
+        return new Batch(races, threads, std::move(settings));
+    } catch (const std::system_error&) {
+        refuse("threads: found " + std::to_string(threads) + ", expected no more than the system starts");
+    }
 }
 
 void load(Batch& batch, const Array<const std::uint8_t>& states) {
+    Call call(batch);
     const auto* from = reinterpret_cast<const steward::Snapshot*>(
         data(states, {count(batch), sizeof(steward::Snapshot)}, "states"));
     for (int k = 0; k < batch.count(); k++) {
@@ -184,6 +208,7 @@ NB_MODULE(STEWARD_MODULE, m) {
             arg("discrete"), arg("reward"), arg("autoreset"))
         .def_prop_ro("observation_size", &Batch::observationSize)
         .def("seed", [](Batch& batch, const Array<const std::uint64_t>& seeds, const Array<const bool>& mask) {
+            Call call(batch);
             const std::uint64_t* values = data(seeds, {count(batch)}, "seeds");
             const bool* chosen = data(mask, {count(batch)}, "mask");
             for (int k = 0; k < batch.count(); k++) {
@@ -193,6 +218,7 @@ NB_MODULE(STEWARD_MODULE, m) {
             }
         })
         .def("reset", [](Batch& batch, const Array<const bool>& mask, const Array<float>& observations) {
+            Call call(batch);
             const bool* chosen = data(mask, {count(batch)}, "mask");
             float* out = data(observations, {count(batch), numbers(batch)}, "observations");
             nb::gil_scoped_release released;
@@ -204,31 +230,38 @@ NB_MODULE(STEWARD_MODULE, m) {
             arg("observations"), arg("rewards"), arg("terminated"), arg("results"), arg("turns"))
         .def("play", &play)
         .def("observe", [](Batch& batch, int seat, const Array<float>& observations) {
+            Call call(batch);
             float* out = data(observations, {count(batch), numbers(batch)}, "observations");
             nb::gil_scoped_release released;
             batch.observeAll(seat & 1, out);
         })
         .def("racer", [](Batch& batch, int seat, const Array<double>& out) {
+            Call call(batch);
             batch.racerCommands(seat & 1, data(out, {count(batch), 2, 3}, "out"));
         })
         .def("orders", [](Batch& batch, int seat, const Array<const float>& actions, const Array<double>& out) {
+            Call call(batch);
             const float* given = data(actions, {count(batch), steward::View::CONTINUOUS}, "actions");
             check(batch, given, "actions");
             batch.orders(seat & 1, given, data(out, {count(batch), 2, 3}, "out"));
         })
         .def("opponents", [](const Batch& batch, const Array<std::int64_t>& out) {
+            Call call(batch);
             std::int64_t* to = data(out, {count(batch)}, "out");
             for (int k = 0; k < batch.count(); k++) {
                 to[k] = batch.opponent(k);
             }
         })
         .def("hashes", [](const Batch& batch, const Array<std::uint64_t>& out) {
+            Call call(batch);
             batch.hashes(data(out, {count(batch)}, "out"));
         })
         .def("ranks", [](const Batch& batch, const Array<std::int32_t>& out) {
+            Call call(batch);
             batch.ranks(data(out, {count(batch), 2}, "out"));
         })
         .def("save", [](const Batch& batch, const Array<std::uint8_t>& out) {
+            Call call(batch);
             std::uint8_t* to = data(out, {count(batch), sizeof(steward::Snapshot)}, "out");
             batch.save(reinterpret_cast<steward::Snapshot*>(to));
         })

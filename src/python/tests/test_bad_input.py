@@ -1,6 +1,7 @@
 """Bad input: a ValueError that says what was found and expected, races as they were, and never a crash."""
 
 import os
+import threading
 
 import numpy as np
 import pytest
@@ -38,7 +39,12 @@ def changed(at, value):
         ({"maps": [[(0, 0)]]}, "found 1 checkpoints"),
         ({"maps": [[(0, 0), (0, 0)]]}, "one place"),
         ({"maps": [[(0, 0), (np.nan, 1)]]}, "maps"),
-        ({"maps": 3}, "maps"),
+        ({"maps": 3}, "maps: found 3"),
+        ({"maps": [[("1", "2"), ("3", "4")]]}, "coordinate '1'"),
+        ({"maps": [[(10**400, 1), (2, 3)]]}, "coordinate 1000"),
+        ({"maps": [[(True, 1), (2, 3)]]}, "coordinate True"),
+        ({"copy": "no"}, "copy: found 'no'"),
+        ({"opponent": np.zeros(3)}, "opponent: found array"),
         ({"rules": "gold"}, "rules: found 'gold'"),
         ({"observations": "all"}, "observations"),
         ({"actions": None}, "actions"),
@@ -111,7 +117,8 @@ def test_an_opponents_mistakes_name_it():
         many.reset()
         with pytest.raises(ValueError, match=words):
             many.step(GOOD)
-    for members in ([], [("racer", 0)], [("racer",)], [("racer", np.nan)], 5, [("best", 1)]):
+    wrong = [("racer", 0)], [("racer", np.nan)], [("racer", "3")], [("racer", 1e308)], [("racer", 10**400)], [("best", 1)]
+    for members in ([], [("racer",)], 5, [(np.zeros(3), 1)], *wrong):
         with pytest.raises(ValueError, match="expected"):
             Pool(members)
 
@@ -158,6 +165,14 @@ def test_commands_faults_masks_and_seats():
         lambda: races.seed([1]),
         lambda: official_map(-1),
         lambda: RaceVectorEnv(2).reset(options={"reset_mask": np.zeros(2, bool)}),
+        lambda: RaceVectorEnv(2).reset(options=5),
+        lambda: RaceVectorEnv(2).reset(seed=1.5, options={"reset_mask": np.ones(2, bool)}),
+        lambda: RaceEnv().reset(seed=-1),
+        lambda: RaceEnv().reset(seed="x"),
+        lambda: RaceEnv().step([[1], [1, 2]]),
+        lambda: parallel_env().reset(seed=[1]),
+        lambda: races.play([[1], [1, 2]]),
+        lambda: races.reset([[True], [True, False]]),
     ):
         with pytest.raises(ValueError, match="expected"):
             call()
@@ -166,14 +181,22 @@ def test_commands_faults_masks_and_seats():
 def test_agents_networks_and_pages(tmp_path):
     both = parallel_env(seed=1)
     both.reset()
-    with pytest.raises(ValueError, match="expected those of"):
-        both.step({"player_0": np.zeros(6)})
+    for actions in ({"player_0": np.zeros(6)}, None, [np.zeros(6)] * 2, {1: 1, "a": 2}):
+        with pytest.raises(ValueError, match="expected those of"):
+            both.step(actions)
     layers = [(np.zeros((38, 2)), np.zeros(2))]
     for call in (
         lambda: Network([]),
         lambda: Network([(np.zeros((3, 2)), np.zeros(2))]),
         lambda: Network([(np.full((38, 2), np.nan), np.zeros(2))]),
+        lambda: Network(5),
+        lambda: Network([1]),
+        lambda: Network([("a", "b")]),
+        lambda: Network([(np.zeros((38, 2), complex), np.zeros(2))]),
         lambda: Network(layers, [50]),
+        lambda: Network(layers, [2.7]),
+        lambda: Network(layers, 5),
+        lambda: Network(layers)(np.full((1, 78), "a")),
         lambda: Network(layers)(np.zeros((1, 5))),
         lambda: export(None, tmp_path / "bot.py"),
         lambda: export(Network([(np.zeros((44, 2)), np.zeros(2))], observations="full"), tmp_path / "bot.py"),
@@ -215,6 +238,41 @@ def test_replays_say_the_line(text, words, tmp_path):
     path.write_bytes(text if isinstance(text, bytes) else text.encode())
     with pytest.raises(ValueError, match=words):
         read_replay(path)
+
+
+def test_a_pool_of_tiny_or_large_weights_draws_its_own_members():
+    for weight in (5e-324, 1e300):  # the product of a sum and a fraction below 1 rounds up to the sum
+        races = Races(2000, opponent=Pool([("racer", weight), (lambda seen: None, weight)]), seed=1)
+        races.reset()
+        assert set(races.states()["opponent"]) == {0, 1}
+
+
+def test_two_threads_in_one_environment_are_refused_and_do_no_harm():
+    many, refused = RaceVectorEnv(2000, seed=1, threads=2), []
+    many.reset()
+
+    def play():
+        for _ in range(50):
+            try:
+                many.step(np.ones((2000, 6)))
+            except ValueError as problem:
+                refused.append(str(problem))
+
+    callers = [threading.Thread(target=play) for _ in range(4)]
+    for each in callers:
+        each.start()
+    for each in callers:
+        each.join()
+    assert refused and all("expected one thread at a time" in each for each in refused)
+    assert np.isfinite(many.step(np.ones((2000, 6)))[0]).all()
+
+
+def test_a_closed_environment_has_no_threads():
+    before = len(os.listdir("/proc/self/task")) if os.path.exists("/proc/self/task") else pytest.skip("no /proc")
+    many = RaceVectorEnv(8, threads=4)
+    assert len(os.listdir("/proc/self/task")) == before + 3
+    many.close()
+    assert len(os.listdir("/proc/self/task")) == before
 
 
 def test_broken_calls_end_in_a_ValueError_and_leave_sound_races():

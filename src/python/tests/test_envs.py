@@ -169,6 +169,27 @@ def test_seeds_draw_the_maps_of_a_match():
     )
 
 
+def test_what_a_policy_is_shown_stays_as_it_was():
+    shown = []
+    many = RaceVectorEnv(3, seed=1, opponent=lambda seen: shown.append((seen, seen.copy())) or forward(seen))
+    many.reset()
+    for _ in range(3):
+        many.step(np.ones((3, 6)))
+    for seen, before in shown:
+        np.testing.assert_array_equal(seen, before)
+
+
+def test_a_masked_reset_takes_any_whole_number_as_a_seed():
+    mask = np.array([True, False, True])
+    one, other = (RaceVectorEnv(3, seed=1) for _ in range(2))
+    one.reset(), other.reset()
+    np.testing.assert_array_equal(
+        one.reset(seed=np.int64(9), options={"reset_mask": mask})[0],
+        other.reset(seed=[9, None, 11], options={"reset_mask": mask})[0],
+    )
+    np.testing.assert_array_equal(RaceEnv().reset(seed=np.int64(9))[0], RaceEnv().reset(seed=9)[0])
+
+
 def test_without_copies_arrays_are_the_same_ones():
     many = RaceVectorEnv(3, copy=False, seed=1)
     first, _ = many.reset()

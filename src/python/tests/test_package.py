@@ -111,5 +111,74 @@ def test_a_thousand_steps_allocate_nothing_that_grows_with_the_races():
     assert many[0] < 20e6
 
 
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="no fork")
+def test_a_forked_process_plays_on_without_threads():
+    said = python(
+        """
+        import os, signal, numpy as np
+        from steward_podrace.races import Races
+        races, twin = (Races(64, threads=threads, seed=1) for threads in (3, 1))
+        for each in (races, twin):
+            each.reset()
+            each.step(np.ones((64, 6)))
+        if os.fork() == 0:
+            signal.alarm(20)
+            races.step(np.ones((64, 6)))
+            twin.step(np.ones((64, 6)))
+            equal = races.states().tobytes() == twin.states().tobytes()
+            del races
+            os._exit(0 if equal else 3)
+        ended = os.wait()[1]
+        races.step(np.ones((64, 6)))
+        print(ended)
+        """
+    )
+    assert said == "0"
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="limits of Linux")
+def test_threads_that_the_system_does_not_start_are_refused():
+    said = python(
+        """
+        import resource
+        from steward_podrace.races import Races
+        resource.setrlimit(resource.RLIMIT_AS, (1 << 30, 1 << 30))
+        try:
+            Races(8, threads=256)
+        except ValueError as problem:
+            print(problem)
+        """
+    )
+    assert said == "threads: found 256, expected no more than the system starts"
+
+
+def test_an_old_gymnasium_leaves_the_races_and_says_what_the_environments_need():
+    said = python(
+        """
+        import gymnasium.vector
+        del gymnasium.vector.AutoresetMode
+        import steward_podrace
+        steward_podrace.Races(1).reset()
+        try:
+            from steward_podrace import RaceVectorEnv
+        except ImportError as problem:
+            print(problem)
+        """
+    )
+    assert said.startswith("RaceVectorEnv: expected gymnasium 1.1 or newer")
+
+
+def test_the_bench_prints_shares_of_the_header():
+    said = subprocess.run(
+        [sys.executable, "-m", "steward_podrace.bench", "--rounds", "1"], capture_output=True, text=True, check=True
+    ).stdout
+    rows = {line.split("  ")[0]: line.split() for line in said.splitlines()}
+    for module in modules():
+        steps = rows[f"4096 races, 1 thread, {module}, copy=False"]
+        alone = rows[f"turns of the header alone, {module}, of such races"]
+        if "untried:" not in alone:
+            assert 0.05 < float(steps[-2]) < 1
+
+
 def test_two_doubles_at_once_are_the_plain_form():
     assert load("plain").LANES in (1, 2)

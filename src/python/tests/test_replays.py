@@ -71,6 +71,21 @@ def test_tables_have_each_field_as_a_column(tmp_path):
         replay["pods"]
 
 
+def test_a_field_may_have_the_name_of_a_column_or_numbers_past_all_doubles(tmp_path):
+    path = write(tmp_path / "game.jsonl", 2)
+    text = path.read_text().replace('"thrust": 200', '"turn": -18, "player": 5').replace('"y": 8', '"y": 1e400')
+    path.write_text(text.replace('"x": 5,', f'"x": {10**400},'))
+    replay = read_replay(path)  # "turn" is the rotation that a bot of Search Race commands
+    np.testing.assert_array_equal(replay["commands"]["turn"], [1, 1, 2, 2])
+    np.testing.assert_array_equal(replay["commands"]["turn_"], [-18, np.nan, -18, np.nan])
+    assert replay["commands"]["player"].tolist() == [0, 1, 0, 1] and replay["events"]["x"][0] == str(10**400)
+
+
+def test_a_game_without_impacts_has_a_table_of_none(tmp_path):
+    path = write(tmp_path / "game.jsonl", 0)
+    assert read_replay(path)["impacts"] == {}
+
+
 def test_a_frame_of_pandas_has_the_same_columns(tmp_path):
     pandas = pytest.importorskip("pandas")
     replay = read_replay(write(tmp_path / "game.jsonl", 4))

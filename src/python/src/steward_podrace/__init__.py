@@ -29,7 +29,25 @@ __all__ = [
 ]
 __version__ = "0.3.0"
 
-if find_spec("gymnasium") is not None:
+
+
+def _is_new_enough() -> bool:
+    if find_spec("gymnasium") is None:
+        return False
+    from gymnasium import vector
+
+    return hasattr(vector, "AutoresetMode")
+
+
+def __getattr__(name: str) -> object:
+    if name in ("RaceEnv", "RaceVectorEnv"):
+        raise ImportError(f"{name}: expected gymnasium 1.1 or newer: pip install 'steward-podrace[gymnasium]'")
+    if name in ("ParallelRace", "parallel_env"):
+        raise ImportError(f"{name}: expected pettingzoo and gymnasium: pip install 'steward-podrace[pettingzoo]'")
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
+
+if _is_new_enough():
     import gymnasium
 
     from .envs import RaceEnv, RaceVectorEnv

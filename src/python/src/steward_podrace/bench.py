@@ -1,7 +1,9 @@
 """Speed and memory of the environments: ``python -m steward_podrace.bench``.
 
-One step is one turn of one race, with the opponent ``racer`` and observations. Every row is the best of some rounds: by
-the clock, and by the processor time of all threads, which other programs on the machine disturb less.
+One step is one turn of one race, with the opponent ``racer`` and observations. Rows take turns within each round, so that
+other work on the machine meets them all; medians of the rounds are printed, by the clock and by the processor time of all
+threads. The last columns are medians of each round's ratio, by processor time, to turns of the header alone, compiled with
+the same instructions: the turns of such races, and those of races in which all pods aim at their checkpoints.
 """
 
 import argparse
@@ -9,6 +11,7 @@ import ctypes
 import math
 import os
 import shutil
+import statistics
 import subprocess
 import sys
 import tempfile
@@ -20,43 +23,61 @@ from pathlib import Path
 import numpy as np
 
 from . import module_name
+from . import races as races_module
+from ._core import load
 from .races import Races, official_map
 
-RACES, STEPS, ROUNDS = 4096, 100, 7
+RACES, STEPS, ROUNDS = 4096, 100, 15
+HEADER_RACES, HEADER_PASSES = 64, 30
+"""Races whose turns the header plays alone, and how often in a round."""
 SHIM = """#include "steward_podrace.hpp"
 using namespace steward;
-static Map* map; static State state;
-extern "C" void start(const double* places, int n) {
-    std::vector<std::pair<double, double>> all;
-    for (int k = 0; k < n; k++) all.push_back({places[2 * k], places[2 * k + 1]});
-    map = new Map(all); state = map->start();
-}
-extern "C" void turn(const double* commands) {
+static Map* map; static State state; static std::vector<Commands> all;
+static Commands read(const double* from) {
     Commands given;
     for (int pod = 0; pod < 4; pod++)
-        given.target(pod, commands[3 * pod], commands[3 * pod + 1], static_cast<int>(commands[3 * pod + 2]));
-    map->play(state, given);
+        given.target(pod, from[3 * pod], from[3 * pod + 1], static_cast<int>(from[3 * pod + 2]));
+    return given;
+}
+extern "C" void start(const double* places, int n, const double* commands, int count) {
+    std::vector<std::pair<double, double>> found;
+    for (int k = 0; k < n; k++) found.push_back({places[2 * k], places[2 * k + 1]});
+    map = new Map(found); state = map->start();
+    for (int k = 0; k < count; k++) all.push_back(read(commands + 12 * k));
+}
+extern "C" void turn(const double* commands) { map->play(state, read(commands)); }
+extern "C" void race(int turns, int passes) {
+    for (int pass = 0; pass < passes; pass++)
+        for (std::size_t k = 0; k < all.size(); k++) {
+            if (k % turns == 0) state = map->start();
+            map->play(state, all[k]);
+        }
 }
 """
 
-
-def best(run: Callable[[], int], rounds: int = ROUNDS) -> tuple[float, float]:
-    """The greatest number of steps a second of some rounds, and of a second of processor time."""
-    most = [0.0, 0.0]
-    for _ in range(rounds):
-        begin = time.perf_counter(), time.process_time()
-        steps = run()
-        spent = time.perf_counter() - begin[0], time.process_time() - begin[1]
-        most = [max(each, steps / seconds) for each, seconds in zip(most, spent)]
-    return most[0], most[1]
+Rate = tuple[float, float]
+"""Steps a second, and steps a second of processor time."""
 
 
-def environment(count: int, threads: int, copy: bool) -> Callable[[], int]:
+def rate(run: Callable[[], int]) -> Rate:
+    """The rate of one run, which returns its steps."""
+    begin = time.perf_counter(), time.process_time()
+    steps = run()
+    return steps / (time.perf_counter() - begin[0]), steps / (time.process_time() - begin[1])
+
+
+def random_actions(count: int) -> list[np.ndarray]:
+    """Actions of 16 steps."""
+    rng = np.random.default_rng(1)
+    return [rng.uniform(-1, 1, (count, 6)).astype(np.float32) * np.float32([1, 1, 0.4] * 2) for _ in range(16)]
+
+
+def environment(count: int, threads: int, copy: bool, module: str) -> Callable[[], int]:
     """Steps of some races with random actions."""
+    races_module.core = load(module)
     races = Races(count, threads=threads, copy=copy, seed=1)
     races.reset()
-    rng = np.random.default_rng(1)
-    actions = [rng.uniform(-1, 1, (count, 6)).astype(np.float32) * np.float32([1, 1, 0.4] * 2) for _ in range(16)]
+    actions = random_actions(count)
 
     def run() -> int:
         for k in range(STEPS):
@@ -64,6 +85,28 @@ def environment(count: int, threads: int, copy: bool) -> Callable[[], int]:
         return STEPS * count
 
     return run
+
+
+def commands_of_races(aimed: bool) -> np.ndarray:
+    """Commands of the first turns of races on one map, ``[races, turns, 4, (x, y, thrust)]``: of the environment's, or
+    with pods that aim some 500 u beside the next checkpoint, against their drift, a third of them with less thrust."""
+    races, actions = Races(HEADER_RACES, maps=[official_map(1)], seed=1), random_actions(HEADER_RACES)
+    races.reset()
+    rng, places = np.random.default_rng(1), official_map(1)
+    made = np.empty((HEADER_RACES, STEPS, 4, 3))
+    for k in range(STEPS):
+        if aimed:
+            state = races.states()
+            goals = places[(state["passed"] + 1) % len(places)]
+            drift = 3 * np.stack([state["vx"], state["vy"]], -1)
+            made[:, k, :, :2] = goals - drift + rng.integers(-500, 500, (HEADER_RACES, 4, 2))
+            power = rng.integers(0, 200, (HEADER_RACES, 4))
+            made[:, k, :, 2] = np.where(rng.random(power.shape) < 1 / 3, power, 200)
+            races.play(made[:, k])
+        else:
+            made[:, k, :2], made[:, k, 2:] = races.commands(actions[k % 16], 0), races.racer(1)
+            races.step(actions[k % 16])
+    return made
 
 
 class PlainPods:
@@ -132,36 +175,49 @@ def plain_python() -> Callable[[], int]:
     return run
 
 
-def by_ctypes() -> Callable[[], int] | None:
-    """Turns of the header by ctypes, one race, no observations; None without a compiler."""
+def compiled(*flags: str, aimed: bool = False) -> ctypes.CDLL | None:
+    """The header as a library with a race begun; None without a compiler."""
     compiler = shutil.which("c++") or shutil.which("g++") or shutil.which("clang++")
     if compiler is None:
         return None
     folder = Path(tempfile.mkdtemp())
     try:
         (folder / "shim.cpp").write_text(SHIM)
-        made = subprocess.run(
-            [
-                compiler,
-                "-std=c++17",
-                "-O2",
-                "-fPIC",
-                "-shared",
-                f"-I{Path(__file__).parent / 'include'}",
-                "-o",
-                folder / "shim.so",
-                folder / "shim.cpp",
-            ],
-            capture_output=True,
-            check=False,
-        )
-        if made.returncode != 0:
+        call = [compiler, "-std=c++17", *flags, "-fPIC", "-shared", f"-I{Path(__file__).parent / 'include'}"]
+        call += ["-o", str(folder / "shim.so"), str(folder / "shim.cpp")]
+        if subprocess.run(call, capture_output=True, check=False).returncode != 0:
             return None
         library = ctypes.CDLL(str(folder / "shim.so"))
     finally:
         shutil.rmtree(folder)
-    places = official_map(1)
-    library.start(places.ctypes.data_as(ctypes.c_void_p), len(places))
+    places, commands = official_map(1), commands_of_races(aimed)
+    library.start(
+        places.ctypes.data_as(ctypes.c_void_p),
+        len(places),
+        commands.ctypes.data_as(ctypes.c_void_p),
+        HEADER_RACES * STEPS,
+    )
+    return library
+
+
+def header(module: str, aimed: bool) -> Callable[[], int] | None:
+    """Turns of the header alone, compiled as a module is."""
+    library = compiled("-O3", *(["-mavx2"] if module == "avx2" else []), aimed=aimed)
+    if library is None:
+        return None
+
+    def run() -> int:
+        library.race(STEPS, HEADER_PASSES)
+        return HEADER_RACES * STEPS * HEADER_PASSES
+
+    return run
+
+
+def by_ctypes() -> Callable[[], int] | None:
+    """Turns of the header by ctypes, one race, no observations; None without a compiler."""
+    library = compiled("-O2")
+    if library is None:
+        return None
     rng = np.random.default_rng(1)
     commands = [
         np.column_stack([rng.uniform(0, 16000, 4), rng.uniform(0, 9000, 4), np.full(4, 200)]) for _ in range(16)
@@ -207,61 +263,79 @@ def memory(count: int) -> tuple[int, int]:
     return added, peak - start
 
 
-def child(module: str, *words: str) -> subprocess.Popen:
-    """This program in a process of its own, for one number."""
-    return subprocess.Popen(
-        [sys.executable, "-m", "steward_podrace.bench", *words],
-        stdout=subprocess.PIPE,
-        text=True,
-        env={**os.environ, "STEWARD_PODRACE_MODULE": module},
-    )
+def child() -> subprocess.Popen:
+    """A process that runs a round for each line it reads."""
+    call = [sys.executable, "-m", "steward_podrace.bench", "--child"]
+    return subprocess.Popen(call, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
 
 
-def numbers(process: subprocess.Popen) -> tuple[float, float]:
-    """The numbers that it prints."""
-    wall, cpu = map(float, process.communicate()[0].split())
-    return wall, cpu
+def together(children: list[subprocess.Popen]) -> Rate:
+    """The rates of a round of all children at once: the sum by the clock, the mean by processor time."""
+    for each in children:
+        each.stdin.write("\n")
+        each.stdin.flush()
+    found = [tuple(map(float, each.stdout.readline().split())) for each in children]
+    return sum(each[0] for each in found), statistics.mean(each[1] for each in found)
 
 
-def table() -> None:
+def table(rounds: int) -> None:
     """Prints all rows."""
-
-    def row(name: str, steps: tuple[float, float] | None) -> None:
-        said = "untried: no C++ compiler" if steps is None else f"{steps[0]:>12,.0f} {steps[1]:>12,.0f}"
-        print(f"{name:58} {said}", flush=True)
-
-    print(f"{'steps a second':58} {'clock':>12} {'processor':>12}")
-    row("pure Python, one race, no observations", best(plain_python()))
-    shim = by_ctypes()
-    row("the header by ctypes, one race, no observations", None if shim is None else best(shim))
-    for module in dict.fromkeys(["plain", module_name()]):
-        for copy in ("copy", "place"):
-            row(
-                f"{RACES} races, 1 thread, {module}, {'copy=True' if copy == 'copy' else 'copy=False'}",
-                numbers(child(module, "--only", copy, "--threads", "1")),
-            )
-    row(f"{2 * RACES} races, 2 threads", numbers(child("", "--only", "place", "--threads", "2")))
-    pair = [child("", "--only", "place", "--threads", "1") for _ in range(2)]
-    both = [numbers(each) for each in pair]
-    row(f"2 processes of {RACES} races, together", (both[0][0] + both[1][0], (both[0][1] + both[1][1]) / 2))
-    added, few = memory(RACES)[0], memory(16)[1]
+    added, few, many = *memory(RACES)[:1], memory(16)[1], memory(RACES)[1]
+    modules = list(dict.fromkeys(["plain", module_name()]))
+    rows: dict[str, Callable[[], int] | None] = {"pure Python, one race, no observations": plain_python()}
+    rows["the header by ctypes, one race, no observations"] = by_ctypes()
+    base: dict[str, list[str]] = {}
+    for module in modules:
+        alone = [f"turns of the header alone, {module}, {which}" for which in ("of such races", "of aimed ones")]
+        rows.update({name: header(module, aimed) for name, aimed in zip(alone, (False, True))})
+        for copy in (True, False):
+            name = f"{RACES} races, 1 thread, {module}, copy={copy}"
+            rows[name], base[name] = environment(RACES, 1, copy, module), alone
+    threads, processes = f"{2 * RACES} races, 2 threads", f"2 processes of {RACES} races, together"
+    rows[threads] = environment(2 * RACES, 2, False, modules[-1])
+    base[threads] = base[processes] = alone
+    found: dict[str, list[Rate]] = {name: [] for name in [*rows, processes]}
+    children = [child(), child()]
+    together(children)
+    for _ in range(rounds):
+        for name, run in rows.items():
+            if run is not None:
+                found[name].append(rate(run))
+        found[processes].append(together(children))
+    for each in children:
+        each.communicate()
+    print(f"{'steps a second':58} {'clock':>12} {'processor':>12} {'of the header':>15}")
+    for name, rates in found.items():
+        if not rates:
+            print(f"{name:58} untried: no C++ compiler")
+            continue
+        clock, processor = (statistics.median(each[k] for each in rates) for k in range(2))
+        ratios = [statistics.median(a[1] / b[1] for a, b in zip(rates, found[each])) for each in base.get(name, ())
+            if found[each]]
+        print(f"{name:58} {clock:12,.0f} {processor:12,.0f}", *(f"{each:7.3f}" for each in ratios))
+    share = statistics.median(a[0] / b[0] for a, b in zip(found[threads], found[processes]))
+    print(f"2 threads reach {share:.2f} of what 2 processes reach together, by the clock")
     print(f"{RACES} races add {added / 1e6:.1f} MB to the process")
     print(
         f"1,000 steps with copy=False: the peak of allocations is {few} bytes above its start with 16 races, "
-        f"{memory(RACES)[1]} with {RACES}"
+        f"{many} with {RACES}"
     )
 
 
 def main() -> None:
-    """Prints the table, or the number of one row."""
+    """Prints the table, or runs rounds for another process."""
     options = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    options.add_argument("--only", choices=["copy", "place"])
-    options.add_argument("--threads", type=int, default=1)
+    options.add_argument("--rounds", type=int, default=ROUNDS)
+    options.add_argument("--child", action="store_true", help=argparse.SUPPRESS)
     chosen = options.parse_args()
-    if chosen.only is None:
-        table()
-    else:
-        print(*best(environment(RACES * chosen.threads, chosen.threads, chosen.only == "copy")))
+    if chosen.rounds < 1:
+        options.error(f"--rounds: found {chosen.rounds}, expected at least 1")
+    if not chosen.child:
+        table(chosen.rounds)
+        return
+    run = environment(RACES, 1, False, module_name())
+    for _ in sys.stdin:
+        print(*rate(run), flush=True)
 
 
 if __name__ == "__main__":

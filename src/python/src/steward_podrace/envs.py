@@ -8,7 +8,7 @@ from gymnasium import spaces
 from gymnasium.vector import AutoresetMode
 from gymnasium.vector.utils import batch_space
 
-from .races import Races
+from .races import Races, whole
 
 BOUND = 1e7
 """No number of an observation is greater: places and speeds are below 2^30 u."""
@@ -35,15 +35,16 @@ class RaceEnv(gymnasium.Env):
 
     def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[np.ndarray, dict]:
         """Begins a race: with a seed that of ``steward match --seed``, else one that follows from the last seed."""
-        super().reset(seed=seed)
         if seed is not None:
+            seed = whole("seed", seed, 0, 2**64 - 1)
             self.races.seed(seed)
+        super().reset(seed=seed)
         return self.races.reset()[0], {}
 
     def step(self, action: Any) -> tuple[np.ndarray, float, bool, bool, dict]:
         """Plays one turn. Races are never truncated: 500 turns are an end by the rules."""
         races = self.races
-        given = races.actions(action, "action", None) if np.ndim(action) == 2 else races.actions([action], "action")
+        given = races.actions([action], "action")
         races._open()
         seen, rewards, terminated, ended = races.step_both(given, races._opponents())
         info = {"result": float(races.results[0]), "turns": int(races.turns[0])} if ended else {}
@@ -106,6 +107,8 @@ class RaceVectorEnv(gymnasium.vector.VectorEnv):
         """Begins all races anew, or those of ``options={"reset_mask": ...}``. ``seed`` is a number, to which each adds
         its index, or a list with a number or None for each."""
         mask = None
+        if options is not None and not isinstance(options, dict):
+            raise ValueError(f"options: found {options!r:.80}, expected a dict or None")
         if options is not None and "reset_mask" in options:
             mask = options["reset_mask"]
             if (
@@ -118,14 +121,7 @@ class RaceVectorEnv(gymnasium.vector.VectorEnv):
                     f"reset_mask: found {mask!r}, expected a bool array ({self.num_envs},), one at least true"
                 )
         if seed is not None:
-            if mask is not None:
-                every = [seed + k for k in range(self.num_envs)] if isinstance(seed, int) else list(seed)
-                seed = (
-                    [each if chosen else None for each, chosen in zip(every, mask)]
-                    if len(every) == self.num_envs
-                    else every
-                )
-            self.races.seed(seed)
+            self.races.seed(seed, mask)
         return self.races.reset(mask), {}
 
     def step(self, actions: Any) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, dict[str, Any]]:

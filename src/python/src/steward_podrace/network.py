@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from .races import choice
+from .races import array, choice, whole
 
 BLOCK = {"site": 38, "full": 44}
 """Numbers of an observation that belong to one pod; two numbers of the race follow both pods' blocks."""
@@ -30,10 +30,17 @@ class Network:
         choice("observations", observations, list(BLOCK))
         self.observations = observations
         block = BLOCK[observations]
-        self.inputs = list(range(block)) if inputs is None else [int(each) for each in inputs]
-        if not self.inputs or not all(0 <= each < block for each in self.inputs):
-            raise ValueError(f"inputs: found {inputs!r}, expected numbers 0..{block - 1}")
-        self.layers = [(np.asarray(weights, np.float64), np.asarray(biases, np.float64)) for weights, biases in layers]
+        if inputs is not None and (not isinstance(inputs, (list, tuple, range, np.ndarray)) or not len(inputs)):
+            raise ValueError(f"inputs: found {inputs!r:.80}, expected a list of numbers 0..{block - 1}")
+        self.inputs = [whole("inputs", each, 0, block - 1) for each in (range(block) if inputs is None else inputs)]
+        try:
+            pairs = [(weights, biases) for weights, biases in layers]
+        except (TypeError, ValueError):
+            raise ValueError(f"layers: found {layers!r:.80}, expected pairs of weights and biases") from None
+        self.layers = [
+            (_numbers("weights", weights).astype(np.float64), _numbers("biases", biases).astype(np.float64))
+            for weights, biases in pairs
+        ]
         width = len(self.inputs)
         for weights, biases in self.layers:
             if (
@@ -52,7 +59,7 @@ class Network:
 
     def __call__(self, observations: np.ndarray) -> np.ndarray:
         """Actions ``[n, 6]`` of observations ``[n, numbers]``."""
-        block, seen = BLOCK[self.observations], np.asarray(observations)
+        block, seen = BLOCK[self.observations], _numbers("observations", observations)
         if seen.ndim != 2 or seen.shape[1] != 2 * block + 2:
             raise ValueError(f"observations: found the shape {seen.shape}, expected (n, {2 * block + 2})")
         values = seen[:, : 2 * block].reshape(-1, 2, block)[:, :, self.inputs].astype(np.float64)
@@ -61,6 +68,13 @@ class Network:
         actions = np.zeros((len(seen), 2, 3), np.float32)
         actions[:, :, : values.shape[2]] = values
         return actions.reshape(-1, 6)
+
+
+def _numbers(name: str, value: Any) -> np.ndarray:
+    found = array(name, value)
+    if found.dtype.kind not in "biuf":
+        raise ValueError(f"{name}: found {found.dtype}, expected numbers")
+    return found
 
 
 def export(policy: Network, path: str | Path) -> None:

@@ -6,7 +6,7 @@ import numpy as np
 from pettingzoo import ParallelEnv
 
 from .envs import spaces_of
-from .races import Races
+from .races import Races, whole
 
 AGENTS = ["player_0", "player_1"]
 
@@ -57,7 +57,7 @@ class ParallelRace(ParallelEnv):
     def reset(self, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[dict, dict]:
         """Begins a race: with a seed that of ``steward match --seed``, else one that follows from the last seed."""
         if seed is not None:
-            self.races.seed(seed)
+            self.races.seed(whole("seed", seed, 0, 2**64 - 1))
         self.races.reset()
         self.agents = list(AGENTS)
         return self._seen(), {agent: {} for agent in AGENTS}
@@ -67,8 +67,9 @@ class ParallelRace(ParallelEnv):
 
     def step(self, actions: dict[str, Any]) -> tuple[dict, dict, dict, dict, dict]:
         """Plays one turn by an action of each agent."""
-        if set(actions) != set(self.agents) or not self.agents:
-            raise ValueError(f"actions: found those of {sorted(actions)}, expected those of {self.agents}")
+        if not isinstance(actions, dict) or set(actions) != set(self.agents) or not self.agents:
+            found = f"those of {list(actions)}" if isinstance(actions, dict) else f"{actions!r:.80}"
+            raise ValueError(f"actions: found {found}, expected those of {self.agents or 'a race: reset it first'}")
         races = self.races
         given = [races.actions([actions[agent]], f"action of {agent}") for agent in AGENTS]
         races._open()

@@ -2,6 +2,7 @@
 
 import operator
 from collections.abc import Callable, Sequence
+from numbers import Real
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -77,6 +78,21 @@ def choice(name: str, value: Any, words: Sequence[str]) -> int:
     return list(words).index(value)
 
 
+def flag(name: str, value: Any) -> bool:
+    """True or False, or ValueError."""
+    if not isinstance(value, (bool, np.bool_)):
+        raise ValueError(f"{name}: found {value!r}, expected True or False")
+    return bool(value)
+
+
+def array(name: str, value: Any) -> np.ndarray:
+    """Any rectangular array, or ValueError."""
+    try:
+        return np.asarray(value)
+    except ValueError:
+        raise ValueError(f"{name}: found rows of several lengths, expected one array") from None
+
+
 def official_map(seed: int) -> np.ndarray:
     """Checkpoints ``[n, 2]`` that a seed draws, those of ``steward match --seed``."""
     return np.array(core.draw(whole("seed", seed, 0, 2**64 - 1)))
@@ -87,9 +103,10 @@ def _maps(maps: Any) -> list[list[tuple[float, float]]]:
         choice("maps", maps, ["official"])
         return []
     try:
-        found = [[(float(x), float(y)) for x, y in each] for each in maps]
+        given = [[(x, y) for x, y in each] for each in maps]
     except (TypeError, ValueError):
-        raise ValueError("maps: expected 'official' or maps of checkpoints (x, y)") from None
+        raise ValueError(f"maps: found {maps!r:.80}, expected 'official' or maps of checkpoints (x, y)") from None
+    found = [[(_place(x), _place(y)) for x, y in each] for each in given]
     if not found:
         raise ValueError("maps: found none, expected 'official' or at least one map of checkpoints (x, y)")
     for each in found:
@@ -97,10 +114,13 @@ def _maps(maps: Any) -> list[list[tuple[float, float]]]:
             raise ValueError(f"maps: found {len(each)} checkpoints, expected 2..16")
         if each[0] == each[1]:
             raise ValueError("maps: found the first two checkpoints in one place, expected two places")
-        for place in each:
-            if not all(value == 0 or 2.0**-100 <= abs(value) <= 1e6 for value in place):
-                raise ValueError(f"maps: found the checkpoint {place}, expected coordinates up to 1e6 in size")
     return found
+
+
+def _place(value: Any) -> float:
+    if not isinstance(value, Real) or isinstance(value, bool) or not (value == 0 or 2.0**-100 <= abs(value) <= 1e6):
+        raise ValueError(f"maps: found the coordinate {value!r:.80}, expected a number up to 1e6 in size")
+    return float(value)
 
 
 class Races:
@@ -148,7 +168,7 @@ class Races:
         self.pool = pool_of(opponent)
         self.discrete = choice("actions", actions, ["continuous", "discrete"]) == 1
         self.action_shape = (4,) if self.discrete else (6,)
-        self.copy = bool(copy)
+        self.copy = flag("copy", copy)
         self.closed = False
         self._reward = None if isinstance(reward, str) else reward
         if self._reward is not None and not callable(reward):
@@ -162,7 +182,7 @@ class Races:
             full=choice("observations", observations, ["site", "full"]) == 1,
             discrete=self.discrete,
             reward=0 if self._reward is not None else choice("reward", reward, REWARDS),
-            autoreset=bool(autoreset),
+            autoreset=flag("autoreset", autoreset),
         )
         self._step = self._batch.step_discrete if self.discrete else self._batch.step
         n, numbers = self.num_envs, self._batch.observation_size
@@ -193,24 +213,26 @@ class Races:
     def _mask(self, mask: Any) -> np.ndarray:
         if mask is None:
             return self._all
-        found = np.asarray(mask)
+        found = array("mask", mask)
         if found.dtype != np.bool_ or found.shape != (self.num_envs,):
             raise ValueError(f"mask: found {found.dtype} of the shape {found.shape}, expected bool ({self.num_envs},)")
         return np.ascontiguousarray(found)
 
-    def seed(self, seed: int | Sequence[int | None]) -> None:
-        """Chooses the seeds of the next starts: ``seed + k``, or one for each race, None to leave it."""
+    def seed(self, seed: int | Sequence[int | None], mask: Any = None) -> None:
+        """Chooses the seeds of the next starts: ``seed + k``, or one for each race, None to leave it; of a mask's races
+        if there is one."""
         self._open()
+        chosen = self._mask(mask)
         n, most = self.num_envs, 2**64 - 1
         if isinstance(seed, (list, tuple, np.ndarray)):
             if len(seed) != n:
                 raise ValueError(f"seed: found {len(seed)} seeds, expected {n}")
-            mask = np.array([each is not None for each in seed], np.bool_)
+            chosen = chosen & np.array([each is not None for each in seed], np.bool_)
             values = [0 if each is None else whole("seed", each, 0, most) for each in seed]
         else:
             first = whole("seed", seed, 0, most)
-            mask, values = self._all, [(first + k) & most for k in range(n)]
-        self._batch.seed(np.array(values, np.uint64), mask)
+            values = [(first + k) & most for k in range(n)]
+        self._batch.seed(np.array(values, np.uint64), chosen)
 
     def reset(self, mask: Any = None) -> np.ndarray:
         """Begins all races, or those of a mask, anew. Returns all observations ``[num_envs, numbers]``, float32."""
@@ -229,10 +251,7 @@ class Races:
     def actions(self, actions: Any, name: str = "actions", rows: int | None = None) -> np.ndarray:
         """Actions in the type and order of the compiled module, or ValueError."""
         shape = (self.num_envs if rows is None else rows, *self.action_shape)
-        try:
-            found = np.asarray(actions)
-        except ValueError:
-            raise ValueError(f"{name}: found rows of several lengths, expected the shape {shape}") from None
+        found = array(name, actions)
         kinds = "iu" if self.discrete else "iuf"
         if found.shape != shape or found.dtype.kind not in kinds:
             expected = "whole numbers" if self.discrete else "numbers"
@@ -246,7 +265,8 @@ class Races:
             return None
         self._batch.observe(1, self._foreign)
         if len(self.pool.members) == 1:
-            self._answers[:] = self.actions(self._policies[0][1](self._foreign), "the opponent's actions")
+            seen = self._foreign.copy() if self.copy else self._foreign
+            self._answers[:] = self.actions(self._policies[0][1](seen), "the opponent's actions")
             return self._answers
         drawn = np.empty(self.num_envs, np.int64)
         self._batch.opponents(drawn)
@@ -276,7 +296,7 @@ class Races:
         return observations, rewards, terminated, ended
 
     def _own_reward(self, turn: Turn) -> np.ndarray:
-        found = np.asarray(self._reward(turn))
+        found = array("reward", self._reward(turn))
         if found.shape != (self.num_envs,) or found.dtype.kind not in "biuf" or not np.isfinite(found).all():
             raise ValueError(
                 f"reward: found {found.dtype} of the shape {found.shape}, expected finite numbers ({self.num_envs},)"
@@ -290,8 +310,8 @@ class Races:
         """
         self._open()
         given, faulty = (
-            np.asarray(commands),
-            np.zeros((self.num_envs, 2), np.bool_) if faults is None else np.asarray(faults),
+            array("commands", commands),
+            np.zeros((self.num_envs, 2), np.bool_) if faults is None else array("faults", faults),
         )
         if given.dtype.kind not in "iuf" or given.shape != (self.num_envs, 4, 3):
             raise ValueError(
@@ -364,5 +384,6 @@ class Races:
         return other
 
     def close(self) -> None:
-        """Refuses all further calls."""
+        """Refuses all further calls, and frees the races and their threads."""
         self.closed = True
+        self._batch = self._step = None

@@ -20,6 +20,7 @@ class Replay:
     ``turns``: one row a turn, its hash, and what there is one of, or one for each player (``turnsLeft_0``);
     ``states``: one row a turn and body; ``commands``: by ``player`` and his ``index``; ``impacts``; ``events``;
     ``paths``: ``id``, ``time``, ``x``, ``y`` of each knot; other lists of a game, such as ``wrecks``, by their names.
+    A field whose name is taken has an underscore behind it: ``turn_`` of Search Race's commands.
     Numbers are int64, or float64 with NaN where there is none; texts are objects, lines joined by line feeds.
     """
 
@@ -52,7 +53,7 @@ class _Table:
         self.texts: dict[str, str] = {}
 
     def add(self, turn: int, row: dict[str, Any], **more: int) -> None:
-        names = ("turn", *more, *row)
+        names = ("turn", *more, *(f"{name}_" if name == "turn" or name in more else name for name in row))
         group = self.groups.get(names)
         if group is None:
             group = self.groups[names] = []
@@ -77,9 +78,12 @@ class _Table:
             try:
                 return np.array(values, np.int64)
             except OverflowError:
-                return np.array(values, np.float64)
+                pass
         if types <= {int, float, bool, type(None)}:
-            return np.array(values, np.float64)
+            try:
+                return np.array(values, np.float64)
+            except OverflowError:
+                pass  # a number past all doubles becomes a text
         out = np.empty(len(values), object)
         out[:] = [None if value is None else self._text(value) for value in values]
         return out
@@ -198,4 +202,4 @@ def _read(path: str, lines: Iterable[bytes], partial: bool) -> Replay:
             f"{path}:{number}: found the end of the file, expected turns up to a result; partial=True "
             "reads as far as it goes"
         )
-    return Replay(header, result, {name: table.columns() for name, table in tables.tables.items() if table.count})
+    return Replay(header, result, {name: table.columns() for name, table in tables.tables.items()})
