@@ -35,8 +35,7 @@ public final class Schedule {
     private final TreeMap<Integer, Row> rows = new TreeMap<>();
     /** Decisions with games that wait or are under way, by number. */
     private final TreeMap<Integer, Row> open = new TreeMap<>();
-    /** Decisions by group, all of them, where seeds are listed: each group plays the list from its beginning. */
-    private final Map<List<Integer>, Integer> decided = new HashMap<>();
+    private final GroupSeeds groupSeeds;
     /** Decisions by group, but for those that were dropped before they had a game. */
     private final Map<List<Integer>, Integer> made = new LinkedHashMap<>();
     private final List<Decision> news = new ArrayList<>();
@@ -112,6 +111,7 @@ public final class Schedule {
     public Schedule(Seeds seeds, int players, int lag, Collection<Integer> roster, PausedBots pauses,
                     Consumer<Integer> listener) {
         this.seeds = seeds;
+        groupSeeds = new GroupSeeds(seeds);
         this.players = players;
         this.lag = lag;
         this.roster = List.copyOf(roster);
@@ -129,9 +129,7 @@ public final class Schedule {
         row.dropped = dropped;
         lineups(decision).forEach(lineup -> row.held.add(new Task(row.number, decision.seed(), lineup)));
         rows.put(row.number, row);
-        if (seeds.isListed()) {
-            decided.merge(row.group, 1, Integer::sum);
-        }
+        groupSeeds.decided(row.group, decision.seed());
         next = row.number + 1;
     }
 
@@ -312,17 +310,17 @@ public final class Schedule {
 
     /** Returns how often a plan has a group still to be decided on. */
     private int left(List<Integer> group) {
-        return Math.max(0, Math.min(plan.decisions(group) - made.getOrDefault(group, 0), seeds.count()
-            - decided.getOrDefault(group, 0)));
+        return Math.max(0, Math.min(plan.decisions(group) - made.getOrDefault(group, 0), groupSeeds.left(group)));
     }
 
     /** True if there is a seed that a group has not played. */
     private boolean hasSeed(List<Integer> group) {
-        return decided.getOrDefault(group, 0) < seeds.count();
+        return groupSeeds.left(group) > 0;
     }
 
-    private long seed(List<Integer> group) {
-        return seeds.at(seeds.isListed() ? decided.merge(group, 1, Integer::sum) - 1 : next);
+    /** Number of decisions of earlier runs on seeds that are not in the list, as it was another one then. */
+    public int unlisted() {
+        return groupSeeds.others();
     }
 
     /** Number of games that the plan has still to come; before the first is given out. */
@@ -379,7 +377,7 @@ public final class Schedule {
         int[] group = over || end.test(next) ? null : players == 1 ? versions(active) : choose();
         ended = group == null;
         if (!ended) {
-            Decision decision = new Decision(next, seed(Lineups.group(players, group)),
+            Decision decision = new Decision(next, groupSeeds.next(Lineups.group(players, group), next),
                 Arrays.stream(group).boxed().toList(), List.copyOf(paused));
             next++;
             news.add(decision);

@@ -21,10 +21,38 @@ class ListedSeedsTest {
     private static final Seeds LIST = Seeds.of(List.of(70L, 5L, 60L));
 
     private static Schedule schedule(int players, MemoryLeague league, Integer... bots) {
-        Schedule schedule = league.goOn(new Schedule(LIST, players, 4, List.of(bots), new PausedBots(0, 4),
+        return schedule(LIST, players, league, bots);
+    }
+
+    private static Schedule schedule(Seeds list, int players, MemoryLeague league, Integer... bots) {
+        Schedule schedule = league.goOn(new Schedule(list, players, 4, List.of(bots), new PausedBots(0, 4),
             version -> { }));
         schedule.play(List.of(bots), versions -> Pairing.roundRobin(versions, players));
         return schedule;
+    }
+
+    /** Of 8, 60, 9 and 5 the second and the last have been played by all groups. */
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2, 3})
+    void ofAnotherListEveryGroupPlaysWhatItHasNotPlayed(int players) {
+        MemoryLeague league = new MemoryLeague(players);
+        Schedule first = schedule(players, league, 1, 2, 3);
+        assertEquals(0, first.unlisted());
+        play(league, first);
+        int before = league.games().size();
+        Schedule second = schedule(Seeds.of(List.of(8L, 60L, 9L, 5L)), players, league, 1, 2, 3);
+        assertEquals(players == 2 ? 3 : 1, second.unlisted(), "those on 70");
+        play(league, second);
+        assertTrue(second.isPlayedOut());
+        Map<Long, Integer> seeds = new TreeMap<>();
+        league.games().subList(before, league.games().size()).forEach(task -> seeds.merge(task.seed(), 1, Integer::sum));
+        assertEquals(Map.of(8L, before / 3, 9L, before / 3), seeds);
+    }
+
+    private static void play(MemoryLeague league, Schedule schedule) {
+        for (Schedule.Task task = league.next(schedule, 1000); task != null; task = league.next(schedule, 1000)) {
+            league.over(schedule, task);
+        }
     }
 
     /** Interrupted after some games, and gone on with; a fourth bot comes later and begins with the first seed. */

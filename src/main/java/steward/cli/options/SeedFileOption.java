@@ -1,5 +1,6 @@
 package steward.cli.options;
 
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import picocli.CommandLine.Option;
@@ -9,6 +10,8 @@ import steward.contest.seeds.Seeds;
 import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.league.BotIdentity;
+import steward.league.ChosenSeeds;
+import steward.league.LeagueFolder;
 import steward.text.TextFormat;
 
 /** The option for a list of seeds, and what is refused of bots by whose games it was chosen. */
@@ -23,8 +26,8 @@ public final class SeedFileOption {
         + "row: one a line, behind # a comment; 'steward seeds' chooses some.")
     private String file;
 
-    @Option(names = "--anyway", description = "Plays also with a bot by whose games the seeds of " + NAME + " were "
-        + "chosen, and flags the result.")
+    @Option(names = "--anyway", description = "Plays also with a bot by whose games seeds were chosen, counts its "
+        + "stored games on them, and flags the result.")
     private boolean anyway;
 
     private SeedFile read;
@@ -34,10 +37,25 @@ public final class SeedFileOption {
         return file != null;
     }
 
-    /** Refuses options that do not go together. @param seed whether a first seed is named, too */
-    public void check(boolean seed) {
+    /**
+     * Refuses options that do not go together.
+     *
+     * @param seed   whether a first seed is named, too
+     * @param stored whether there may be a list without the option: one that was stored earlier
+     */
+    public void check(boolean seed, boolean stored) {
         check.exclusive("--seed", seed, NAME, isGiven());
-        check.that(!anyway || isGiven(), "--anyway: expected " + NAME + " with it");
+        check.that(!anyway || isGiven() || stored, "--anyway: expected " + NAME + " with it");
+    }
+
+    /** True if bots play on seeds that their own games chose, and the result is flagged. */
+    public boolean isAnyway() {
+        return anyway;
+    }
+
+    /** Keeps the list in a league that gets its games, see {@link ChosenSeeds}. */
+    public void keepIn(Path league) {
+        ChosenSeeds.keep(LeagueFolder.open(league), read());
     }
 
     /** Returns the file; {@code null} if there is none. */
@@ -65,12 +83,17 @@ public final class SeedFileOption {
      * @throws InputException if there is one, and nobody wants it anyway
      */
     public List<String> choosers(List<Contest.Entrant> bots) {
-        if (read() == null) {
+        return choosers(read(), bots);
+    }
+
+    /** As {@link #choosers(List)}, of another list than that of the option. @param list {@code null} for none */
+    public List<String> choosers(SeedFile list, List<Contest.Entrant> bots) {
+        if (list == null) {
             return List.of();
         }
-        List<String> found = choosers(read().choosers(), bots);
+        List<String> found = choosers(list.choosers(), bots);
         if (!found.isEmpty() && !anyway) {
-            throw new InputException(read().source() + ": found seeds that were chosen by games of "
+            throw new InputException(list.source() + ": found seeds that were chosen by games of "
                 + TextFormat.plain(String.join(" and ", found)) + ", expected others: such seeds tell of a bot what "
                 + "its own games told; --anyway plays on them and flags the result");
         }

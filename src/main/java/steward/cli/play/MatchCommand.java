@@ -120,7 +120,7 @@ public final class MatchCommand extends ProgramCommand {
         check.exclusive("--json", json, "--quiet", quiet);
         double factor = pace.factor();
         many.check(out != null, list.isGiven());
-        list.check(seed.isGiven());
+        list.check(seed.isGiven(), false);
         check.that(!overwrite || out != null || show.view() != null, "--overwrite: expected --out or --view with it");
         check.that(sign == null || out != null || show.isAny(), "--sign: expected --out with it");
         boolean piped = StandardFiles.is(out);
@@ -168,7 +168,10 @@ public final class MatchCommand extends ProgramCommand {
             int threads = many.threads(streams);
             AtomicBoolean anew = new AtomicBoolean(overwrite);
             return StoredSeries.play(OutputFiles.path(many.into()), contest, factor, sandbox.variables(), streams,
-                (league, watch) -> run.play(threads, anew.getAndSet(true), league::add, watch));
+                (league, watch) -> {
+                    list.keepIn(OutputFiles.path(many.into()));
+                    return run.play(threads, anew.getAndSet(true), league::add, watch);
+                });
         }
         SingleMatch game = new SingleMatch(streams, contest, report, strict, piped, many.hiccups());
         return show.isAny() ? game.play(first, path, overwrite, show) : game.play(first, path, overwrite);

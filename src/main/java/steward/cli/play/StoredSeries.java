@@ -23,6 +23,7 @@ import steward.contest.ProgramWatch;
 import steward.contest.Series;
 import steward.files.InputException;
 import steward.league.BotIdentity;
+import steward.league.ChosenSeeds;
 import steward.league.GameName;
 import steward.league.LeagueBot;
 import steward.league.LeagueFolder;
@@ -50,6 +51,7 @@ public final class StoredSeries implements AutoCloseable {
     private final String machine;
     private final Map<Integer, Version> versions = new HashMap<>();
     private boolean random;
+    private ChosenSeeds chosen;
 
     private StoredSeries(GameStore store, Season season, int number, Contest contest, String machine) {
         this.store = store;
@@ -126,6 +128,7 @@ public final class StoredSeries implements AutoCloseable {
             Map<String, String> passed = new TreeMap<>();
             environment.forEach(name -> passed.put(name, String.valueOf(ChosenLocale.variable(name))));
             stored.find(settings, new BotIdentity(passed));
+            stored.chosen = ChosenSeeds.of(folder, settings).by(contest.entrants());
             return stored;
         } catch (InputException problem) {
             store.close();
@@ -140,6 +143,7 @@ public final class StoredSeries implements AutoCloseable {
             other.versions.put(k, versions.get(contest.entrants().indexOf(some.entrants().get(k))));
         }
         other.random = random;
+        other.chosen = chosen;
         return other;
     }
 
@@ -224,6 +228,11 @@ public final class StoredSeries implements AutoCloseable {
             }
         });
         return seeds;
+    }
+
+    /** Returns the lists of seeds that games of these bots chose and that were played in the league. */
+    public ChosenSeeds chosen() {
+        return chosen;
     }
 
     /** A seed that belongs to these bots: the same in every call. */

@@ -113,7 +113,7 @@ public final class SprtCommand extends ProgramCommand {
     @Override
     public Integer call() throws InterruptedException {
         check.exclusive("--json", json, "--quiet", quiet);
-        list.check(seed.isGiven());
+        list.check(seed.isGiven(), into != null);
         Gsprt test = options.test();
         threads.check();
         Verbosity report = json ? Verbosity.JSON : quiet ? Verbosity.LINE : Verbosity.FULL;
@@ -138,14 +138,16 @@ public final class SprtCommand extends ProgramCommand {
             .isolatedBy(sandbox.isolation(streams));
         List<String> choosers = list.choosers(contest.entrants());
         if (into == null) {
-            return new SprtRun(streams, contest, test, options.ending(), null, report).flagged(choosers)
+            return new SprtRun(streams, contest, test, options.ending(), null, report).flagged(choosers, false)
                 .play(list.isGiven() ? list.seeds() : Seeds.from(seed.orDrawn()), threads.count(streams),
                     StoredSeries.watch(contest, streams));
         }
         return StoredSeries.play(OutputFiles.path(into), contest, factor, sandbox.variables(), streams,
             (store, watch) -> {
                 store.refuseTwins();
-                return new SprtRun(streams, contest, test, options.ending(), store, report).flagged(choosers)
+                list.keepIn(OutputFiles.path(into));
+                return new SprtRun(streams, contest, test, options.ending(), store, report)
+                    .flagged(choosers, list.isAnyway())
                     .play(list.isGiven() ? list.seeds() : Seeds.from(seed.or(store.ownSeed())), threads.count(streams),
                         watch);
             });
@@ -175,9 +177,11 @@ public final class SprtCommand extends ProgramCommand {
             return new PoolRun(streams, everyone, test, options.ending(), text, seeds, null, report)
                 .play(threads.count(streams), StoredSeries.watch(everyone, streams));
         }
-        return StoredSeries.play(league, everyone, factor, sandbox.variables(), streams, (store, watch) ->
-            new PoolRun(streams, everyone, test, options.ending(), text, list.isGiven() ? list.seeds()
-                : Seeds.from(seed.or(store.ownSeed())), store, report).play(threads.count(streams), watch));
+        return StoredSeries.play(league, everyone, factor, sandbox.variables(), streams, (store, watch) -> {
+            list.keepIn(league);
+            return new PoolRun(streams, everyone, test, options.ending(), text, list.isGiven() ? list.seeds()
+                : Seeds.from(seed.or(store.ownSeed())), store, report).play(threads.count(streams), watch);
+        });
     }
 
     /** Counts that were given: the lowest score first. */

@@ -3,10 +3,9 @@ package steward.cli.sequential;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
-import java.util.SortedSet;
-import java.util.TreeSet;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.stream.Stream;
 import steward.cli.options.SeedFileOption;
 import steward.cli.play.FailureReport;
 import steward.cli.play.StoredSeries;
@@ -24,6 +23,7 @@ import steward.contest.ProgramWatch;
 import steward.contest.repeat.Repeats;
 import steward.contest.seeds.Seeds;
 import steward.json.JsonObject;
+import steward.league.ChosenSeeds;
 import steward.league.sequential.Gsprt;
 import steward.league.sequential.ScoreCounts;
 import steward.text.TextFormat;
@@ -47,6 +47,7 @@ public final class SprtRun {
     private final SprtText text;
     private final boolean random;
     private List<String> choosers = List.of();
+    private boolean anyway;
     /** Guarded by this, as is all below. */
     private final ScoreCounts scores;
     private final Repeats seen = new Repeats();
@@ -87,9 +88,15 @@ public final class SprtRun {
         text = new SprtText(test, contest.entrants().get(0).name(), contest.entrants().get(1).name());
     }
 
-    /** Flags the result. @param bots names of those by whose games the seeds were chosen */
-    SprtRun flagged(List<String> bots) {
+    /**
+     * Flags the result.
+     *
+     * @param bots  names of those by whose games the seeds were chosen
+     * @param isAnyway whether stored games count on seeds that games of the tested bots chose; the result is flagged
+     */
+    public SprtRun flagged(List<String> bots, boolean isAnyway) {
         choosers = bots;
+        anyway = isAnyway;
         return this;
     }
 
@@ -133,11 +140,27 @@ public final class SprtRun {
         return end(watch.changed(), seeds);
     }
 
-    /** Takes what the league has besides the test's own seeds; returns whether more is wanted. */
+    /**
+     * Takes what the league has besides the test's own seeds, without games on seeds that games of these bots chose;
+     * returns whether more is wanted.
+     */
     private boolean takeStored(long first) {
-        SortedSet<Long> seeds = store == null ? new TreeSet<>() : store.seeds();
+        if (store == null) {
+            return true;
+        }
+        ChosenSeeds chosen = store.chosen();
+        List<String> by = chosen.choosers(contest.entrants());
+        List<Long> seeds = store.seeds().stream().filter(seed -> Long.compareUnsigned(seed - first, OWN) >= 0).toList();
+        long refused = seeds.stream().filter(chosen::has).count();
+        if (refused > 0 && anyway) {
+            choosers = Stream.concat(choosers.stream(), by.stream()).distinct().toList();
+        } else if (refused > 0) {
+            streams.err().println("steward: stored games on " + TextFormat.count(refused, "seed") + " do not count: "
+                + "games of " + TextFormat.plain(String.join(" and ", by)) + " chose " + (refused == 1 ? "it" : "them")
+                + "; --anyway counts them and flags the result");
+        }
         for (long seed : seeds) {
-            if (seed >= first && seed < first + OWN) {
+            if (!anyway && chosen.has(seed)) {
                 continue;
             }
             PairedPlay.Outcome[] games =

@@ -181,7 +181,7 @@ public final class TuneCommand extends ProgramCommand {
         check.range("--seeds", seeds, 1, MOST_SEEDS);
         check.range("--test-games", testGames, 0, CallCheck.MOST_GAMES);
         threads.check();
-        list.check(seed.isGiven());
+        list.check(seed.isGiven(), false);
         factor = pace.factor();
         try {
             command = TunedCommand.parse(bot);
@@ -350,6 +350,7 @@ public final class TuneCommand extends ProgramCommand {
             Contest contest = contest(command.start(), k);
             if (into != null) {
                 StoredSeries.open(OutputFiles.path(into), contest, factor, sandbox.variables(), streams).close();
+                list.keepIn(OutputFiles.path(into));
             }
         }
     }
@@ -453,12 +454,12 @@ public final class TuneCommand extends ProgramCommand {
             streams.out().println();
         }
         if (into == null) {
-            return new SprtRun(streams, contest, test, ending, null, report).flagged(choosers)
+            return new SprtRun(streams, contest, test, ending, null, report).flagged(choosers, false)
                 .play(list.isGiven() ? ofTest() : Seeds.from(first + games), threads.count(streams), watch);
         }
         try (StoredSeries store = StoredSeries.open(OutputFiles.path(into), contest, factor, sandbox.variables(),
                 streams)) {
-            return new SprtRun(streams, contest, test, ending, store, report).flagged(choosers)
+            return new SprtRun(streams, contest, test, ending, store, report).flagged(choosers, list.isAnyway())
                 .play(list.isGiven() ? ofTest() : Seeds.from(store.ownSeed()), threads.count(streams), watch);
         }
     }

@@ -2,6 +2,7 @@ package steward.cli.tournament;
 
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -34,6 +35,7 @@ import steward.cli.streams.Json;
 import steward.contest.Contest;
 import steward.contest.Hiccups;
 import steward.contest.KeptReplays;
+import steward.contest.seeds.SeedFile;
 import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.json.JsonObject;
@@ -197,7 +199,7 @@ public final class TournamentCommand extends ProgramCommand {
         check.range("--most-files", mostFiles, 1, MOST_FILES);
         check.range("--rounds", rounds, 1, MOST_ROUNDS);
         threads.check();
-        list.check(false);
+        list.check(false, true);
         watch.check(check);
         Path from = OutputFiles.path(folder);
         Path into = page == null ? from.resolveSibling(from.toAbsolutePath().normalize().getFileName() + "-tournament")
@@ -239,8 +241,9 @@ public final class TournamentCommand extends ProgramCommand {
             throw new FailedException("found " + TextFormat.count(bots.size(), "program") + " that can run, expected "
                 + "at least " + empty.players() + "; see " + into.resolve(INDEX));
         }
-        List<String> choosers = list.choosers(bots.stream().map(LeagueBot::entrant).toList());
-        league.write(settings.withBots(bots));
+        SeedFile seeds = list.isGiven() ? list.read() : league.seeds(settings);
+        List<String> choosers = list.choosers(seeds, bots.stream().map(LeagueBot::entrant).toList());
+        league.write(adopting(league, settings).withBots(bots));
         new IndexPage(entries, null, List.of("The games are not over yet: the table comes when they are. If they were "
             + "interrupted, the same command goes on.")).write(into.resolve(INDEX));
         Roster roster = TournamentRun.roster(league, league.read(), empty, streams);
@@ -308,16 +311,21 @@ public final class TournamentCommand extends ProgramCommand {
         }
         String named = file ? LeagueFolder.SCENE : SceneFiles.shipped().contains(scene) ? scene
             : scene.replaceFirst("\\.json$", "");
-        if (list.isGiven()) {
-            OutputFiles.replace(league.path().resolve(LeagueFolder.SEEDS),
-                Files.readAllBytes(OutputFiles.path(list.read().source())));
-        }
-        String seeds = list.isGiven() ? LeagueFolder.SEEDS : known.seedFile();
-        LeagueSettings settings = new LeagueSettings(named, known.seed(), seeds, null, false, known.lag(),
+        LeagueSettings settings = new LeagueSettings(named, known.seed(), known.seedFile(), null, false, known.lag(),
             pace.factor(), pace.basis(), Hiccups.REPLAY, List.of("--sandbox", sandbox), games > ALL_KEPT
                 ? KeptReplays.FAILED : KeptReplays.ALL, List.of(), known.bots());
         league.write(settings);
         return settings;
+    }
+
+    /** Takes the list of the call, if there is one, into the league: not before it is known that it may be played. */
+    private LeagueSettings adopting(LeagueFolder league, LeagueSettings settings) throws IOException {
+        if (!list.isGiven()) {
+            return settings;
+        }
+        OutputFiles.replace(league.path().resolve(LeagueFolder.SEEDS),
+            list.read().text().getBytes(StandardCharsets.UTF_8));
+        return settings.listing(LeagueFolder.SEEDS);
     }
 
     private List<String> flags() {

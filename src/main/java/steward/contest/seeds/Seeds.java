@@ -1,16 +1,19 @@
 package steward.contest.seeds;
 
 import java.util.List;
+import java.util.Set;
 
 /** Seeds of a series of games, by their places from 0 on: numbers in a row, or a list that has an end. */
 public final class Seeds {
 
     private final long first;
     private final List<Long> listed;
+    private final Set<Long> all;
 
     private Seeds(long first, List<Long> listed) {
         this.first = first;
         this.listed = listed;
+        all = listed == null ? Set.of() : Set.copyOf(listed);
     }
 
     /** Returns the seeds {@code first}, {@code first + 1} and so on. */
@@ -36,6 +39,11 @@ public final class Seeds {
     /** Returns the seed at a place from 0 on. */
     public long at(int place) {
         return listed == null ? first + place : listed.get(place);
+    }
+
+    /** True if a list has a seed. */
+    public boolean has(long seed) {
+        return all.contains(seed);
     }
 
     /** Returns those from a place on. */

@@ -121,6 +121,12 @@ public final class LeagueRun {
         schedule = new Schedule(season.folder().starts(settings), players, settings.lag(), roster.versions(),
             pauses.bots(), pauses::tell);
         queries.tell(schedule, results.repeated());
+        if (schedule.unlisted() > 0) {
+            teller.accept(season.folder().path().resolve(settings.seedFile()) + " is another list than before: "
+                + TextFormat.count(schedule.unlisted(), "decision") + " of earlier runs have seeds that it lacks; their "
+                + "games stay in the table, and every group plays what it has not played of this list. For a table of "
+                + "one list put the old one back, or begin a new league");
+        }
         schedule.without(results.repeated());
         leagueEnd = rules.end().isAny() ? new LeagueEnd(rules.end(), results.known(), settings.lag(), schedule::active,
             (one, other) -> this.roster.isPair(players, one, other)) : null;

@@ -1,6 +1,7 @@
 package steward.cli.sequential;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
@@ -9,6 +10,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -118,6 +120,63 @@ class ChosenSeedsTest {
         assertTrue(Cli.run("league", "run", league, "--anyway").done().out().contains("Flagged: the seeds"));
         assertTrue(Cli.run("league", "table", league).done().out().contains("Flagged: the seeds"));
         assertEquals("near", Cli.run("league", "table", league, "--json").json().get("choosers").get(0).stringValue());
+    }
+
+    /** Two seeds are the budget. The games on the three chosen ones are there, and come first only if they may. */
+    @Test
+    void storedGamesOnSeedsThatTheBotsChoseDoNotCount() {
+        choose();
+        String league = folder.resolve("league").toString();
+        Cli.run("league", "init", league, "--scene", scene).done();
+        Cli.run("league", "add", league, near).done();
+        Cli.run("league", "add", league, far).done();
+        Cli.run("sprt", "--scene", scene, "--bot", near, "--bot", far, "--seed-file", list, "--anyway", "--into",
+            league).done();
+        String[] test = {"sprt", "--scene", scene, "--bot", near, "--bot", far, "--into", league, "--games", "4",
+            "--json"};
+        String[] ofLeague = {"league", "sprt", league, "near", "far", "--games", "4", "--json"};
+        for (String[] call : List.of(test, ofLeague)) {
+            Cli refused = Cli.run(call).done();
+            assertTrue(refused.err().contains("stored games on 3 seeds do not count: games of near and far chose them; "
+                + "--anyway counts them"), refused.err());
+            assertEquals(0, refused.json().get("choosers").size());
+        }
+        assertEquals(3 * 2 + 2 * 2, Cli.run("league", "games", league, "--json").json().get("games").intValue());
+        for (String[] call : List.of(test, ofLeague)) {
+            List<String> words = new ArrayList<>(List.of(call));
+            words.add("--anyway");
+            Cli flagged = Cli.run(words.toArray(String[]::new)).done();
+            assertEquals(2, flagged.json().get("choosers").size(), flagged.err());
+            assertFalse(flagged.err().contains("do not count"), flagged.err());
+        }
+        assertTrue(Cli.run("league", "table", league).done().out().contains("Flagged: the seeds"), "by the test's list");
+    }
+
+    private void handIn(String name, String place) throws IOException {
+        Path own = Files.createDirectories(folder.resolve("in").resolve(name));
+        Files.copy(folder.resolve("pod.sh"), own.resolve("pod.sh"));
+        Files.writeString(own.resolve("run"), "sh pod.sh " + place + " 0\n");
+    }
+
+    /** What is refused leaves nothing behind; a list that was taken anyway is refused in the next call, too. */
+    @Test
+    void aTournamentOfAChooserIsRefusedInEveryCall() throws IOException {
+        choose();
+        handIn("mine", ShellBots.CHECKPOINT);
+        handIn("other", "5001 99000");
+        Path out = folder.resolve("out");
+        List<String> call = List.of("tournament", folder.resolve("in").toString(), "--scene", scene, "--protocol", "json",
+            "--games", "2", "--page", out.toString());
+        String[] listed = Stream.concat(call.stream(), Stream.of("--seed-file", list)).toArray(String[]::new);
+        String[] anyway = Stream.concat(Stream.of(listed), Stream.of("--anyway")).toArray(String[]::new);
+        String[] again = call.toArray(String[]::new);
+        Cli refused = Cli.run(listed);
+        assertEquals(ExitStatus.UNUSABLE, refused.status(), refused.err());
+        assertTrue(refused.err().contains("seeds that were chosen by games of mine"), refused.err());
+        assertFalse(Files.exists(out.resolve("league/seeds.txt")));
+        assertFalse(Cli.run(again).done().out().contains("Flagged"), "numbers in a row");
+        assertTrue(Cli.run(anyway).done().out().contains("Flagged"));
+        assertEquals(ExitStatus.UNUSABLE, Cli.run(again).status());
     }
 
     @Test

@@ -28,7 +28,9 @@ import steward.cli.shared.ExitStatus;
 import steward.cli.streams.Interruption;
 import steward.contest.Contest;
 import steward.files.InputException;
+import steward.league.ChosenSeeds;
 import steward.league.FolderLock;
+import steward.league.LeagueBot;
 import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
 import steward.league.Season;
@@ -176,6 +178,9 @@ public final class LeagueRunCommand extends ProgramCommand {
             store.before().ifPresent(copy -> streams.err().println("steward: " + folder.database()
                 + ": brought up to date; as it was: " + copy));
             int number = SeasonOpening.open(folder, store, season, anew);
+            ChosenSeeds.keep(folder, folder.seeds(settings));
+            choosers = ChosenSeeds.of(folder, settings).choosers(settings.active().stream().map(LeagueBot::entrant)
+                .toList());
             return play(new OpenSeason(folder, store, number, season), settings,
                 new GameQueries(viewed, number, season), contest, limits, new LeagueRun.Rules(rule, pauseAfter, plan));
         }

@@ -20,6 +20,7 @@ import steward.contest.Contest;
 import steward.contest.seeds.SeedFile;
 import steward.files.InputException;
 import steward.game.GameSetup;
+import steward.league.ChosenSeeds;
 import steward.league.LeagueBot;
 import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
@@ -120,10 +121,11 @@ public final class LeagueOpening {
             return WorkerBooks.rows(WorkerBooks.read(games, store));
         }
 
-        /** See {@link LeagueOpening#choosers}; none where the list or a bot is gone. */
+        /** Names of the bots that play by whose games a list was chosen, of now or before; none where one is gone. */
         public List<String> choosers() {
             try {
-                return LeagueOpening.choosers(folder, settings);
+                return ChosenSeeds.of(folder, settings).choosers(settings.active().stream().map(LeagueBot::entrant)
+                    .toList());
             } catch (InputException gone) {
                 return List.of();
             }

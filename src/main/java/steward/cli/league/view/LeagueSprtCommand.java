@@ -48,6 +48,9 @@ public final class LeagueSprtCommand extends ProgramCommand {
     @Mixin
     private final ThreadsOption threads = new ThreadsOption();
 
+    @Option(names = "--anyway", description = "Counts games on seeds that games of the bots chose, and flags the result.")
+    private boolean anyway;
+
     @Option(names = "--json", description = "Prints one JSON object and nothing else.")
     private boolean json;
 
@@ -72,7 +75,7 @@ public final class LeagueSprtCommand extends ProgramCommand {
             List.copyOf(LeagueOpening.environment(settings).keySet()), streams, (store, watch) -> {
                 store.refuseTwins();
                 return new SprtRun(streams, contest, test, options.ending(), store,
-                    json ? Verbosity.JSON : Verbosity.FULL)
+                    json ? Verbosity.JSON : Verbosity.FULL).flagged(List.of(), anyway)
                     .play(Seeds.from(store.ownSeed()), threads.count(streams), watch);
             });
     }
