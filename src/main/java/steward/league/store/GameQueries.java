@@ -461,8 +461,9 @@ public final class GameQueries {
     }
 
     private static StoredGame head(ResultSet row) throws SQLException {
-        int decision = row.getInt(3);
-        return new StoredGame(row.getLong(1), row.getBytes(2), row.wasNull() ? -1 : decision, row.getLong(4),
+        int found = row.getInt(3);
+        int decision = row.wasNull() ? -1 : found;     // asked before another column is read
+        return new StoredGame(row.getLong(1), row.getBytes(2), decision, row.getLong(4),
             row.getInt(5), row.getInt(6) > 0, row.getInt(7), row.getString(8), row.getLong(9), row.getString(10),
             row.getString(11), row.getLong(21), List.of());
     }

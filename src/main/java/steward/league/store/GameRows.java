@@ -32,7 +32,7 @@ final class GameRows {
     }
 
     /**
-     * Adds games. One that is there already stays as it is.
+     * Adds games. One that is there already stays as it is; if it is of no decision, it becomes one of the new game's.
      *
      * @return how many are new
      */
@@ -65,6 +65,10 @@ final class GameRows {
         if (database.update("INSERT INTO game (id, name, season, decision, seed, lineup, ranks, attempt, counts, "
                 + "turns, problem, played, machine, replay, transcript, digest) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
                 + "?, ?, ?, ?, ?, ?) ON CONFLICT (name) DO NOTHING", row) == 0) {
+            if (game.decision() >= 0 && database.update("UPDATE game SET decision = ? WHERE name = ? AND decision IS "
+                    + "NULL", game.decision(), game.name()) > 0) {
+                RowDigest.seal(database, "game", "name = ?", (Object) game.name());
+            }
             return false;
         }
         for (Object[] seat : seats) {

@@ -19,6 +19,9 @@ import org.junit.jupiter.api.io.TempDir;
 import steward.cli.Cli;
 import steward.cli.ShellBots;
 import steward.cli.shared.ExitStatus;
+import steward.league.LeagueFolder;
+import steward.league.store.GameQueries;
+import steward.league.store.GameStore;
 import tools.jackson.databind.JsonNode;
 
 /** Lists of seeds from their choice to a verdict, in every command that takes one. */
@@ -104,6 +107,34 @@ class ChosenSeedsTest {
         assertTrue(run.out().contains("The bots have played all seeds of seeds.txt."), run.out());
         JsonNode games = Cli.run("league", "games", league, "--json").json();
         assertEquals(12, games.get("games").intValue());
+        assertTrue(Cli.run("league", "run", league).done().out().contains("0 games in this run"));
+    }
+
+    /** One game of the first seed is there, with and without a failure, and all of the second. */
+    @Test
+    void aLeagueAdoptsGamesOnItsSeedsThatWereStoredBefore() throws IOException {
+        Files.writeString(folder.resolve("seeds.txt"), "7 # a\n3\n");
+        String league = folder.resolve("league").toString();
+        Cli.run("league", "init", league, "--scene", scene, "--seed-file", list).done();
+        String broken = new ShellBots(folder).witness("broken", ShellBots.NOWHERE, 2, folder.resolve("seen.txt"));
+        String worse = new ShellBots(folder).witness("worse", "5001 99000", 2, folder.resolve("seen.txt"));
+        for (String[] pair : new String[][] {{near, far}, {near, broken}, {broken, worse}}) {
+            Cli.run("match", "--scene", scene, "--bot", pair[0], "--bot", pair[1], "--games", "1", "--seed", "7", "--into",
+                league).done();
+            Cli.run("match", "--scene", scene, "--bot", pair[0], "--bot", pair[1], "--games", "1", "--swap", "--seed",
+                "3", "--into", league).done();
+        }
+        for (String bot : new String[] {near, far, broken, worse}) {
+            Cli.run("league", "add", league, bot).done();
+        }
+        Cli run = Cli.run("league", "run", league).done();
+        JsonNode games = Cli.run("league", "games", league, "--json").json();
+        assertEquals(6 * 2 * 2, games.get("games").intValue(), run.out() + run.err());
+        try (GameStore store = GameStore.read(LeagueFolder.open(Path.of(league)))) {
+            new GameQueries(store, 1, store.lastSeason().orElseThrow()).games(game -> assertTrue(game.decision() >= 0,
+                "game " + game.id()));
+        }
+        assertTrue(run.out().contains("The bots have played all seeds of seeds.txt."), run.out() + run.err());
         assertTrue(Cli.run("league", "run", league).done().out().contains("0 games in this run"));
     }
 

@@ -106,6 +106,25 @@ class GameStoreTest {
         }
     }
 
+    /** A test stores a game while a league plays it: the league's decision has it then, and does not wait for it. */
+    @Test
+    void aGameThatWasStoredMeanwhileBecomesOneOfTheDecision() {
+        try (GameStore store = GameStore.write(folder)) {
+            int season = store.open(SEASON);
+            Version a = store.add("a", "./a", false, "1a", 1);
+            Version b = store.add("b", "./b", true, "1b", 2);
+            StoredGame game = game(a, b, 7, -1, 1, true);
+            assertEquals(1, store.add(season, List.of(free(game))));
+            GameQueries queries = new GameQueries(store, season, SEASON);
+            assertEquals(-1, queries.game(game.name()).decision());
+            assertEquals(0, MadeUpGames.add(store, season, List.of(game)));
+            assertEquals(7, queries.game(game.name()).decision());
+            assertEquals(0, store.add(season, List.of(free(game))), "and stays it");
+            assertEquals(7, queries.game(game.name()).decision());
+            assertEquals(List.of(), store.badRows(10));
+        }
+    }
+
     private static void execute(GameStore store, String sql) {
         store.database().with(() -> {
             store.database().execute(sql);
