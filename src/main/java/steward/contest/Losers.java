@@ -15,12 +15,18 @@ public final class Losers {
 
     private Losers() { }
 
-    /** Returns the account of a bot, by its place in the call; games in which all failed tell nothing. */
-    public static Losses of(Contest contest, List<Series.Played> games, int entrant) {
-        Losses losses = new Losses(contest.entrants().get(entrant).name());
+    /**
+     * Returns the account of a bot, by its place in the call; games in which all failed tell nothing.
+     *
+     * @param repeats those of the games that only repeat others
+     */
+    public static Losses of(Contest contest, List<Series.Played> games, List<Series.Played> repeats, int entrant) {
+        Losses losses = new Losses(contest.entrants().get(entrant).name(), contest.lowerScoreIsBetter());
         boolean lower = contest.lowerScoreIsBetter();
         for (Series.Played game : games) {
-            if (game.result() != null && !game.allFailed()) {
+            if (repeats.contains(game)) {
+                losses.repeat();
+            } else if (game.result() != null && !game.allFailed()) {
                 losses.add(game(game, game.playerOf(contest, entrant), lower));
             }
         }
@@ -32,7 +38,7 @@ public final class Losers {
         PlayerResult own = players.get(player);
         long sharers = players.stream().filter(each -> each.rank() == 0).count();
         Comparator<Double> better = lower ? Comparator.reverseOrder() : Comparator.naturalOrder();
-        double winner = IntStream.range(0, players.size()).filter(other -> other != player)
+        double winner = IntStream.range(0, players.size()).filter(other -> other != player && players.get(other).rank() == 0)
             .mapToObj(other -> players.get(other).score()).max(better).orElse(own.score());
         List<Integer> behind = game.facts().behindFrom();
         return new Losses.Game("game " + game.number() + " (seed " + game.seed() + ")",

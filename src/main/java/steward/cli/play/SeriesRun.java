@@ -134,7 +134,8 @@ record SeriesRun(Streams streams, Series series, Verbosity report, boolean stric
 
     /** The account of the games that the first bot lost, or {@code null}. */
     private Losses losses(SeriesPlay play) {
-        return why ? Losers.of(series.contest(), play.standings().games(), 0) : null;
+        return why ? Losers.of(series.contest(), play.standings().games(), play.standings().repeats(), 0)
+            : null;
     }
 
     private void tellProblems(SeriesPlay play) {

@@ -31,7 +31,10 @@ public final class Losses {
     private int wins;
     private int draws;
     private int losses;
+    private final boolean lower;
     private int skipped;
+    private int skippedWon;
+    private int repeats;
 
     /** Result of a game for the bot. */
     public enum Outcome {
@@ -51,7 +54,7 @@ public final class Losses {
      * @param turns      that were played
      * @param behindFrom the turn from which on another was ahead to the end; {@link LeadLog#UNKNOWN} if not known
      * @param score      of the bot
-     * @param winner     the best score of another bot
+     * @param winner     the score of who won, if that was another bot
      * @param values     of the bot, by name
      * @param replay     where it is, or {@code null}
      */
@@ -80,9 +83,10 @@ public final class Losses {
         }
     }
 
-    /** None yet of a bot. */
-    public Losses(String bot) {
+    /** None yet of a bot. @param lower whether a lower score is better */
+    public Losses(String bot, boolean lower) {
         this.bot = bot;
+        this.lower = lower;
     }
 
     /** Returns how a game ended for a player: its failure, why it is out, or how the game ended. */
@@ -114,9 +118,15 @@ public final class Losses {
         }
     }
 
-    /** Adds lost games of which only the number is known, as their replays are not read. */
-    public void skip(int games) {
-        skipped += games;
+    /** Notes that no replay of a game was read: how it was lost, or what bots reported in it, is not known. */
+    public void skip(boolean isLost) {
+        skipped += isLost ? 1 : 0;
+        skippedWon += isLost ? 0 : 1;
+    }
+
+    /** Notes a game that only repeats another, and is left out. */
+    public void repeat() {
+        repeats++;
     }
 
     /** Number of lost games. */
@@ -128,9 +138,9 @@ public final class Losses {
         return kinds.values().stream().sorted(Comparator.comparing((List<Game> games) -> -games.size())).toList();
     }
 
-    private static Game worst(List<Game> games) {
-        return games.stream().min(Comparator.comparingDouble((Game game) -> -Math.abs(game.winner() - game.score()))
-            .thenComparingInt(Game::turns)).orElseThrow();
+    private Game worst(List<Game> games) {
+        return games.stream().min(Comparator.comparingDouble((Game game) -> lower ? game.winner() - game.score()
+            : game.score() - game.winner()).thenComparingInt(Game::turns)).orElseThrow();
     }
 
     private static int[] behind(List<Game> games) {
@@ -148,7 +158,8 @@ public final class Losses {
     public List<String> lines() {
         List<String> lines = new ArrayList<>();
         lines.add(TextFormat.plain(bot) + " lost " + losses + " of " + TextFormat.count(wins + draws + losses, "game")
-            + ", drew " + draws + ", won " + wins + (losses == 0 ? "" : ":"));
+            + ", drew " + draws + ", won " + wins + (repeats == 0 ? "" : "; " + TextFormat.count(repeats, "other") + " only "
+            + (repeats == 1 ? "repeats" : "repeat") + " games") + (losses == 0 ? "" : ":"));
         if (losses == 0) {
             return lines;
         }
@@ -169,6 +180,10 @@ public final class Losses {
         if (skipped > 0) {
             lines.add("  Of " + TextFormat.count(skipped, "lost game") + " no replay was read: nobody knows how they "
                 + "ended.");
+        }
+        if (skippedWon > 0) {
+            lines.add("  Of " + TextFormat.count(skippedWon, "won game") + " no replay was read: what bots reported in "
+                + "them is not known.");
         }
         lines.add(TextFormat.left("value", NAME) + TextFormat.right("in " + TextFormat.count(losses, "lost game"),
             COLUMN) + TextFormat.right("in " + TextFormat.count(wins, "won game"), COLUMN));
@@ -195,6 +210,8 @@ public final class Losses {
         out.writeNumberProperty("drawn", draws);
         out.writeNumberProperty("lost", losses);
         out.writeNumberProperty("unread", skipped);
+        out.writeNumberProperty("unreadWon", skippedWon);
+        out.writeNumberProperty("repeats", repeats);
         JsonObject.writeAll(out, "kinds", byNumber(), games -> {
             Game worst = worst(games);
             out.writeStringProperty("kind", worst.kind());

@@ -61,6 +61,53 @@ class WhyTest {
         assertTrue(won.contains("near lost 0 of 3 games, drew 0, won 3\n"), won);
     }
 
+    /** A bot between the two others reports a number in each game; lost games of anybody are kept, so that won ones are. */
+    @Test
+    void whatABotReportedStandsInLostAndWonGamesSideBySide() throws IOException {
+        String tells = "tells=sh " + Files.writeString(folder.resolve("tells.sh"), "echo '[PDATA] depth = 4' >&2\n"
+            + "exec sh '" + folder.resolve("pod.sh") + "' 9000 5200 0\n");
+        String league = folder.resolve("league").toString();
+        Cli.run("league", "init", league, "--scene", scene, "--keep", "lost", "--seed", "1").done();
+        for (String bot : new String[] {tells, near, far}) {
+            Cli.run("league", "add", league, bot).done();
+        }
+        Cli.run("league", "run", league, "--games", "12").done();
+        JsonNode why = Cli.run("league", "why", league, "tells", "--json").json();
+        assertEquals(4, why.get("lost").intValue(), why.toString());
+        assertEquals(4, why.get("won").intValue(), why.toString());
+        JsonNode depth = why.get("values").get(why.get("values").size() - 2);
+        assertEquals("depth", depth.get("name").stringValue(), why.toString());
+        assertEquals(4, depth.get("lostMean").doubleValue());
+        assertEquals(4, depth.get("wonMean").doubleValue(), why.toString());
+        Cli unread = Cli.run("league", "why", league, "tells", "--replays", "0").done();
+        assertTrue(unread.out().contains("Of 4 won games no replay was read: what bots reported"), unread.out());
+    }
+
+    /** All games of this scene are one: two are left, one from each seat. */
+    @Test
+    void gamesThatOnlyRepeatOthersAreLeftOut() throws IOException {
+        ShellBots.shortDuel(folder);
+        String text = Cli.run("match", "--scene", scene, "--bot", far, "--bot", near, "--games", "3", "--swap", "--seed",
+            "1", "--why").done().out();
+        assertTrue(text.contains("far lost 2 of 2 games, drew 0, won 0; 4 others only repeat games:"), text);
+        String league = folder.resolve("league").toString();
+        Cli.run("league", "init", league, "--scene", scene, "--seed", "1").done();
+        Cli.run("league", "add", league, near).done();
+        Cli.run("league", "add", league, far).done();
+        Cli.run("league", "run", league, "--games", "6").done();
+        String why = Cli.run("league", "why", league, "far").done().out();
+        assertTrue(why.contains("far lost 2 of 2 games, drew 0, won 0; 4 others only repeat games:"), why);
+    }
+
+    @Test
+    void nobodyLosesWhereEachPlaysAlone() {
+        String league = folder.resolve("league").toString();
+        Cli.run("league", "init", league, "--scene", "search-race").done();
+        Cli.run("league", "add", league, "builtin:driver").done();
+        Cli.run("league", "run", league, "--games", "2").done();
+        Cli.run("league", "why", league, "driver").assertRefused("found a league in which each plays alone");
+    }
+
     /** The replays of a league, played again, say what was seen while a match was played. */
     @Test
     void aLeagueAndItsPageSayTheSame() throws IOException {

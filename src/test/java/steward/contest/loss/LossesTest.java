@@ -19,7 +19,7 @@ class LossesTest {
 
     @Test
     void kindsWorstGamesAndValuesFillAScreen() {
-        Losses losses = new Losses("mine");
+        Losses losses = new Losses("mine", false);
         losses.add(game(1, Outcome.LOST, "finished", 200, 50, 10, 12, Map.of("laps", 2.0)));
         losses.add(game(2, Outcome.LOST, "finished", 210, 90, 4, 12, Map.of("laps", 1.0)));
         losses.add(game(3, Outcome.LOST, "finished", 220, LeadLog.UNKNOWN, 11, 12, Map.of("laps", 3.0)));
@@ -39,13 +39,27 @@ class LossesTest {
             "laps                         2.00 ± 1.00              3.00 ± -"), losses.lines());
     }
 
+    /** Where fewer is better, 50 to 40 is worse than 40 to 50, of a bot that was ahead until it was out. */
+    @Test
+    void theWorstGameIsTheFarthestBehindTheWinner() {
+        for (boolean lower : new boolean[] {false, true}) {
+            Losses losses = new Losses("mine", lower);
+            losses.add(game(1, Outcome.LOST, "out", 10, 1, 50, 39, Map.of()));
+            losses.add(game(2, Outcome.LOST, "out", 10, 1, 40, 50, Map.of()));
+            losses.repeat();
+            assertEquals("mine lost 2 of 2 games, drew 0, won 0; 1 other only repeats games:", losses.lines().get(0));
+            assertTrue(losses.lines().get(3).contains(lower ? "worst: game 1" : "worst: game 2"),
+                () -> losses.lines().get(3));
+        }
+    }
+
     @Test
     void aHundredKindsAndValuesFitAScreenToo() {
-        Losses losses = new Losses("mine");
+        Losses losses = new Losses("mine", false);
         for (int k = 0; k < 100; k++) {
             losses.add(game(k, Outcome.LOST, "kind " + k, 1, 1, 0, 1, Map.of("value" + k, 1.0)));
         }
         assertTrue(losses.lines().size() <= 24, () -> String.join("\n", losses.lines()));
-        assertEquals(List.of("other lost 0 of 0 games, drew 0, won 0"), new Losses("other").lines());
+        assertEquals(List.of("other lost 0 of 0 games, drew 0, won 0"), new Losses("other", false).lines());
     }
 }

@@ -3,7 +3,9 @@ package steward.cli.league.view;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.function.Consumer;
+import java.util.stream.Collectors;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -13,6 +15,7 @@ import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Games;
 import steward.cli.streams.Json;
 import steward.contest.loss.Losses;
+import steward.files.InputException;
 import steward.league.StoredGame;
 import steward.league.page.StoredLosses;
 import steward.league.rating.LeagueTable;
@@ -40,7 +43,7 @@ public final class WhyCommand extends ProgramCommand {
     private String bot;
 
     @Option(names = "--replays", paramLabel = "N", defaultValue = "500", description = "Reads the replays of the N "
-        + "latest lost games that have one (default: ${DEFAULT-VALUE}).")
+        + "latest lost and N latest won games that have one (default: ${DEFAULT-VALUE}).")
     private Integer replays;
 
     @Option(names = "--json", description = "Prints one JSON object and nothing else.")
@@ -50,6 +53,10 @@ public final class WhyCommand extends ProgramCommand {
     public Integer call() {
         check.range("--replays", replays, 0, MOST);
         try (LeagueOpening.Opened opened = LeagueOpening.read(league.open())) {
+            if (opened.season().players() < 2) {
+                throw new InputException("found a league in which each plays alone, expected one in which games are lost; "
+                    + "'steward league table' compares the scores");
+            }
             int version = GameFilter.version(bot, opened.entries());
             Losses losses = losses(opened, bot, version, each -> opened.games().gamesOf(version, each), replays);
             if (json) {
@@ -63,7 +70,9 @@ public final class WhyCommand extends ProgramCommand {
 
     private static Losses losses(LeagueOpening.Opened opened, String name, int version,
                                  Consumer<Consumer<StoredGame>> games, int most) {
-        StoredLosses losses = new StoredLosses(name, version, opened.season().lowerScoreIsBetter(),
+        Set<Integer> random = opened.entries().stream().filter(LeagueTable.Entry::random)
+            .map(LeagueTable.Entry::version).collect(Collectors.toSet());
+        StoredLosses losses = new StoredLosses(name, version, random, opened.season().lowerScoreIsBetter(),
             opened.folder().replays(), Games.types());
         games.accept(losses::add);
         return losses.read(most);
