@@ -119,7 +119,10 @@ public final class RunCommand extends ProgramCommand {
             throws InterruptedException {
         MatchResult result;
         try (ReplayFile recording = path == null ? null : new ReplayFile(path, overwrite);
-             Interruption hint = new Interruption(streams, path == null ? null : "the turns so far are in " + path);
+             Interruption hint = new Interruption(streams, path == null && csv == null ? null : () -> {
+                 tables.close();
+                 return "the turns so far are in " + (path == null ? csv : csv == null ? path : path + " and " + csv);
+             });
              ProgressLine progress = ProgressLine.watched(streams, "turns", contest.setup().mostTurns())) {
             OutputStream written = display == null ? recording : display.with(recording);
             result = contest.play(used, 0, written, tables.following(progress::step));

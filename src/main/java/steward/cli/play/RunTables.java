@@ -1,8 +1,8 @@
 package steward.cli.play;
 
-import java.io.BufferedWriter;
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.io.Writer;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -29,7 +29,8 @@ import tools.jackson.core.io.NumberOutput;
 
 /**
  * Energy, momenta, temperature, pressure and impacts of every turn, for people and as CSV; with every state and every
- * impact as CSV. A table of states is what the field {@code csv} of a scene takes.
+ * impact as CSV. A table of states is what the field {@code csv} of a scene takes. Rows are written turn by turn, so
+ * that all files end with the same turn whenever they are closed, by any thread.
  */
 final class RunTables implements MatchListener, AutoCloseable {
 
@@ -42,9 +43,10 @@ final class RunTables implements MatchListener, AutoCloseable {
         + "energy [m u^2/turn^2],normalX,normalY,vaxBefore [u/turn],vayBefore [u/turn],vaxAfter [u/turn],"
         + "vayAfter [u/turn],vbxBefore [u/turn],vbyBefore [u/turn],vbxAfter [u/turn],vbyAfter [u/turn]";
 
-    private final BufferedWriter turns;
-    private final BufferedWriter states;
-    private final BufferedWriter impacts;
+    private final Table turns;
+    private final Table states;
+    private final Table impacts;
+    private boolean closed;
     private final List<TurnRow> rows = new ArrayList<>();
     private Game game;
     private Runnable step = () -> { };
@@ -65,7 +67,10 @@ final class RunTables implements MatchListener, AutoCloseable {
     private double[] startX;
     private double[] startY;
 
-    private RunTables(BufferedWriter turns, BufferedWriter states, BufferedWriter impacts) {
+    /** A file, and its rows of the turn that is played. */
+    private record Table(Writer file, StringBuilder rows) { }
+
+    private RunTables(Table turns, Table states, Table impacts) {
         this.turns = turns;
         this.states = states;
         this.impacts = impacts;
@@ -87,10 +92,10 @@ final class RunTables implements MatchListener, AutoCloseable {
         }
     }
 
-    private static BufferedWriter file(Path folder, String name, String columns) throws IOException {
-        BufferedWriter file = Files.newBufferedWriter(folder.resolve(name));
+    private static Table file(Path folder, String name, String columns) throws IOException {
+        Writer file = Files.newBufferedWriter(folder.resolve(name));
         file.write(columns + "\n");
-        return file;
+        return new Table(file, new StringBuilder());
     }
 
     /** Returns the setup with all impacts of its games told to these tables: a game's log keeps the first only. */
@@ -107,7 +112,7 @@ final class RunTables implements MatchListener, AutoCloseable {
                 virialOfTurn += impulse * (!isHeld ? Math.sqrt((bx - ax) * (bx - ax) + (by - ay) * (by - ay))
                     : radius(massA == Double.POSITIVE_INFINITY ? b : a));
                 if (impacts != null) {
-                    write(impacts, game.turn() + "," + number(time) + "," + a + "," + (b < 0 ? "," + ~b : b + ",")
+                    impacts.rows.append(game.turn() + "," + number(time) + "," + a + "," + (b < 0 ? "," + ~b : b + ",")
                         + cells(ax, ay, bx, by, impulse, energy, normalX, normalY, vaxBefore, vayBefore, vaxAfter,
                         vayAfter, vbxBefore, vbyBefore, vbxAfter, vbyAfter) + "\n");
                 }
@@ -182,7 +187,7 @@ final class RunTables implements MatchListener, AutoCloseable {
                 count++;
             }
             if (states != null && bodies.id(k) < bumpers) {
-                write(states, game.turn() + "," + bodies.id(k) + cells(bodies.x[k], bodies.y[k], vx, vy,
+                states.rows.append(game.turn() + "," + bodies.id(k) + cells(bodies.x[k], bodies.y[k], vx, vy,
                     bodies.radius[k]) + "," + (bodies.inverseMass[k] > 0 ? number(mass) : "infinite")
                     + cells(bodies.restitution[k], bodies.drag[k]) + "\n");
             }
@@ -198,7 +203,8 @@ final class RunTables implements MatchListener, AutoCloseable {
         restOfTurn = 0;
         limitTime = Double.NaN;
         if (turns != null) {
-            write(turns, rows.get(rows.size() - 1).line());
+            turns.rows.append(rows.get(rows.size() - 1).line());
+            write(false);
         }
     }
 
@@ -272,9 +278,18 @@ final class RunTables implements MatchListener, AutoCloseable {
         return NumberOutput.toString(value, true);
     }
 
-    private static void write(BufferedWriter file, String row) {
+    /** Writes the rows of a turn, or ends the files; nothing is written behind their end. */
+    private synchronized void write(boolean last) {
         try {
-            file.write(row);
+            for (Table table : turns == null || closed ? new Table[0] : new Table[] {turns, states, impacts}) {
+                if (last) {
+                    table.file.close();
+                } else {
+                    table.file.append(table.rows);
+                    table.rows.setLength(0);
+                }
+            }
+            closed |= last;
         } catch (IOException problem) {
             throw new UncheckedIOException("a table cannot be written: " + problem.getMessage(), problem);
         }
@@ -282,14 +297,6 @@ final class RunTables implements MatchListener, AutoCloseable {
 
     @Override
     public void close() {
-        try {
-            for (BufferedWriter file : new BufferedWriter[] {turns, states, impacts}) {
-                if (file != null) {
-                    file.close();
-                }
-            }
-        } catch (IOException problem) {
-            throw new UncheckedIOException("a table cannot be written: " + problem.getMessage(), problem);
-        }
+        write(true);
     }
 }

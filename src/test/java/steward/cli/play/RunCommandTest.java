@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import steward.cli.Cli;
+import steward.cli.Main;
 import steward.cli.shared.ExitStatus;
 
 /** {@code steward run}: a scene without players, its replay, its tables. */
@@ -37,6 +38,43 @@ class RunCommandTest {
         long impacts = turns.stream().skip(1).mapToLong(row -> Long.parseLong(row.split(",")[4])).sum();
         assertEquals(1 + impacts, Files.readAllLines(tables.resolve("impacts.csv")).size());
         assertEquals(ExitStatus.DONE, Cli.run("replay", replay.toString(), "--verify").status());
+    }
+
+    /** A run that is ended before its time: whole turns in each file, and in all tables as many. */
+    @Test
+    @Tag("process")
+    void anInterruptedRunLeavesWholeTurns() throws IOException, InterruptedException {
+        Path replay = temp.resolve("g.jsonl");
+        Path tables = temp.resolve("tables");
+        Path errors = temp.resolve("errors");
+        Process run = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-cp",
+            System.getProperty("java.class.path"), Main.class.getName(), "run", "gas", "--turns", "1000000", "--seed",
+            "7", "--out", replay.toString(), "--csv", tables.toString()).redirectError(errors.toFile())
+            .redirectOutput(temp.resolve("out").toFile()).start();
+        try {
+            for (int k = 0; k < 1200 && !(Files.exists(replay) && Files.size(replay) > 1 << 20); k++) {
+                Thread.sleep(50);
+            }
+        } finally {
+            run.destroy();
+            run.waitFor();
+        }
+        assertEquals("steward: interrupted; the turns so far are in " + replay + " and " + tables + "\n",
+            Files.readString(errors));
+        List<String> turns = Files.readAllLines(tables.resolve("turns.csv"));
+        int last = turns.size() - 2;
+        assertTrue(last > 2, "turns " + last);
+        List<String> states = Files.readAllLines(tables.resolve("states.csv"));
+        long bodies = states.stream().filter(row -> row.startsWith("0,")).count();
+        assertEquals(1 + (last + 1) * bodies, states.size());
+        assertEquals(bodies, states.stream().filter(row -> row.startsWith(last + ",")).count());
+        assertEquals(1 + turns.stream().skip(1).mapToLong(row -> Long.parseLong(row.split(",")[4])).sum(),
+            Files.readAllLines(tables.resolve("impacts.csv")).size());
+        for (String name : List.of("turns.csv", "states.csv", "impacts.csv")) {
+            assertTrue(Files.readString(tables.resolve(name)).endsWith("\n"), name);
+        }
+        Cli verified = Cli.run("replay", replay.toString(), "--verify");
+        assertTrue(verified.out().startsWith("verified up to the cut"), verified.out() + verified.err());
     }
 
     @Test
