@@ -1,6 +1,7 @@
 package steward.league.rating;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -10,8 +11,11 @@ import java.util.Map;
  * one observation, of at most the chance that its least favourite bot wins a game. If the other bot was as strong, or
  * ahead by some difference, the product of these chances is the likelihood of all the games; divided into 1, that of a
  * component that always wins, it is a test martingale. So it falls below a with a probability of at most a, however
- * often one looks (J. Ville, "Étude critique de la notion de collectif", 1939). Ratings within a component are taken
- * as they are estimated.
+ * often one looks (J. Ville, "Étude critique de la notion de collectif", 1939).
+ *
+ * <p>The seeds in which both bots met need no other rating. If they never met, those between other bots of their
+ * components count, and differences within a component are taken at the end of their anytime bars that says least;
+ * these bars have half of the permitted errors.
  */
 final class Sweeps {
 
@@ -22,46 +26,52 @@ final class Sweeps {
     private static final double CLOSE = 1e-9;
 
     private final RatingFit fit;
-    /** By upper and lower component: the differences within the seeds, and their numbers. */
-    private final Map<List<Integer>, List<double[]>> seeds = new HashMap<>();
+    /** By upper and lower component: the seeds in which they met. */
+    private final Map<List<Integer>, Long> seeds = new HashMap<>();
+    /** By upper and lower bot: the seeds in which they met. */
+    private final Map<List<Integer>, Long> met = new HashMap<>();
+    /** By upper and lower bot that never met: how far apart others are beside them, and in how many seeds they met. */
+    private final Map<List<Integer>, List<double[]>> others = new HashMap<>();
 
     Sweeps(RatingFit fit) {
         this.fit = fit;
+        eachSeed((pairs, count) -> {
+            pairs.forEach(pair -> met.merge(pair, count, Long::sum));
+            pairs.stream().map(pair -> List.of(fit.components().of(pair.get(0)), fit.components().of(pair.get(1))))
+                .distinct().forEach(pair -> seeds.merge(pair, count, Long::sum));
+        });
+    }
+
+    /** Takes the upper and lower bots that met in some equal seeds, and their number. */
+    private interface Seeds {
+        void of(List<List<Integer>> pairs, long count);
+    }
+
+    private void eachSeed(Seeds seeds) {
         for (Stratum stratum : fit.strata()) {
-            add(stratum);
+            for (int p = 0; p < stratum.size; p++) {
+                List<List<Integer>> pairs = new ArrayList<>();
+                for (int k = 0; stratum.counts[p] > 0 && k < stratum.pairs(); k++) {
+                    int one = stratum.bots[stratum.low[k]];
+                    int other = stratum.bots[stratum.high[k]];
+                    if (stratum.patterns[p][3 * k] > 0 && !fit.components().together(one, other)) {
+                        pairs.add(isAbove(one, other) ? List.of(one, other) : List.of(other, one));
+                    }
+                }
+                if (!pairs.isEmpty()) {
+                    seeds.of(pairs, stratum.counts[p]);
+                }
+            }
         }
     }
 
-    private void add(Stratum stratum) {
-        Components components = fit.components();
-        if (stratum.clusters == 0 || components.of(stratum.bots[0]) == components.of(stratum.bots[1])
-                && stratum.bots.length == 2) {
-            return;
-        }
-        for (int p = 0; p < stratum.size; p++) {
-            Map<List<Integer>, Double> least = new HashMap<>();
-            for (int k = 0; k < stratum.pairs(); k++) {
-                int one = stratum.bots[stratum.low[k]];
-                int other = stratum.bots[stratum.high[k]];
-                if (stratum.patterns[p][3 * k] > 0 && !components.together(one, other)) {
-                    boolean turned = components.of(one) > components.of(other);
-                    double apart = fit.value(turned ? other : one) - fit.value(turned ? one : other);
-                    least.merge(List.of(components.of(turned ? other : one), components.of(turned ? one : other)),
-                        apart, Math::min);
-                }
-            }
-            long count = stratum.counts[p];
-            if (count > 0) {
-                least.forEach((key, apart) -> seeds.computeIfAbsent(key, none -> new ArrayList<>())
-                    .add(new double[] {apart, count}));
-            }
-        }
+    private boolean isAbove(int one, int other) {
+        return fit.components().of(one) < fit.components().of(other);
     }
 
     /** Returns the seeds in which bots of a component took every point from those of another. */
     long seeds(int upper, int lower) {
-        return Math.round(seeds.getOrDefault(List.of(upper, lower), List.of()).stream().mapToDouble(each -> each[1])
-            .sum());
+        return seeds.getOrDefault(List.of(upper, lower), 0L);
     }
 
     /**
@@ -69,9 +79,37 @@ final class Sweeps {
      * in natural units; 0 where its component took nothing.
      */
     double logChance(int one, int other, double ahead) {
-        double shift = ahead - fit.value(one) + fit.value(other);
-        return seeds.getOrDefault(List.of(fit.components().of(one), fit.components().of(other)), List.of()).stream()
-            .mapToDouble(each -> -each[1] * StrictMath.log1p(StrictMath.exp(-each[0] - shift))).sum();
+        List<Integer> pair = List.of(one, other);
+        if (met.containsKey(pair)) {
+            return met.get(pair) * logPoints(ahead);
+        }
+        double sum = others.computeIfAbsent(pair, key -> ofOthers(one, other)).stream()
+            .mapToDouble(each -> each[1] * logPoints(ahead + each[0])).sum();
+        return Math.min(0, sum + StrictMath.log(2));
+    }
+
+    private static double logPoints(double difference) {
+        return -StrictMath.log1p(StrictMath.exp(-difference));
+    }
+
+    private List<double[]> ofOthers(int one, int other) {
+        Components components = fit.components();
+        List<double[]> found = new ArrayList<>();
+        if (isAbove(one, other) && seeds(components.of(one), components.of(other)) > 0) {
+            double[] most = new double[fit.bots()];
+            Arrays.setAll(most, bot -> components.together(bot, one) ? most(bot, one)
+                : components.together(bot, other) ? most(other, bot) : 0);
+            eachSeed((pairs, count) -> pairs.stream().filter(pair -> components.together(pair.get(0), one)
+                && components.together(pair.get(1), other)).mapToDouble(pair -> most[pair.get(0)] + most[pair.get(1)])
+                .min().ifPresent(least -> found.add(new double[] {least, count})));
+        }
+        return found;
+    }
+
+    /** Returns the upper end of a difference within a component; of all such bars one is wrong at most, half as often. */
+    private double most(int one, int other) {
+        return one == other ? 0 : fit.value(one) - fit.value(other) + fit.difference(one, other)
+            .anytimeBar(AnytimeBar.ALPHA / fit.bots() / (fit.bots() - 1)) / RatingFit.ELO;
     }
 
     /** Returns the difference of two bots of different components: a bound or nothing. */

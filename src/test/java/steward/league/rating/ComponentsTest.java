@@ -44,13 +44,25 @@ class ComponentsTest {
         assertEquals(alone.difference(1, 2).bar(), found.difference(1, 2).bar(), 1e-9);
         assertEquals(List.of(List.of(1, 2), List.of(3)), found.components());
         assertTrue(Double.isNaN(found.rating(3).elo()) && !found.rating(3).isOneSided());
-        // 800 seeds in a row, of which those of bot 2 count with the difference of both: their product is 0.025.
+        // 400 seeds in a row with each of the two, whatever is known of the other: the product is 0.025.
         double bound = found.difference(2, 3).boundElo();
-        double apart = 400 * Math.log10(1.5);
-        assertEquals(Math.log(0.025), -400 * Math.log1p(Math.pow(10, -bound / 400))
-            - 400 * Math.log1p(Math.pow(10, -(bound + apart) / 400)), 1e-6);
-        assertEquals(-bound - apart, found.difference(3, 1).boundElo(), 1e-6);
+        assertEquals(Math.log(0.025), -400 * Math.log1p(Math.pow(10, -bound / 400)), 1e-6);
+        assertEquals(-bound, found.difference(3, 1).boundElo(), 1e-6);
         assertEquals(800, found.sweptSeeds(2, 3));
+    }
+
+    /** The second has not met the third, which lost to the first: it is below at most by the end of an anytime bar. */
+    @Test
+    void ofTwoThatHaveNotMetTheGamesOfOthersTellLess() {
+        Results results = results();
+        meet(results, 1, 2, 400, 240);
+        meet(results, 1, 3, 400, 400);
+        Ratings found = Ratings.of(results, List.of(1, 2, 3));
+        Difference within = found.difference(1, 2);
+        // Half of 5% for three bars, half for the seeds.
+        double most = 400 * Math.log10(1.5) + within.anytimeBar(0.025 / 3);
+        assertEquals(Math.log(0.025 / 2), -400 * Math.log1p(Math.pow(10,
+            -(found.difference(2, 3).boundElo() + most) / 400)), 1e-6);
     }
 
     /** With one draw in 400 games the third is comparable; the bars of the two stay as they were, nearly. */
