@@ -117,7 +117,14 @@ def test_an_opponents_mistakes_name_it():
         many.reset()
         with pytest.raises(ValueError, match=words):
             many.step(GOOD)
-    wrong = [("racer", 0)], [("racer", np.nan)], [("racer", "3")], [("racer", 1e308)], [("racer", 10**400)], [("best", 1)]
+    wrong = (
+        [("racer", 0)],
+        [("racer", np.nan)],
+        [("racer", "3")],
+        [("racer", 1e308)],
+        [("racer", 10**400)],
+        [("best", 1)],
+    )
     for members in ([], [("racer",)], 5, [(np.zeros(3), 1)], *wrong):
         with pytest.raises(ValueError, match="expected"):
             Pool(members)

@@ -30,7 +30,6 @@ __all__ = [
 __version__ = "0.3.0"
 
 
-
 def _is_new_enough() -> bool:
     if find_spec("gymnasium") is None:
         return False

@@ -1,9 +1,9 @@
 """Speed and memory of the environments: ``python -m steward_podrace.bench``.
 
-One step is one turn of one race, with the opponent ``racer`` and observations. Rows take turns within each round, so that
-other work on the machine meets them all; medians of the rounds are printed, by the clock and by the processor time of all
-threads. The last columns are medians of each round's ratio, by processor time, to turns of the header alone, compiled with
-the same instructions: the turns of such races, and those of races in which all pods aim at their checkpoints.
+One step is one turn of one race, with the opponent ``racer`` and observations. Rows take turns within each round, so
+that other work on the machine meets them all; medians of the rounds are printed, by the clock and by the processor time
+of all threads. The last columns are medians of each round's ratio, by processor time, to turns of the header alone,
+compiled with the same instructions: the turns of such races, and of races whose pods all aim at their checkpoints.
 """
 
 import argparse
@@ -310,8 +310,11 @@ def table(rounds: int) -> None:
             print(f"{name:58} untried: no C++ compiler")
             continue
         clock, processor = (statistics.median(each[k] for each in rates) for k in range(2))
-        ratios = [statistics.median(a[1] / b[1] for a, b in zip(rates, found[each])) for each in base.get(name, ())
-            if found[each]]
+        ratios = [
+            statistics.median(a[1] / b[1] for a, b in zip(rates, found[each]))
+            for each in base.get(name, ())
+            if found[each]
+        ]
         print(f"{name:58} {clock:12,.0f} {processor:12,.0f}", *(f"{each:7.3f}" for each in ratios))
     share = statistics.median(a[0] / b[0] for a, b in zip(found[threads], found[processes]))
     print(f"2 threads reach {share:.2f} of what 2 processes reach together, by the clock")
