@@ -135,7 +135,8 @@ public final class StoredLosses {
     private void add(StoredGame game, int seat, Told told) {
         StoredSeat own = game.seats().get(seat);
         Comparator<Double> better = lower ? Comparator.reverseOrder() : Comparator.naturalOrder();
-        double winner = game.seats().stream().filter(other -> other != own && other.rank() == 0).map(StoredSeat::score).max(better)
+        double winner = game.seats().stream().filter(other -> other != own && other.rank() == 0)
+            .map(StoredSeat::score).max(better)
             .orElse(own.score());
         Map<String, Double> values = new TreeMap<>(own.values());
         if (seat < told.data().size()) {

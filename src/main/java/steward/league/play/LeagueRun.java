@@ -123,8 +123,8 @@ public final class LeagueRun {
         queries.tell(schedule, results.repeated());
         if (schedule.unlisted() > 0) {
             teller.accept(season.folder().path().resolve(settings.seedFile()) + " is another list than before: "
-                + TextFormat.count(schedule.unlisted(), "decision") + " of earlier runs have seeds that it lacks; their "
-                + "games stay in the table, and every group plays what it has not played of this list. For a table of "
+                + TextFormat.count(schedule.unlisted(), "decision") + " of earlier runs have seeds that it lacks; "
+                + "their games stay in the table, and every group plays what it has not played of this list. For a table of "
                 + "one list put the old one back, or begin a new league");
         }
         schedule.without(results.repeated());
