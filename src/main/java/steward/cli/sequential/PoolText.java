@@ -97,7 +97,7 @@ record PoolText(Gsprt test, double points0, double points1, String one, String b
             lines.add("Points a game: " + TextFormat.fixed(pool.ofNew(), 4) + ", of the base "
                 + TextFormat.fixed(pool.ofBase(), 4) + ": " + fixed(ahead, 4) + (isVoid
                 ? ", of too few seeds for a range" : " (" + fixed(low, 4) + " to " + fixed(high, 4) + "), "
-                + TextFormat.fixed(100 * (1 - test.alpha() - test.beta()), 0) + "%"
+                + TextFormat.fixed(100 * (1 - (test.alpha() + test.beta())), 0) + "%"
                 + (pool.state(test) == Gsprt.State.OPEN ? " however it ends" : " corrected for stopping")));
             lines.add("In Elo against this pool: " + fixed(elo(pool, ahead), 1) + (isVoid ? "" : " ("
                 + fixed(elo(pool, low), 1) + " to " + fixed(elo(pool, high), 1) + ")") + "; H0 "
@@ -156,7 +156,7 @@ record PoolText(Gsprt test, double points0, double points1, String one, String b
         boolean isKnown = isAny && 2 * (found.scoreHigh() - found.scoreLow()) <= VOID;
         double low = isKnown ? 2 * found.scoreLow() - 1 : Double.NaN;
         double high = isKnown ? 2 * found.scoreHigh() - 1 : Double.NaN;
-        out.writeNumberProperty("level", 1 - test.alpha() - test.beta());
+        out.writeNumberProperty("level", 1 - (test.alpha() + test.beta()));
         JsonNumbers.writeOrNull(out, "new", pool.ofNew());
         JsonNumbers.writeOrNull(out, "base", pool.ofBase());
         JsonNumbers.writeOrNull(out, "ahead", ahead);

@@ -92,7 +92,7 @@ record SprtText(Gsprt test, String one, String other) {
         if (scores.observations() > 1) {
             StoppedRange found = test.range(scores);
             lines.add("Score " + TextFormat.fixed(scores.mean(), 4) + (isVoid(found) ? ", of too few seeds for a bar"
-                : ", " + unit() + " " + elo(found) + ", " + percent(1 - test.alpha() - test.beta(), 0)
+                : ", " + unit() + " " + elo(found) + ", " + percent(1 - (test.alpha() + test.beta()), 0)
                 + (state == Gsprt.State.OPEN ? " if it ended here" : " corrected for stopping")
                 + "; likelihood of superiority " + percent(found.superiority(), 1)));
         }
@@ -146,7 +146,7 @@ record SprtText(Gsprt test, String one, String other) {
             StoppedRange found = test.range(scores);
             boolean isVoid = isVoid(found);
             String elo = test.model() == Gsprt.Model.NORMALIZED ? "nElo" : "elo";
-            out.writeNumberProperty("level", 1 - test.alpha() - test.beta());
+            out.writeNumberProperty("level", 1 - (test.alpha() + test.beta()));
             write(out, "scoreLow", isVoid, found.scoreLow());
             write(out, "scoreHigh", isVoid, found.scoreHigh());
             write(out, elo, isVoid, found.elo());

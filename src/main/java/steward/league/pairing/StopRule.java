@@ -52,9 +52,9 @@ public record StopRule(double bars, boolean ranked, double equal) {
         return IntStream.range(1, order.size()).mapToObj(k -> {
             int upper = order.get(k - 1);
             int lower = order.get(k);
-            return !meet.test(upper, lower) && !ratings.isComparable(upper, lower)
-                && isSettled(ratings, order, k - 1, meet) && isSettled(ratings, order, k, meet)
-                ? Order.APART : order(ratings, upper, lower);
+            Order known = order(ratings, upper, lower);
+            return known == Order.OPEN && !meet.test(upper, lower) && !ratings.isComparable(upper, lower)
+                && isSettled(ratings, order, k - 1, meet) && isSettled(ratings, order, k, meet) ? Order.APART : known;
         }).toList();
     }
 

@@ -82,6 +82,9 @@ class DoubtTest {
         Ratings found = ratings(3, met(0, 2, 0, 0, 40), met(1, 2, 0, 0, 40));
         assertEquals(List.of(StopRule.Order.APART, StopRule.Order.ORDERED), RULE.orders(found, found.order(), gauntlet));
         assertTrue(RULE.isMet(found, gauntlet));
+        Ratings before = ratings(3, met(0, 1, 0, 0, 40), met(0, 2, 0, 0, 40), met(1, 2, 0, 0, 40));
+        assertEquals(List.of(StopRule.Order.ORDERED, StopRule.Order.ORDERED), RULE.orders(before, before.order(),
+            gauntlet), "they met before it was one");
         assertFalse(RULE.isMet(found, (one, other) -> true), "where they can meet they will");
     }
 

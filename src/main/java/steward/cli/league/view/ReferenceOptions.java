@@ -34,7 +34,8 @@ public final class ReferenceOptions {
     public LeagueTable.Reference reference(Results results, List<LeagueTable.Entry> all) {
         List<LeagueTable.Entry> entries = LeagueTable.shown(results, all);
         Matcher words = ANCHOR.matcher(anchor == null ? "" : anchor);
-        CallCheck.withHelp().that(anchor == null || words.matches(), "--anchor: found '" + anchor
+        CallCheck.withHelp().that(anchor == null || words.matches() && (words.group(2) != null || entries.stream()
+            .noneMatch(entry -> anchor.startsWith(entry.name() + "="))), "--anchor: found '" + anchor
             + "', expected a bot, or a bot and its rating such as mine=1500");
         return new LeagueTable.Reference(anchor == null ? -1 : version("--anchor", words.group(1), entries),
             anchor == null || words.group(2) == null ? 0 : Double.parseDouble(words.group(2)),
