@@ -128,8 +128,8 @@ public final class LeagueRun {
                 + "one list put the old one back, or begin a new league");
         }
         schedule.without(results.repeated());
-        leagueEnd = rules.end().isAny() ? new LeagueEnd(rules.end(), results.known(), settings.lag(), schedule::active,
-            (one, other) -> this.roster.isPair(players, one, other)) : null;
+        leagueEnd = !rules.end().isAny() ? null : new LeagueEnd(rules.end(), results.known(), settings.lag(),
+            schedule::active, (one, other) -> this.roster.isPair(players, one, other));
         if (leagueEnd != null) {
             schedule.until(leagueEnd);
         }
