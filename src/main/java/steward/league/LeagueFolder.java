@@ -20,7 +20,8 @@ import steward.text.Utf8Text;
 import steward.text.Utf8Text.NotUtf8Exception;
 
 /**
- * The folder of a league: {@code league.json}, {@code league.db}, {@code league.lock} and the replays.
+ * The folder of a league: {@code league.json}, {@code league.db}, {@code league.lock}, the replays, and the lists of
+ * seeds that games chose ({@link ChosenSeeds}).
  *
  * @param path as it was named
  */
