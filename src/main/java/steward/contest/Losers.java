@@ -38,7 +38,8 @@ public final class Losers {
         PlayerResult own = players.get(player);
         long sharers = players.stream().filter(each -> each.rank() == 0).count();
         Comparator<Double> better = lower ? Comparator.reverseOrder() : Comparator.naturalOrder();
-        double winner = IntStream.range(0, players.size()).filter(other -> other != player && players.get(other).rank() == 0)
+        double winner = IntStream.range(0, players.size()).filter(other -> other != player
+            && players.get(other).rank() == 0)
             .mapToObj(other -> players.get(other).score()).max(better).orElse(own.score());
         List<Integer> behind = game.facts().behindFrom();
         return new Losses.Game("game " + game.number() + " (seed " + game.seed() + ")",

@@ -45,7 +45,8 @@ class ListedSeedsTest {
         play(league, second);
         assertTrue(second.isPlayedOut());
         Map<Long, Integer> seeds = new TreeMap<>();
-        league.games().subList(before, league.games().size()).forEach(task -> seeds.merge(task.seed(), 1, Integer::sum));
+        league.games().subList(before, league.games().size()).forEach(task ->
+            seeds.merge(task.seed(), 1, Integer::sum));
         assertEquals(Map.of(8L, before / 3, 9L, before / 3), seeds);
     }
 

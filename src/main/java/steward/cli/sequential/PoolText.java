@@ -87,7 +87,8 @@ record PoolText(Gsprt test, double points0, double points1, String one, String b
         lines.add(TextFormat.count(scores.observations(), "seed") + ", "
             + TextFormat.count(scores.observations() * pool.gamesOfSeed(), "game") + text(unused.without(),
                 " without a result left out") + text(unused.allFailed(), " left out in which all players failed in "
-                + "the same turn") + text(unused.repeats(), " that only repeat games, and count as the opponent was drawn"));
+                + "the same turn") + text(unused.repeats(), " that only repeat games, and count as the "
+                + "opponent was drawn"));
         if (scores.observations() > 1) {
             StoppedRange found = test.range(scores);
             double low = 2 * found.scoreLow() - 1;

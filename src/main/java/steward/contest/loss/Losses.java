@@ -158,8 +158,8 @@ public final class Losses {
     public List<String> lines() {
         List<String> lines = new ArrayList<>();
         lines.add(TextFormat.plain(bot) + " lost " + losses + " of " + TextFormat.count(wins + draws + losses, "game")
-            + ", drew " + draws + ", won " + wins + (repeats == 0 ? "" : "; " + TextFormat.count(repeats, "other") + " only "
-            + (repeats == 1 ? "repeats" : "repeat") + " games") + (losses == 0 ? "" : ":"));
+            + ", drew " + draws + ", won " + wins + (repeats == 0 ? "" : "; " + TextFormat.count(repeats, "other")
+            + " only " + (repeats == 1 ? "repeats" : "repeat") + " games") + (losses == 0 ? "" : ":"));
         if (losses == 0) {
             return lines;
         }

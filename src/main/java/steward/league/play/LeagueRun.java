@@ -124,8 +124,8 @@ public final class LeagueRun {
         if (schedule.unlisted() > 0) {
             teller.accept(season.folder().path().resolve(settings.seedFile()) + " is another list than before: "
                 + TextFormat.count(schedule.unlisted(), "decision") + " of earlier runs have seeds that it lacks; "
-                + "their games stay in the table, and every group plays what it has not played of this list. For a table of "
-                + "one list put the old one back, or begin a new league");
+                + "their games stay in the table, and every group plays what it has not played of this list. For a "
+                + "table of one list put the old one back, or begin a new league");
         }
         schedule.without(results.repeated());
         leagueEnd = !rules.end().isAny() ? null : new LeagueEnd(rules.end(), results.known(), settings.lag(),

@@ -61,7 +61,7 @@ class WhyTest {
         assertTrue(won.contains("near lost 0 of 3 games, drew 0, won 3\n"), won);
     }
 
-    /** A bot between the two others reports a number in each game; lost games of anybody are kept, so that won ones are. */
+    /** A bot between the two others reports a number in each game; those that anybody lost are kept, so all are. */
     @Test
     void whatABotReportedStandsInLostAndWonGamesSideBySide() throws IOException {
         String tells = "tells=sh " + Files.writeString(folder.resolve("tells.sh"), "echo '[PDATA] depth = 4' >&2\n"
@@ -87,8 +87,8 @@ class WhyTest {
     @Test
     void gamesThatOnlyRepeatOthersAreLeftOut() throws IOException {
         ShellBots.shortDuel(folder);
-        String text = Cli.run("match", "--scene", scene, "--bot", far, "--bot", near, "--games", "3", "--swap", "--seed",
-            "1", "--why").done().out();
+        String text = Cli.run("match", "--scene", scene, "--bot", far, "--bot", near, "--games", "3", "--swap",
+            "--seed", "1", "--why").done().out();
         assertTrue(text.contains("far lost 2 of 2 games, drew 0, won 0; 4 others only repeat games:"), text);
         String league = folder.resolve("league").toString();
         Cli.run("league", "init", league, "--scene", scene, "--seed", "1").done();

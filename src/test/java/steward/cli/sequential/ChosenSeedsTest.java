@@ -119,8 +119,8 @@ class ChosenSeedsTest {
         String broken = new ShellBots(folder).witness("broken", ShellBots.NOWHERE, 2, folder.resolve("seen.txt"));
         String worse = new ShellBots(folder).witness("worse", "5001 99000", 2, folder.resolve("seen.txt"));
         for (String[] pair : new String[][] {{near, far}, {near, broken}, {broken, worse}}) {
-            Cli.run("match", "--scene", scene, "--bot", pair[0], "--bot", pair[1], "--games", "1", "--seed", "7", "--into",
-                league).done();
+            Cli.run("match", "--scene", scene, "--bot", pair[0], "--bot", pair[1], "--games", "1", "--seed", "7",
+                "--into", league).done();
             Cli.run("match", "--scene", scene, "--bot", pair[0], "--bot", pair[1], "--games", "1", "--swap", "--seed",
                 "3", "--into", league).done();
         }
@@ -180,7 +180,8 @@ class ChosenSeedsTest {
             assertEquals(2, flagged.json().get("choosers").size(), flagged.err());
             assertFalse(flagged.err().contains("do not count"), flagged.err());
         }
-        assertTrue(Cli.run("league", "table", league).done().out().contains("Flagged: the seeds"), "by the test's list");
+        assertTrue(Cli.run("league", "table", league).done().out().contains("Flagged: the seeds"),
+            "by the test's list");
     }
 
     private void handIn(String name, String place) throws IOException {
@@ -196,8 +197,8 @@ class ChosenSeedsTest {
         handIn("mine", ShellBots.CHECKPOINT);
         handIn("other", "5001 99000");
         Path out = folder.resolve("out");
-        List<String> call = List.of("tournament", folder.resolve("in").toString(), "--scene", scene, "--protocol", "json",
-            "--games", "2", "--page", out.toString());
+        List<String> call = List.of("tournament", folder.resolve("in").toString(), "--scene", scene, "--protocol",
+            "json", "--games", "2", "--page", out.toString());
         String[] listed = Stream.concat(call.stream(), Stream.of("--seed-file", list)).toArray(String[]::new);
         String[] anyway = Stream.concat(Stream.of(listed), Stream.of("--anyway")).toArray(String[]::new);
         String[] again = call.toArray(String[]::new);

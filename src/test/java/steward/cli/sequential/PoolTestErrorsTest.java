@@ -97,8 +97,8 @@ class PoolTestErrorsTest {
         Errors zero = errors(opponents, 0);
         Errors one = errors(opponents, opponents.points());
         Errors between = errors(opponents, opponents.points() / 2);
-        report.publishEntry(String.format(Locale.ROOT, "%,d tests, %d opponents: H1 accepted at H0 %.4f, H0 accepted at "
-            + "H1 %.4f; truth in the range %.3f at H0, %.3f between, %.3f at H1", TESTS, opponents.chances().length,
+        report.publishEntry(String.format(Locale.ROOT, "%,d tests, %d opponents: H1 accepted at H0 %.4f, H0 accepted "
+            + "at H1 %.4f; truth in the range %.3f at H0, %.3f between, %.3f at H1", TESTS, opponents.chances().length,
             zero.accepted(), 1 - one.accepted(), zero.held(), between.held(), one.held()));
         assertTrue(zero.accepted() <= ALPHA + deviations(ALPHA), zero::toString);
         assertTrue(1 - one.accepted() <= BETA + deviations(BETA), one::toString);

@@ -48,7 +48,8 @@ public final class LeagueSprtCommand extends ProgramCommand {
     @Mixin
     private final ThreadsOption threads = new ThreadsOption();
 
-    @Option(names = "--anyway", description = "Counts games on seeds that games of the bots chose, and flags the result.")
+    @Option(names = "--anyway", description = "Counts games on seeds that games of the bots chose, and flags the "
+        + "result.")
     private boolean anyway;
 
     @Option(names = "--json", description = "Prints one JSON object and nothing else.")

@@ -54,8 +54,8 @@ public final class WhyCommand extends ProgramCommand {
         check.range("--replays", replays, 0, MOST);
         try (LeagueOpening.Opened opened = LeagueOpening.read(league.open())) {
             if (opened.season().players() < 2) {
-                throw new InputException("found a league in which each plays alone, expected one in which games are lost; "
-                    + "'steward league table' compares the scores");
+                throw new InputException("found a league in which each plays alone, expected one in which games are "
+                    + "lost; 'steward league table' compares the scores");
             }
             int version = GameFilter.version(bot, opened.entries());
             Losses losses = losses(opened, bot, version, each -> opened.games().gamesOf(version, each), replays);
