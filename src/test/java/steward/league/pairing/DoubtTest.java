@@ -80,7 +80,8 @@ class DoubtTest {
         Ratings few = ratings(3, met(0, 2, 0, 0, 4), met(1, 2, 0, 0, 40));
         assertFalse(RULE.isMet(few, gauntlet));
         Ratings found = ratings(3, met(0, 2, 0, 0, 40), met(1, 2, 0, 0, 40));
-        assertEquals(List.of(StopRule.Order.APART, StopRule.Order.ORDERED), RULE.orders(found, found.order(), gauntlet));
+        assertEquals(List.of(StopRule.Order.APART, StopRule.Order.ORDERED),
+            RULE.orders(found, found.order(), gauntlet));
         assertTrue(RULE.isMet(found, gauntlet));
         Ratings before = ratings(3, met(0, 1, 0, 0, 40), met(0, 2, 0, 0, 40), met(1, 2, 0, 0, 40));
         assertEquals(List.of(StopRule.Order.ORDERED, StopRule.Order.ORDERED), RULE.orders(before, before.order(),
@@ -88,7 +89,7 @@ class DoubtTest {
         assertFalse(RULE.isMet(found, (one, other) -> true), "where they can meet they will");
     }
 
-    /** Two groups of which no bot can meet one of the other: 0 beats 1, 2 beats 3, three points of four of 600 seeds. */
+    /** Of two groups no bot can meet one of the other: 0 beats 1, 2 beats 3, with three points of four. */
     @Test
     void groupsThatCannotMeetAreRankedEachForItself() {
         BiPredicate<Integer, Integer> within = (one, other) -> one / 2 == other / 2;
