@@ -106,7 +106,7 @@ final class Sweeps {
         return found;
     }
 
-    /** Returns the upper end of a difference within a component, by a bar with its part of half the permitted errors. */
+    /** The upper end of a difference within a component, by a bar with its part of half the permitted errors. */
     private double most(int one, int other) {
         return one == other ? 0 : fit.value(one) - fit.value(other) + fit.difference(one, other)
             .anytimeBar(AnytimeBar.ALPHA / fit.bots() / (fit.bots() - 1)) / RatingFit.ELO;

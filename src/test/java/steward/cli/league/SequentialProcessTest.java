@@ -172,9 +172,8 @@ class SequentialProcessTest {
         Cli cli = Cli.run(words.toArray(String[]::new));
         assertEquals(0, cli.status(), cli.err());
         assertTrue(cli.err().contains("in each of the 4 steps both sets of values scored alike: the search saw no "
-            + "difference, and stays at the start. Try wider ranges, parameters that the bot reads, opponents nearer in "
-            + ""
-            + "strength (--against), or more seeds a step (--seeds)"), cli.err());
+            + "difference, and stays at the start. Try wider ranges, parameters that the bot reads, opponents nearer "
+            + "in strength (--against), or more seeds a step (--seeds)"), cli.err());
         words.add("--json");
         assertEquals(4L, ((Number) Json.object(done(words.toArray(String[]::new)).lines().findFirst().orElseThrow())
             .get("tied")).longValue());
