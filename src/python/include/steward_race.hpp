@@ -216,6 +216,30 @@ inline int toldWholeDegrees(double heading) {
     return static_cast<int>(down) + (degrees - down >= 0.5 ? 1 : 0);
 }
 
+/// Whole degrees of four headings; 0 while unset. Without a branch that depends on them, but for full turns.
+inline void toldWholeDegrees(const double* headings, int* whole) {
+    double degrees[4];
+    bool turned = false;
+    for (int pod = 0; pod < 4; pod++) {
+        degrees[pod] = headings[pod] * 180 / podrace::PI;
+        turned |= std::fabs(degrees[pod]) >= 360;
+    }
+    for (int pod = 0; turned && pod < 4; pod++) {
+        degrees[pod] = std::fabs(degrees[pod]) >= 360 ? std::fmod(degrees[pod], 360) : degrees[pod];
+    }
+    for (int pod = 0; pod < 4; pod++) {
+        double told = degrees[pod] + (degrees[pod] < 0 ? 360 : 0);
+        told = told < 360 ? told : 0;                                  // of NaN too
+        int down = static_cast<int>(told);
+        whole[pod] = down + (told - down >= 0.5 ? 1 : 0);
+    }
+}
+
+/// The nearest whole number, halves upward, of one that is less than 2^31 in size.
+inline double nearestWhole(double value) {
+    return std::floor(value + 0.5);
+}
+
 /// Both of radians in [0, 2 pi]: fdlibm's reduction, polynomials and order of operations, as StrictMath has them.
 inline void strictTurn(double angle, double& cosine, double& sine) {
     constexpr double FIRST = 0x1.921fb544p0, FIRST_TAIL = 0x1.0b4611a626331p-34, SECOND = 0x1.0b4611a6p-34;
@@ -304,12 +328,12 @@ inline void racer(const Race& race, int player, Commands& commands) {
         double dx = x - state.x[pod], dy = y - state.y[pod], distance = std::sqrt(dx * dx + dy * dy);
         bool set = state.heading[pod] == state.heading[pod];
         double thrust = racerThrust(dx, dy, distance, set ? cosines[pod] : 0, set ? sines[pod] : 0);
-        if (set && std::fabs(thrust - std::floor(thrust + 0.5)) < 1e-6) {
+        if (set && std::fabs(thrust - nearestWhole(thrust)) < 1e-6) {
             double c, s;
             strictTurn(toldDegrees(state.heading[pod]) * 0.017453292519943295, c, s);
             thrust = racerThrust(dx, dy, distance, c, s);
         }
-        commands.target(pod, std::floor(x + 0.5), std::floor(y + 0.5), static_cast<int>(thrust));
+        commands.target(pod, nearestWhole(x), nearestWhole(y), static_cast<int>(thrust));
     }
 }
 

@@ -43,6 +43,10 @@ public:
                 podrace::store(out.y + pod, s);
             }
         }
+        int degrees[4];
+        if (!full) {
+            toldWholeDegrees(state.heading, degrees);
+        }
         for (int pod = 0; pod < 4; pod++) {
             if (state.heading[pod] != state.heading[pod]) {
                 double dx = race.map().checkpointX(state.next[pod]) - state.x[pod];
@@ -51,9 +55,8 @@ public:
                 out.x[pod] = distance == 0 ? 1 : dx / distance;
                 out.y[pod] = distance == 0 ? 0 : dy / distance;
             } else if (!full) {
-                int degrees = toldWholeDegrees(state.heading[pod]);
-                out.x[pod] = DEGREES.cosine[degrees];
-                out.y[pod] = DEGREES.sine[degrees];
+                out.x[pod] = DEGREES.cosine[degrees[pod]];
+                out.y[pod] = DEGREES.sine[degrees[pod]];
             }
         }
     }
@@ -125,7 +128,7 @@ public:
         for (int k = 0; k < 2; k++, action += CONTINUOUS / 2) {
             double turn = clipped(action[0]), thrust = clipped(action[1]);
             int power = action[2] > 0.5f ? static_cast<int>(SHIELD) : action[2] < -0.5f ? static_cast<int>(BOOST)
-                : static_cast<int>(std::floor((thrust + 1) * 100 + 0.5));
+                : static_cast<int>((thrust + 1) * 100 + 0.5);
             aim(race, ahead, 2 * seat + k, turn * 18, power, commands);
         }
     }
@@ -164,8 +167,8 @@ private:
         double cosine = 1 + z * (-1.0 / 2 + z * (1.0 / 24 + z * (-1.0 / 720 + z * (1.0 / 40320
             + z * (-1.0 / 3628800 + z * (1.0 / 479001600))))));
         double c = ahead.x[pod], s = ahead.y[pod];
-        commands.target(pod, std::floor(race.state.x[pod] + FAR * (c * cosine - s * sine) + 0.5),
-            std::floor(race.state.y[pod] + FAR * (s * cosine + c * sine) + 0.5), power);
+        commands.target(pod, nearestWhole(race.state.x[pod] + FAR * (c * cosine - s * sine)),
+            nearestWhole(race.state.y[pod] + FAR * (s * cosine + c * sine)), power);
     }
 };
 
