@@ -207,16 +207,7 @@ inline double toldDegrees(double heading) {
     return degrees >= 360 ? 0 : degrees;
 }
 
-/// Whole degrees 0..360, as in a line of the site; -1 while unset.
-inline int toldWholeDegrees(double heading) {
-    if (heading != heading) {
-        return -1;
-    }
-    double degrees = toldDegrees(heading), down = std::floor(degrees);
-    return static_cast<int>(down) + (degrees - down >= 0.5 ? 1 : 0);
-}
-
-/// Whole degrees of four headings; 0 while unset. Without a branch that depends on them, but for full turns.
+/// Whole degrees 0..360 of four headings, as in a line of the site; 0 while unset. Without a branch that depends on them, but for full turns.
 inline void toldWholeDegrees(const double* headings, int* whole) {
     double degrees[4];
     bool turned = false;

@@ -1,6 +1,7 @@
 package steward.architecture;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 
 import com.tngtech.archunit.core.domain.JavaClass;
 import java.io.IOException;
@@ -50,7 +51,7 @@ class SimpleNamesTest {
         int rows = 0;
         while (row.find()) {
             rows++;
-            assertEquals(false, having(row.group(1), seen.stream()).isEmpty(), row.group(1));
+            assertFalse(having(row.group(1), seen.stream()).isEmpty(), row.group(1));
             for (String other : row.group(2).replace("`", "").split(", ")) {
                 assertEquals(Set.of(), having(other, seen.stream()), "the word is " + row.group(1));
             }

@@ -34,7 +34,7 @@ final class EventLoop {
     private TurnSink impactSink;
     /** The number of bodies that {@link #accelerations} and {@link #rest} know. */
     private int known;
-    /** How many more impacts the turn may have. */
+    /** Number of impacts that the turn may still have. */
     private int left;
 
     /** @param lows in which the flights tell what rounding took */

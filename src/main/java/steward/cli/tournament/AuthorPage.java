@@ -92,7 +92,7 @@ record AuthorPage(TournamentCommand.Entry entry, int version, List<StoredGame> g
             games(page, kept);
         }
         if (entry.check() != null) {
-            entry.check().games().forEach(game -> dialog(page, game));
+            entry.check().games().forEach(game -> dialogue(page, game));
         }
         Files.writeString(file, page.append(any ? Html.endWithReplays(LeaguePage.inScript(LeaguePage.json(out ->
             kept.write(out, shell)))) : Html.END));
@@ -153,7 +153,7 @@ record AuthorPage(TournamentCommand.Entry entry, int version, List<StoredGame> g
         page.append("<pre tabindex=0>").append(Html.escape(text)).append("</pre>");
     }
 
-    private static void dialog(StringBuilder page, BotCheck.Tried game) {
+    private static void dialogue(StringBuilder page, BotCheck.Tried game) {
         page.append("<h2>What it was sent and answered, against ").append(Html.escape(game.against())).append("</h2>");
         for (CheckDialogue.Turn turn : game.turns()) {
             page.append("<h3>Turn ").append(turn.number()).append(", ").append(TextFormat.ms(turn.nanos()))

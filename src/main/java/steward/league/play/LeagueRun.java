@@ -184,10 +184,10 @@ public final class LeagueRun {
 
     /** Plays until an end is reached. Call once. */
     public void play() throws InterruptedException {
-        int far = remote == null ? 0 : 1;
+        int others = remote == null ? 0 : 1;
         writer.start();                                // not before: a run that is refused leaves no thread
         try {
-            WorkerThreads.run("league", limits.threads() + far, thread -> thread < limits.threads() ? this::playHere
+            WorkerThreads.run("league", limits.threads() + others, thread -> thread < limits.threads() ? this::playHere
                 : new RemotePlay(this, remote)::play);
         } finally {
             writer.close();

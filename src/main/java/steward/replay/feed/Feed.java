@@ -34,7 +34,7 @@ public final class Feed {
     private static final int NO_OUTCOME = "{}".length();
 
     private final RecordedMatch match;
-    private final FeedDialogue conversation;
+    private final FeedDialogue dialogue;
 
     /**
      * @param player   counted from 0
@@ -55,7 +55,7 @@ public final class Feed {
      */
     public Feed(RecordedMatch match, Resimulation again, int player, Protocol protocol, Player bot) {
         this.match = match;
-        conversation = new FeedDialogue(again, player, protocol, bot, match.header().limits());
+        dialogue = new FeedDialogue(again, player, protocol, bot, match.header().limits());
     }
 
     /**
@@ -69,25 +69,25 @@ public final class Feed {
     public Ending run(int until, IntConsumer before, Consumer<FedTurn> after) {
         boolean failed = false;
         for (RecordedTurn turn : match.turns()) {
-            if (conversation.isIn() && turn.asked(conversation.player())) {
+            if (dialogue.isIn() && turn.asked(dialogue.player())) {
                 if (turn.number() > until) {
                     return Ending.STOPPED;
                 }
                 before.accept(turn.number());
-                FedTurn fed = conversation.ask(turn, false);
+                FedTurn fed = dialogue.ask(turn, false);
                 after.accept(fed);
                 if (fed.gone()) {
                     return Ending.BOT_GONE;
                 }
             }
-            failed |= turn.faults()[conversation.player()] != null;
-            play(conversation.again(), turn);
+            failed |= turn.faults()[dialogue.player()] != null;
+            play(dialogue.again(), turn);
         }
-        if (until <= match.lastAsked(conversation.player())) {
+        if (until <= match.lastAsked(dialogue.player())) {
             return Ending.STOPPED;
         }
         if (match.ending() != null && !failed) {
-            conversation.end();
+            dialogue.end();
         }
         return Ending.WHOLE;
     }

@@ -35,7 +35,7 @@ final class FeedDialogue {
     private boolean started;
 
     /**
-     * A conversation that has not begun.
+     * A dialogue that has not begun.
      *
      * @param limits of players that had their own, which they were told
      * @throws IllegalArgumentException if the game does not speak the protocol

@@ -44,7 +44,7 @@ public final class Takeover {
     private final RecordedMatch match;
     private final List<String> names;
     private final int from;
-    private final FeedDialogue conversation;
+    private final FeedDialogue dialogue;
     private final Resimulation again;
     private final Game game;
     private final ReplayWriter writer;
@@ -64,7 +64,7 @@ public final class Takeover {
         this.match = match;
         this.from = from;
         again = new Resimulation(match.header(), null, types, match.source());
-        conversation = new FeedDialogue(again, player, protocol, asked, match.header().limits());
+        dialogue = new FeedDialogue(again, player, protocol, asked, match.header().limits());
         game = again.game();
         names = names(match.header().names(), player, asked.name());
         writer = new ReplayWriter(out, header(match.header(), names, player, protocol, bot));
@@ -116,7 +116,7 @@ public final class Takeover {
             FedTurn fed = null;
             if (isAsked(recorded, replaced)) {
                 before.accept(recorded.number());
-                fed = conversation.ask(recorded, replaced);
+                fed = dialogue.ask(recorded, replaced);
                 after.accept(fed);
             }
             if (fed != null && fed.gone() && !replaced) {
@@ -134,8 +134,8 @@ public final class Takeover {
     }
 
     private boolean isAsked(RecordedTurn recorded, boolean replaced) {
-        int player = conversation.player();
-        return conversation.isIn() && (replaced ? !again.isDecided(player, recorded.faults())
+        int player = dialogue.player();
+        return dialogue.isIn() && (replaced ? !again.isDecided(player, recorded.faults())
             : recorded.asked(player));
     }
 
@@ -145,7 +145,7 @@ public final class Takeover {
      */
     private String missing(RecordedTurn recorded) {
         for (int other = 0; other < game.players(); other++) {
-            if (other != conversation.player() && game.isAsked(other) && !recorded.hasCommand(other)
+            if (other != dialogue.player() && game.isAsked(other) && !recorded.hasCommand(other)
                 && recorded.faults()[other] == null && !again.isDecided(other, othersFaults(recorded))) {
                 return "of " + match.header().names().get(other) + " no command was recorded in turn "
                     + recorded.number();
@@ -156,7 +156,7 @@ public final class Takeover {
 
     private String[] othersFaults(RecordedTurn recorded) {
         String[] faults = recorded.faults().clone();
-        faults[conversation.player()] = null;
+        faults[dialogue.player()] = null;
         return faults;
     }
 
@@ -179,7 +179,7 @@ public final class Takeover {
         }
         Turn turn = Turn.of(recorded.number(), game.players());
         for (int player = 0; player < game.players(); player++) {
-            if (player != conversation.player()) {
+            if (player != dialogue.player()) {
                 if (game.isAsked(player)) {
                     recorded.tell(turn, player);
                     if (turn.fault(player) != null) {
@@ -187,10 +187,10 @@ public final class Takeover {
                     }
                 }
             } else if (fed != null && fed.fault() == null) {
-                turn.answer(player, conversation.message(), conversation.answer().stderr(),
-                    conversation.answer().nanos());
+                turn.answer(player, dialogue.message(), dialogue.answer().stderr(),
+                    dialogue.answer().nanos());
             } else if (fed != null) {
-                turn.fail(player, fed.fault(), conversation.answer().stderr(), conversation.answer().nanos());
+                turn.fail(player, fed.fault(), dialogue.answer().stderr(), dialogue.answer().nanos());
                 game.eliminate(player, turn.fault(player));
             }
         }
@@ -201,7 +201,7 @@ public final class Takeover {
     private String readOthers(RecordedTurn recorded) {
         String wrong = null;
         for (int player = 0; player < game.players() && wrong == null; player++) {
-            if (player != conversation.player() && game.isAsked(player) && recorded.hasCommand(player)) {
+            if (player != dialogue.player() && game.isAsked(player) && recorded.hasCommand(player)) {
                 wrong = again.readCommand(recorded, player);
             }
         }
@@ -232,8 +232,8 @@ public final class Takeover {
         }
         MatchResult result = new MatchResult(game.turn(), game.ending(), players);
         writer.end(result);
-        if (faults[conversation.player()] == null) {
-            conversation.end();
+        if (faults[dialogue.player()] == null) {
+            dialogue.end();
         }
         return new Outcome(game.turn(), result, null, ahead());
     }

@@ -190,7 +190,7 @@ class ChosenSeedsTest {
         Files.writeString(own.resolve("run"), "sh pod.sh " + place + " 0\n");
     }
 
-    /** What is refused leaves nothing behind; a list that was taken anyway is refused in the next call, too. */
+    /** A call that is refused leaves nothing behind; a list that was taken anyway is refused in the next call, too. */
     @Test
     void aTournamentOfAChooserIsRefusedInEveryCall() throws IOException {
         choose();

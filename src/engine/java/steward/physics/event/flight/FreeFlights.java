@@ -21,7 +21,7 @@ public abstract class FreeFlights {
     public double nowLow;
     /** True if times are double-doubles. */
     protected final boolean exact;
-    /** What rounding took from the coordinates of the two that {@link #show} shows. */
+    /** Low parts that rounding took from the coordinates of the two that {@link #show} shows. */
     protected final LowParts lows;
     protected Bodies bodies;
     /** Bodies that the two of an impact are shown in, and their indices there, in the order in which they react. */

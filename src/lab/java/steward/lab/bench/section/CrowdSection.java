@@ -73,7 +73,7 @@ public final class CrowdSection implements Section {
         private final long impacts;
         private QueueAdvance advance;
         private Bodies bodies;
-        /** What the arrays of the advance take, in bytes. */
+        /** Size of the arrays of the advance, in bytes. */
         private double bytes;
 
         Play(Gas gas, long impacts) {
