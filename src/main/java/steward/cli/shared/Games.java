@@ -13,6 +13,7 @@ import steward.scene.Scene;
 import steward.scene.SceneFiles;
 import steward.scene.SceneReader;
 import steward.scene.SceneText;
+import steward.scene.json.SceneException;
 
 /** The games that the program knows, and their scenes. */
 public final class Games {
@@ -83,7 +84,11 @@ public final class Games {
             throw new InputException("--turns: found a scene of " + setup.scene().gameId()
                 + ", which has no bound on its turns, expected none with it");
         }
-        return types().open(text, setup.scene().root().source());
+        try {
+            return types().open(text, setup.scene().root().source());
+        } catch (SceneException refused) {             // the scene itself was read before: it is the number
+            throw new InputException(refused.getMessage().replaceFirst(".*: found ", "--turns: found "));
+        }
     }
 
     /** Describes the official scene of a game in a few words: the game itself says it. */

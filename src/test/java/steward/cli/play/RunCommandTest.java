@@ -78,6 +78,12 @@ class RunCommandTest {
     }
 
     @Test
+    void turnsOutOfTheBoundsOfTheSceneAreThoseOfTheOption() {
+        assertEquals("steward: --turns: found 2000000, expected a whole number 1..1000000\n",
+            Cli.run("run", "gas", "--turns", "2000000").err());
+    }
+
+    @Test
     void fewerTurnsStandInTheScene() {
         Path replay = temp.resolve("g.jsonl");
         Cli run = Cli.run("run", "gas", "--turns", "2", "--accuracy", "step/4", "--out", replay.toString());
