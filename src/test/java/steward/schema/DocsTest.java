@@ -24,7 +24,7 @@ import steward.replay.ReplayHeader;
 class DocsTest {
 
     private static final int README_LINES = 90;
-    private static final int MANUAL_LINES = 1900;
+    private static final int MANUAL_LINES = 2000;
     /** A page that a command writes as a whole; and tables between these comments. */
     private static final Pattern GENERATED_PAGE = Pattern.compile("(?m)^Written by `steward ");
     private static final Pattern GENERATED = Pattern.compile("(?s)<!-- generated.*?<!-- /generated -->\n?");
