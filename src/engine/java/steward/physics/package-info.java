@@ -15,16 +15,20 @@
  * <pre>
  *     startAll                      all flights begin, and the impacts of all bodies are predicted
  *     while there is a next         the earliest impact; if there is none in this turn: endAll
+ *         at the bound on impacts   event.Standstill ends the turn without impulses
  *         flyToImpact               its two bodies, and no others
  *         show                      the two as the law of impact sees them
  *         settles or respond        a heap comes to rest, or the two react; if others were altered: startAll
  *         take, predictAfter        the two fly on, and their next impacts are predicted
  * </pre>
- *     A body is moved only at its own impacts, {@code event.flight.FreeFlights}: it has a local clock. Impacts at one
- *     instant react in the order of their ids; at the bound on impacts {@code event.Standstill} ends the turn.
+ *     A body has a local clock and is moved only at its own impacts, {@code event.flight.FreeFlights}, or if all
+ *     flights begin anew. In the arithmetic {@code EXACT} impacts of one instant are collected first; they react in the
+ *     order of their pairs, the lowest indices first.
  * <li><em>Neighbours</em>, of which the loop knows nothing. Few bodies: {@code event.pairs}, a row of the table of all
- *     pairs for each body. Many: {@code event.cells}, where only bodies of adjacent cells are predicted, in a queue
- *     with one event a body; a prediction becomes stale as in the textbook. Both give the same impacts, bit for bit.
+ *     pairs for each body; rows in which something has changed are searched again. Many: {@code event.cells}, where
+ *     only bodies of adjacent cells are predicted, in a queue with one event a body. A prediction with a partner whose
+ *     flight has changed since is stale: when it is due, its body is predicted anew. Both give the same impacts, bit
+ *     for bit.
  * <li><em>Arithmetic</em>: {@code timeToHit} is {@code time.CircleTime}, the same quadratic in forms that cancel less,
  *     and {@code time.ExactPairs}, which is never wrong; {@code time.SimultaneousImpacts} decides if two times are one.
  *     {@code event.flight.ImpactSearch} keeps the earliest. {@code bounce} is {@code impulse.Impulse}, which knows

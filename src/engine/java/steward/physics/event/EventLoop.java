@@ -32,8 +32,9 @@ final class EventLoop {
     private TurnSink sink;
     /** The sink for impacts of bodies as they are shown. */
     private TurnSink impactSink;
-    /** The number of bodies that {@link #accelerations} and {@link #rest} know. */
+    /** The number of bodies that {@link #accelerations} and {@link #rest} know, and the next id when they began. */
     private int known;
+    private int knownIds;
     /** Number of impacts that the turn may still have. */
     private int left;
 
@@ -89,6 +90,7 @@ final class EventLoop {
 
     private void beginLaws() {
         known = bodies.size();
+        knownIds = bodies.nextId();
         if (accelerations != null) {
             accelerations.begin(bodies);
         }
@@ -99,7 +101,7 @@ final class EventLoop {
 
     private void react(int body, int partner, double now) {
         flights.flyToImpact(body, partner, now);
-        if (reactAlone(body, partner, now)) {
+        if (leavesOthers(body, partner, now)) {
             flights.predictAfter(body, partner, now);
         }
     }
@@ -120,21 +122,21 @@ final class EventLoop {
                 }
                 left--;
             }
-            if (!reactAlone(body, partner, now)) {
+            if (!leavesOthers(body, partner, now)) {
                 return;
             }
         }
         flights.predictAfter(together, done, now);
     }
 
-    /** Responds to an impact. @return false if the flights of all bodies began anew */
-    private boolean reactAlone(int body, int partner, double now) {
+    /** Lets a heap rest, or the two of an impact react. @return false if the flights of all bodies began anew */
+    private boolean leavesOthers(int body, int partner, double now) {
         flights.show(body, partner);
         if (!(rest != null && settles(now)) && respond(now)) {
             flights.take();
             return true;
         }
-        if (bodies.size() != known) {
+        if (bodies.size() != known || bodies.nextId() != knownIds) {
             beginLaws();
         }
         flights.startAll(now);
@@ -163,7 +165,8 @@ final class EventLoop {
     }
 
     /**
-     * Lets the two of an impact react; all bodies are shown if a reaction of the scene may look at them.
+     * Lets the two of an impact react; all bodies are shown if a reaction of the scene may look at them. Where they
+     * need not be, nothing but the two can be altered.
      *
      * @return false if others were altered
      */

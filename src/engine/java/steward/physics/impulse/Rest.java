@@ -135,13 +135,6 @@ public final class Rest {
         }
     }
 
-    /** After a reaction of the scene: begins anew if bodies were removed or added. */
-    public void follow(Bodies bodies) {
-        if (bodies.size() != size) {
-            begin(bodies);
-        }
-    }
-
     /** True if a contact is a plain impact, no slide, and nothing passes through anything else. */
     public boolean isAbout(Bodies bodies, int a, int b) {
         return !(b < 0 && RimSliding.grazes(bodies, a, walls[~b])) && bodies.passing().isEmpty()

@@ -8,6 +8,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import steward.physics.Advance;
 import steward.physics.Arithmetic;
 import steward.physics.Bodies;
@@ -39,15 +40,19 @@ class ForcesTest {
         advance.turn(bodies, sink);
     }
 
-    /** Before it bounces, another one of another mass was removed: all is as if that had never been there. */
-    @Test
-    void aBodyKeepsItsForceWhereOthersAreRemoved() {
+    /** Before it bounces, others of another mass were removed or replaced: all is as if they had never been there. */
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void aBodyKeepsItsForceWhereOthersAreRemovedOrReplaced(boolean replaced) {
         Forces force = new Forces(0, -3, 0, 0);
         Contacts contacts = new Contacts(2).set(1, 1, Contacts.Meaning.ASK);
         PhysicsParts parts = new PhysicsParts(ImpactLaw.PHYSICS, Arithmetic.DOUBLE, contacts, List.of(floor()),
             (time, a, b, all, sink) -> {
-                all.remove(b);
-                all.remove(a);
+                all.remove(Math.max(a, b));
+                all.remove(Math.min(a, b));
+                for (int k = 0; replaced && k < 2; k++) {
+                    Scenes.add(all, 500 + 100 * k, 500, 0, 0, 7);
+                }
                 return Reaction.Verdict.CHANGED;
             }, false).withForces(force);
         for (Advance advance : List.of(new EventAdvance(parts), new QueueAdvance(parts))) {
@@ -60,7 +65,7 @@ class ForcesTest {
                 int falling = Scenes.add(bodies, 0, 20, 0, -100, 1);
                 force.accelerate(bodies, falling, 0, 0);
                 advance.turn(bodies, TurnSink.NONE);
-                assertEquals(1, bodies.size());
+                assertEquals(replaced ? 1 + 2 * others : 1, bodies.size());
                 height[others] = bodies.y[0];
             }
             assertEquals(height[0], height[1]);

@@ -119,7 +119,7 @@ public final class CellFlights extends FreeFlights {
 
     @Override
     public SimultaneousImpacts simultaneous(int body) {
-        if (!exact || !mayBeSimultaneous(body, events.time(body))) {
+        if (!exact || removeIfAlone(body, events.time(body))) {
             return null;
         }
         double now = events.time(body);
@@ -127,11 +127,11 @@ public final class CellFlights extends FreeFlights {
         return search.collect(near, nearCount, now);
     }
 
-    /** True if another impact may be at the time of that of a body and its partner; otherwise removes their events. */
-    private boolean mayBeSimultaneous(int body, double now) {
+    /** Removes the events of a body and its partner if surely no other impact is at their time. @return whether it did */
+    private boolean removeIfAlone(int body, double now) {
         int partner = crowd.link[8 * body + PARTNER];
         if (search.isDoubtful(body) || partner >= 0 && search.isDoubtful(partner) && isNear(partner, now)) {
-            return true;
+            return false;
         }
         boolean mirrored = partner >= 0 && crowd.link[8 * partner + PARTNER] == body
             && crowd.link[8 * partner + EVENT] == 0 && isNear(partner, now);
@@ -147,7 +147,7 @@ public final class CellFlights extends FreeFlights {
                 events.put(partner, crowd.state[8 * partner + IMPACT]);
             }
         }
-        return others;
+        return !others;
     }
 
     private boolean isNear(int body, double now) {
