@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.TreeSet;
+import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
@@ -28,6 +29,8 @@ class DocsTest {
     /** A page that a command writes as a whole; and tables between these comments. */
     private static final Pattern GENERATED_PAGE = Pattern.compile("(?m)^Written by `steward ");
     private static final Pattern GENERATED = Pattern.compile("(?s)<!-- generated.*?<!-- /generated -->\n?");
+    private static final Pattern FROM_FILE =
+        Pattern.compile("(?s)<!-- generated from (src/examples/\\S+) -->\n```\\w+\n(.*?)```\n<!-- /generated -->");
     private static final Pattern OF_REPOSITORY = Pattern.compile("(?:src|config|docs)/[\\w./-]*\\w");
     private static final Pattern ELSEWHERE = Pattern.compile("https?://.*|mailto:.*");
 
@@ -180,5 +183,18 @@ class DocsTest {
         String text = "<!-- generated from src/python/README.md -->\n" + readme.substring(readme.indexOf("\n\n") + 2)
             + "<!-- /generated -->";
         assertTrue(Files.readString(Path.of("docs/python.md")).contains(text), "docs/python.md");
+    }
+
+    @Test
+    void examplesOfThePagesAreTheFilesThatTheyName() throws IOException {
+        TreeSet<String> files = new TreeSet<>();
+        for (MarkdownPage page : MarkdownPage.all()) {
+            Matcher example = FROM_FILE.matcher(Files.readString(Path.of(page.path())));
+            while (example.find()) {
+                files.add(Path.of(example.group(1)).getFileName().toString());
+                assertEquals(Files.readString(Path.of(example.group(1))), example.group(2), page.path());
+            }
+        }
+        assertEquals(new TreeSet<>(List.of("OneMatch.java", "Searcher.java", "heap.py")), files);
     }
 }
