@@ -65,11 +65,6 @@ public final class FaultMessages {
         return partialBytes == 0 ? fault : fault + ": " + partialBytes + " bytes came, without a line end";
     }
 
-    /** {@code did not read its input within 75 ms (waited 76 ms)}. */
-    public static String inputUnread(long limitNanos, long waitedNanos) {
-        return UNREAD + within(TimeBasis.WALL, limitNanos, waitedNanos);
-    }
-
     /**
      * A missed deadline with where the time went: {@code no answer within 75 ms (waited 76 ms): computed 2, waited 53
      * for a processor, 2 other, 19 before the first look}.

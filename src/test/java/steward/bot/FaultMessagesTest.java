@@ -39,7 +39,6 @@ class FaultMessagesTest {
             FaultMessages.late(75 * MS, 76 * MS, 1, 2, 0));
         assertEquals("no answer within 75 ms (waited 76 ms): 3 bytes came, without a line end",
             FaultMessages.late(75 * MS, 76 * MS, 0, 1, 3));
-        assertEquals("did not read its input within 75 ms (waited 76 ms)", FaultMessages.inputUnread(75 * MS, 76 * MS));
     }
 
     @Test
@@ -65,7 +64,6 @@ class FaultMessagesTest {
         assertTrue(FaultMessages.isExit(FaultMessages.exited(127), 127));
         assertFalse(FaultMessages.isExit(FaultMessages.exited(12), 127)
             || FaultMessages.isExit(FaultMessages.late(1, 2)));
-        assertFalse(FaultMessages.isLate(FaultMessages.inputUnread(1, 2)));
     }
 
     /** 19 + 2 + 53 + 2 = 76: the parts of one deadline add up to what was waited. */

@@ -55,11 +55,6 @@ public final class CallCheck {
         return option + ": found " + found + ", expected " + least + " to " + most;
     }
 
-    /** @param threads as {@code --threads} says, or {@code null} */
-    public void threads(Integer threads) {
-        range("--threads", threads, 1, MOST_THREADS);
-    }
-
     /** @param games as {@code --games} says, or {@code null} */
     public void games(Integer games) {
         range("--games", games, 1, MOST_GAMES);
