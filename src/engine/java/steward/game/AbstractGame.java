@@ -11,8 +11,8 @@ import steward.numerics.StateHash;
 import steward.physics.TurnLog;
 
 /**
- * Common part of every game: the turn, who is out since when and why, how the game ended, and the impacts and events of
- * the last turn. A game adds its rules, {@link #playTurn}, and its state.
+ * Base class of games with their common state. It has the turn, which players are out since when and why, how the game
+ * ended, and the impacts and events of the last turn. A game adds its rules, {@link #playTurn}, and its state.
  */
 public abstract class AbstractGame implements Game {
 

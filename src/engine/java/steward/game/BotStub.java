@@ -9,12 +9,13 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
 /**
- * Input and answers of a game's bots in one protocol, declared once for the starters in all languages.
+ * Input and answers of a game's bots in one protocol, declared once for starter bots in all languages.
  *
- * <p>Expressions are written in the part that Python, Java, C++ and JavaScript share: {@code +}, {@code -}, {@code *},
- * {@code /}, brackets, {@code a.x}, {@code list[index]}; conditions are {@code ==}, {@code !=}, {@code <}, {@code <=},
- * {@code >}, {@code >=} with {@code &&} between, words in single quotes. {@code distance(x, y, otherX, otherY)} and
- * {@code degreesOff(x, y, heading, otherX, otherY)}, 0..180, are there. A number that a frame does not have is -1.
+ * <p>Expressions are written in the syntax that Python, Java, C++ and JavaScript share: {@code +}, {@code -}, {@code
+ * *}, {@code /}, brackets, {@code a.x}, {@code list[index]}. Conditions are {@code ==}, {@code !=}, {@code <}, {@code
+ * <=}, {@code >}, {@code >=}, joined by {@code &&}, with words in single quotes. Two functions exist: {@code
+ * distance(x, y, otherX, otherY)} and {@code degreesOff(x, y, heading, otherX, otherY)}, 0..180. A number that a frame
+ * does not have is -1.
  *
  * @param setup    inputs before the first turn, in the order of their lines
  * @param turn     inputs of a turn

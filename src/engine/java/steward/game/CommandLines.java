@@ -5,7 +5,10 @@ import java.util.ArrayList;
 import java.util.List;
 import steward.text.TextFormat;
 
-/** Lines of a game in which a player answers with a line for each of its bodies, a command with a message behind it. */
+/**
+ * Base class of line protocols in which a player answers with one line for each of its bodies: a command, then a
+ * message.
+ */
 public abstract class CommandLines implements TextCodec {
 
     private static final int SHOWN = 40;

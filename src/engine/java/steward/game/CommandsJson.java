@@ -4,7 +4,7 @@ import steward.json.CommandsAnswer;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.JsonParser;
 
-/** JSON of a game in which a player gives a list of commands, one for each of its bodies. */
+/** Base class of a game's JSON if a player gives a list of commands, one for each of its bodies. */
 public abstract class CommandsJson<C> implements GameJson {
 
     private final CommandsAnswer<C> answers;

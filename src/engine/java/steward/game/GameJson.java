@@ -6,12 +6,12 @@ import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.JsonParser;
 
 /**
- * JSON of one {@link Game}: frames that its players are sent and their answers, commands and states as a replay keeps
- * them, complete and in full precision, and the drawing. The {@code write} methods, all but {@link #writeCommand}, add
+ * Writes and reads all JSON of one {@link Game}: frames and answers, commands and states, the drawing. A replay keeps
+ * commands and states complete and in full precision. The {@code write} methods, all but {@link #writeCommand}, add
  * fields to an object that the caller has opened and closes; numbers go through {@link JsonNumbers}.
  *
- * <p>In some games the part of a faulty answer before its fault takes effect all the same: the lines before a bad one,
- * say. The part that was read then is a partial command.
+ * <p>In some games the part of a faulty answer before its fault takes effect all the same, such as the lines before a
+ * bad one. The part that was read then is a partial command.
  */
 public interface GameJson {
 

@@ -10,7 +10,7 @@ import steward.physics.PhysicsParts;
 import steward.scene.Plan;
 import steward.scene.Scene;
 
-/** A game with the settings of one scene, immutable: creates any number of games. */
+/** A game with the settings of one scene, from which any number of games can be created. Immutable. */
 public interface GameSetup {
 
     /** The scene it was made from. */

@@ -5,7 +5,10 @@ import java.util.Optional;
 import steward.Internal;
 import steward.scene.Scene;
 
-/** A kind of game, stateless, with a public constructor without parameters; found as a service. */
+/**
+ * A kind of game: opens scenes, and names its bots and protocols. Stateless, with a public constructor without
+ * parameters; found as a service.
+ */
 public interface GameType {
 
     /** The most players of any game. */

@@ -16,7 +16,7 @@ import steward.scene.SceneReader;
 import steward.text.NearestName;
 
 /**
- * The known games: those of the program, which are listed as services of {@link GameType}, and those of jars.
+ * All known games: those of the program, which are listed as services of {@link GameType}, and those of jars.
  *
  * @param types each with its own id
  * @param guest the type of scenes whose referee is a program of its own, or {@code null}; it is not listed

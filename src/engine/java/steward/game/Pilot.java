@@ -5,8 +5,8 @@ import steward.numerics.SplitMix64;
 import steward.physics.Bodies;
 
 /**
- * A player by rule, for measuring: it leads games to states that occur in play. Stateless, and all that it draws comes
- * from the generator that it is given, so that the same seeds give the same games.
+ * Player that follows rules, for measuring: it leads games to states that occur in play. It is stateless, and all its
+ * random numbers come from the given generator, so that the same seeds give the same games.
  */
 @FunctionalInterface
 public interface Pilot {

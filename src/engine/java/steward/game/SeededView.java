@@ -3,7 +3,7 @@ package steward.game;
 import steward.scene.SceneFiles;
 import steward.text.ViewLines;
 
-/** Views of a game whose shipped scene and seed say how it begins. */
+/** Reader of a recording's start for games whose start follows from a shipped scene and the seed. */
 record SeededView(String title, String scene) implements ServerView {
 
     @Override

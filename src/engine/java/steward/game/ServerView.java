@@ -5,8 +5,9 @@ import java.util.List;
 import steward.text.ViewLines;
 
 /**
- * Reader of scene and seed in the views of the site's server, for {@code steward import}. A view is that of one kind
- * of game, and {@link ViewWriter} writes all of it; everything else in a recording is the same for all games.
+ * Reader of scene and seed from the first view in a recording of the site's server, for {@code steward import}. Each
+ * kind of game has views of its own, which {@link ViewWriter} writes in full; the rest of a recording is the same for
+ * all games.
  */
 public interface ServerView {
 

@@ -8,7 +8,7 @@ import steward.text.BoundedLine;
 import steward.text.TextFormat;
 
 /**
- * A line protocol with which simulators of a game are checked: input is states and commands, output the states one turn
+ * Line protocol with which simulators of a game are checked. Input is states and commands, output the states one turn
  * later. The input is a sequence of courses of
  * <pre>
  * checkpointCount

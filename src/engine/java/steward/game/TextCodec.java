@@ -1,7 +1,7 @@
 package steward.game;
 
 /**
- * A line protocol of words and numbers between the game and a player, for games and scenes that have one. Bound to one
+ * Line protocol of words and numbers between a game and a player, for games and scenes that have one. It belongs to one
  * {@link Game}, beside its {@link GameJson}. Lines end with a line feed.
  */
 public interface TextCodec {

@@ -1,7 +1,7 @@
 package steward.game;
 
 /**
- * An event of a turn other than an impact, for people: it is kept in the replay and drawn.
+ * Event of a turn other than an impact, for people: it is kept in the replay and drawn.
  *
  * @param time     within the turn, 0..1
  * @param body     id of the body concerned, or -1

@@ -5,7 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.function.IntFunction;
 
-/** The events of a turn, in columns that every turn uses again: as long as nothing asks for a list, none is made. */
+/** Reusable columns for the events of a turn: as long as nothing asks for a list, no object is created. */
 public final class TurnEvents {
 
     private static final int ROOM = 16;

@@ -4,10 +4,10 @@ import java.util.List;
 import steward.scene.Scene;
 
 /**
- * The views and summaries that the site's server would have shown of a game of ours, frame by frame. Verification
- * compares them word by word with what was recorded.
+ * Writes the views and summaries that the site's server would have shown of a game of ours, frame by frame.
+ * Verification compares them word by word with the recorded ones.
  *
- * <p>In a line the word {@link #ANY} stands for one word that is not compared, and {@link #REST} for all words from
+ * <p>The word {@link #ANY} in a line stands for one word that is not compared, and {@link #REST} for all words from
  * there to the end of the line; as the last line it stands for any lines. A word that begins with {@link #NEAR} is a
  * number that need only be near to the recorded one. Line 0 of a view holds its number, which the import has checked.
  *

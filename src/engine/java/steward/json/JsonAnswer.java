@@ -12,8 +12,8 @@ import tools.jackson.core.ObjectReadContext;
 
 /**
  * Reads answers that are one object of a game's own fields and an optional {@code message}, token by token. An error is
- * returned as a sentence, because a wrong answer is frequent and not an exception: the field, what was found and what
- * was expected. A valid answer without a message allocates nothing.
+ * returned as a sentence, because wrong answers are frequent and not exceptional: it names the field, what was found
+ * and what was expected. A valid answer without a message allocates nothing.
  */
 public abstract class JsonAnswer {
 

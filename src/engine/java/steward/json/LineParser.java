@@ -6,9 +6,9 @@ import tools.jackson.core.JsonParser;
 import tools.jackson.core.ObjectReadContext;
 
 /**
- * One JSON parser for many lines, so that reading a line allocates nothing: to the parser, each line is another value.
- * After the end of the value is read, call {@link #endValue}. If anything is wrong with the line, {@link #reset} must
- * be called; a parser of its own should then read the line once more, because it knows the position for the message.
+ * One JSON parser reused for many lines, so that reading a line allocates nothing: to the parser, each line is another
+ * value. After the end of the value is read, call {@link #endValue}. If anything is wrong with the line, {@link #reset}
+ * must be called; a new parser should then read the line once more, because it knows the position for the message.
  *
  * <p>Caveat: a line must begin with the bracket of an object or array, in UTF-8.
  */

@@ -1,9 +1,9 @@
 package steward.json;
 
 /**
- * A fast scanner for the simple lines that nearly all bots write: names, brackets and short decimal numbers in the
- * order that the caller expects, with blanks between them. It rejects everything else, including much valid JSON; a
- * full parser must then read the line from its beginning.
+ * Fast scanner for simple JSON lines, which nearly all bots write: names, brackets and short decimal numbers in the
+ * expected order, with blanks between them. It rejects everything else, including much valid JSON; a full parser must
+ * then read the line from its beginning.
  */
 public final class LineScan {
 

@@ -10,10 +10,10 @@ import tools.jackson.core.SerializableString;
 import tools.jackson.core.io.NumberOutput;
 
 /**
- * A JSON value written byte by byte, for the frequent values of a turn, some of which are written several times:
- * {@link tools.jackson.core.JsonGenerator#writeRawValue(SerializableString)} copies its bytes. The caller ensures that
- * it is valid JSON. Numbers are written as by {@link JsonNumbers}. Reused from value to value without allocating; not
- * thread-safe.
+ * Buffer for a JSON value written byte by byte, for the frequent values of a turn, some of which are written several
+ * times. {@link tools.jackson.core.JsonGenerator#writeRawValue(SerializableString)} copies its bytes. The caller
+ * ensures that it is valid JSON. Numbers are written as by {@link JsonNumbers}. Reused from value to value without
+ * allocating; not thread-safe.
  *
  * <p>Caveat: the methods for quoted text, which only field names need, throw.
  */

@@ -1,5 +1,5 @@
 /**
- * Lines of JSON that programs exchange: numbers to the last digit, objects, walls and drawings written, answers read
- * with messages for who wrote them. JSON that a person writes, with line and column, is the scenes'.
+ * JSON lines that programs exchange: writing of exact numbers, objects, walls and drawings, and reading of answers with
+ * messages for their authors. JSON that people write, with line and column, belongs to {@code scene}.
  */
 package steward.json;

@@ -1,9 +1,9 @@
 package steward.numerics;
 
 /**
- * A number held as the unevaluated sum of two doubles, high + low with {@code high} the sum rounded to nearest: about
- * 106 bits. An instance is a register that operations change in place, so that code which keeps its registers computes
- * without allocating.
+ * A number of about 106 bits, held as the unevaluated sum of two doubles: high + low, with {@code high} the sum rounded
+ * to nearest. An instance is a register that operations change in place, so that code which keeps its registers
+ * computes without allocating.
  *
  * <p>Relative errors, with u = 2^-53, as proven by M. Joldes, J.-M. Muller, V. Popescu, "Tight and Rigorous Error
  * Bounds for Basic Building Blocks of Double-Word Arithmetic" (2017), for results and intermediate products in the

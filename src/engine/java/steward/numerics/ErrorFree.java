@@ -1,16 +1,16 @@
 package steward.numerics;
 
 /**
- * The rounding error of a sum or a product, itself a double: {@code a + b = s + sumError(a, b, s)} and
- * {@code a b = p + productError(a, b, p)} hold exactly.
+ * Computes the rounding error of a sum or a product, which is itself a double. {@code a + b = s + sumError(a, b, s)}
+ * and {@code a b = p + productError(a, b, p)} hold exactly.
  *
  * <p>Ranges. The sum's error is exact unless the sum overflows. The product's is exact if the product is 0 or its
  * magnitude is from 2^-968 up to the largest double (below, the error has digits under 2^-1074 and is rounded to them).
  * For every finite product the result has the same bits whether the processor has a fused multiply-add or not; the
  * error of a product that overflows is not finite.
  *
- * <p>The choice between the two is a matter of speed alone and is made once, from a flag of the JVM: without the
- * instruction, {@code Math.fma} takes microseconds, the split 17 operations.
+ * <p>Whether the instruction is used is a matter of speed alone, and is decided once, from a flag of the JVM: without
+ * it, {@code Math.fma} takes microseconds, and splitting the factors takes 17 operations.
  */
 public final class ErrorFree {
 

@@ -3,11 +3,12 @@ package steward.numerics;
 import java.util.Arrays;
 
 /**
- * An exact sum of doubles: its parts do not overlap, ascend in magnitude, and none is 0, so that the last one has the
- * sign of the whole (J. R. Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric
- * Predicates", 1997, section 2). Operations change it in place; its array grows when necessary and never shrinks.
+ * An exact sum of doubles, kept as a list of doubles. Its parts do not overlap, ascend in magnitude, and none is 0, so
+ * that the last one has the sign of the whole (J. R. Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast
+ * Robust Geometric Predicates", 1997, section 2). Operations change it in place; its array grows when necessary and
+ * never shrinks.
  *
- * <p>Exact as long as no partial product has digits below 2^-1074 or overflows, see {@link ErrorFree}.
+ * <p>It is exact as long as no partial product has digits below 2^-1074 or overflows (see {@link ErrorFree}).
  */
 public final class Expansion {
 

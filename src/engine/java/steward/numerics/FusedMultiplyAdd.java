@@ -3,7 +3,7 @@ package steward.numerics;
 import com.sun.management.HotSpotDiagnosticMXBean;
 import java.lang.management.ManagementFactory;
 
-/** Test for a fused multiply-add instruction of the processor. */
+/** Tests whether the processor has a fused multiply-add instruction. */
 final class FusedMultiplyAdd {
 
     /**

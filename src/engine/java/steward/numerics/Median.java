@@ -2,7 +2,7 @@ package steward.numerics;
 
 import java.util.stream.DoubleStream;
 
-/** The middle of some values. */
+/** Median of some values. */
 public final class Median {
 
     private Median() { }

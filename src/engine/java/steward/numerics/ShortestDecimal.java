@@ -3,11 +3,11 @@ package steward.numerics;
 import java.math.BigInteger;
 
 /**
- * The shortest decimal that reads back as the same double, of those the nearest to it, written without allocating:
+ * Writes the shortest decimal that reads back as the same double, among equals the nearest to it, without allocating:
  * <pre>-12.5   0.001   3.141592653589793</pre>
  *
- * <p>Only for the numbers that are frequent in frames and replays: not whole, no power of two, magnitude from 10^-3 to
- * below 10^7. Callers need another conversion for the rest, see {@link #UNSUPPORTED}.
+ * <p>It covers only the numbers that are frequent in frames and replays: not whole, no power of two, magnitude from
+ * 10^-3 to below 10^7. Callers need another conversion for the rest (see {@link #UNSUPPORTED}).
  *
  * <p>Source: R. Giulietti, "The Schubfach way to render doubles" (2020), for the regular interval only.
  */

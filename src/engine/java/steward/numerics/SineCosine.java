@@ -1,15 +1,15 @@
 package steward.numerics;
 
 /**
- * Sine and cosine, correctly rounded: of every finite double the double nearest to the true value. So the result has
- * the same bits everywhere without an algorithm to agree on. Of 0.0 and -0.0 the sine is the argument itself; of what
- * is not finite both are NaN.
+ * Sine and cosine, correctly rounded: for every finite double the double nearest to the true value. So the result has
+ * the same bits everywhere, whatever the algorithm. For 0.0 and -0.0 the sine is the argument itself; for an argument
+ * that is not finite both are NaN.
  *
- * <p>The way is A. Ziv's ("Fast evaluation of elementary mathematical functions with correctly rounded last bit",
- * 1991): a quick value with a proven bound on its error, which decides the rounding for all but one of some five
- * thousand angles, and {@link SineCosineSeries} for the others. The quick value is that of a table and short
- * polynomials, in the manner of P. T. P. Tang ("Table-lookup algorithms for elementary functions and their error
- * analysis", 1991). It uses no fused multiply-add: products that have to be exact are those of short numbers.
+ * <p>The method is A. Ziv's ("Fast evaluation of elementary mathematical functions with correctly rounded last bit",
+ * 1991). A quick value with a proven bound on its error decides the rounding for all but one of some five thousand
+ * angles; {@link SineCosineSeries} computes the others. The quick value comes from a table and short polynomials, in
+ * the manner of P. T. P. Tang ("Table-lookup algorithms for elementary functions and their error analysis", 1991). It
+ * uses no fused multiply-add: products that have to be exact are those of short numbers.
  *
  * <p>Not thread-safe: sine and cosine are left in fields. Allocates nothing.
  */

@@ -1,8 +1,8 @@
 package steward.numerics;
 
 /**
- * Cosine and sine from their power series in 192 binary digits, rounded to the nearest double: slow and always right,
- * for every finite angle from 2^-28 on. Cosine and sine are left in fields. Allocates nothing.
+ * Cosine and sine from their power series in 192 binary digits, rounded to the nearest double. It is slow and always
+ * right, for every finite angle from 2^-28 on. Cosine and sine are left in fields. Allocates nothing.
  */
 final class SineCosineSeries {
 

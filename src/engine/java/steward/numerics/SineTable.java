@@ -1,9 +1,9 @@
 package steward.numerics;
 
 /**
- * Sines and cosines of the 256 directions that divide a full turn, each in two parts: a multiple of 2^-26, and the rest
- * to the nearest double, at most 2^-27. Together they are within 2^-81 of the exact value. The short first parts have
- * exact products with other short numbers; see {@link SineCosine}.
+ * Table of sines and cosines of the 256 directions that divide a full turn, each in two parts: a multiple of 2^-26 and
+ * a rest. The rest is the nearest double, at most 2^-27. Together they are within 2^-81 of the exact value. The short
+ * first parts have exact products with other short numbers (see {@link SineCosine}).
  */
 final class SineTable {
 

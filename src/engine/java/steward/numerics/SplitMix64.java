@@ -1,9 +1,9 @@
 package steward.numerics;
 
 /**
- * The pseudo-random generator of a match: SplitMix64 (Steele, Lea, Flood, "Fast Splittable Pseudorandom Number
- * Generators", OOPSLA 2014, figure 1, with the mixer "variant 13" of D. Stafford). Its whole state is one 64-bit
- * number, so that a seed names the same match on every machine and JDK.
+ * Pseudo-random generator of a match: SplitMix64. Its whole state is one 64-bit number, so that a seed names the same
+ * match on every machine and JDK. Source: Steele, Lea, Flood, "Fast Splittable Pseudorandom Number Generators", OOPSLA
+ * 2014, figure 1, with the mixer "variant 13" of D. Stafford.
  *
  * <p>Caveat: not cryptographically secure.
  */

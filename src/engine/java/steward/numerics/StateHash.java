@@ -1,11 +1,11 @@
 package steward.numerics;
 
 /**
- * A 64-bit hash of a sequence of numbers: {@code h = mix(h + x + gamma)} for each, with the mixer of
- * {@link SplitMix64}. It depends on the order. Doubles enter by their bits, so that two states have the same hash only
- * if they agree to the last bit (and -0.0 differs from 0.0).
+ * 64-bit hash of a sequence of numbers, which depends on their order. Each number x changes the hash h to {@code mix(h
+ * + x + gamma)}, with the mixer of {@link SplitMix64}. Doubles enter by their bits, so that two states have the same
+ * hash only if they agree to the last bit (and -0.0 differs from 0.0).
  *
- * <p>Caveat: detects differences, but is not collision-resistant against an attacker.
+ * <p>Caveat: it detects differences, but is not collision-resistant against an attacker.
  */
 public final class StateHash {
 

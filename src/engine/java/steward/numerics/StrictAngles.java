@@ -1,10 +1,10 @@
 package steward.numerics;
 
 /**
- * Arc tangent with the bits of {@link StrictMath}, several times as fast: compiled in place instead of called.
- * {@code StrictMath} is specified to give what the algorithms of the "Freely Distributable Math Library" (fdlibm 5.3)
- * give; for the common arguments these are evaluated here with its polynomial, its reduction and its order of
- * operations, and for all others {@code StrictMath} itself is called. Tests hold the two together, bit for bit.
+ * Arc tangent with the bits of {@link StrictMath}, several times as fast: compiled in place instead of called. {@code
+ * StrictMath} is specified to give the results of the algorithms of the "Freely Distributable Math Library" (fdlibm
+ * 5.3). For common arguments these are evaluated here with its polynomial, its reduction and its order of operations;
+ * for all others {@code StrictMath} itself is called. Tests compare the two, bit for bit.
  */
 public final class StrictAngles {
 

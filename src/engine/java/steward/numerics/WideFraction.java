@@ -1,9 +1,9 @@
 package steward.numerics;
 
 /**
- * A number from 0 up to, not including, 1 with 192 binary digits. One is a register that operations change in place, so
- * that code that keeps a few of them computes without allocating. Further digits are cut off; errors are counted in
- * units of the last place, 2^-192.
+ * A number in [0, 1) with 192 binary digits. An instance is a register that operations change in place, so that code
+ * that keeps a few of them computes without allocating. Further digits are cut off; errors are counted in units of the
+ * last place, 2^-192.
  */
 final class WideFraction {
 

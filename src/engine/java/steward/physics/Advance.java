@@ -1,6 +1,6 @@
 package steward.physics;
 
-/** A way to advance all bodies by one turn, from t = 0 to t = 1. One instance serves one thread. */
+/** Algorithm that advances all bodies by one turn, from t = 0 to t = 1. One instance serves one thread. */
 public interface Advance {
 
     /**

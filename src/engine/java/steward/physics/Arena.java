@@ -1,13 +1,13 @@
 package steward.physics;
 
 /**
- * A round wall around the bodies. A body that moves along its rim slides: a contact after which the next one would come
- * within about 1/250 of a turn, or 1/5000 where it is elastic, keeps the speed, and the body flies on along a chord to
- * its place on the rim 1/250 turn later. At most some 250 such contacts a turn are recorded, with the change of energy
- * 0. Between them place and velocity are those of the chord: for an angle w per turn, up to w / 500 off in direction,
- * (w / 500)^3 / 3 radians ahead and (w / 500)^2 / 2 of the room inside. What a slide began with beside the speed along
- * the rim puts the body up to 4.5e-6 w^3 radians ahead in each turn, 2e-9 w^3 where it is elastic. A round bumper has
- * its rim outside: a body leaves it in a straight line.
+ * A round wall around the bodies. A body that moves along its rim slides. If the next contact would come within about
+ * 1/250 of a turn (1/5000 if it is elastic), it keeps the speed and flies on along a chord to its place on the rim
+ * 1/250 turn later. At most some 250 such contacts a turn are recorded, with the change of energy 0. Between them place
+ * and velocity are those of the chord: for an angle w per turn, up to w / 500 off in direction, (w / 500)^3 / 3 radians
+ * ahead and (w / 500)^2 / 2 of the room inside. Speed across the rim at the beginning of a slide puts the body up to
+ * 4.5e-6 w^3 radians ahead in each turn, 2e-9 w^3 if it is elastic. A round bumper has its rim outside: a body leaves
+ * it in a straight line.
  *
  * @param x           its centre
  * @param y           its centre

@@ -2,7 +2,7 @@ package steward.physics;
 
 import java.util.Locale;
 
-/** The arithmetic of a turn. Their times of impact are documented in {@code physics.time}. */
+/** Arithmetic in which a turn is computed. {@code physics.time} documents the times of impact of each. */
 public enum Arithmetic {
 
     /** The published referee's own expressions: the same bits as the server. */

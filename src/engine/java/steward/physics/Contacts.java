@@ -3,8 +3,8 @@ package steward.physics;
 import java.util.Arrays;
 
 /**
- * Meanings of contacts, per pair of kinds of bodies and per kind against walls. Symmetric; immutable except for the
- * {@code set} methods, which are for building it.
+ * Table of what contacts do, per pair of kinds of bodies and per kind against walls: nothing, bounce, or ask the game.
+ * Symmetric; immutable except for the {@code set} methods, which are for building it.
  */
 public final class Contacts {
 

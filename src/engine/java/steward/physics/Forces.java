@@ -2,9 +2,9 @@ package steward.physics;
 
 /**
  * Constant accelerations of bodies of finite mass, in u per turn^2: a force over the mass, and a gravity that is the
- * same for all. Bodies are given them at the start of a turn ({@link #accelerate}), before it is advanced. A turn is
- * flown straight, at the speed of the middle of its parabola: at the fraction s of a turn the speed is v + a (s - 1/2).
- * From this speed impacts are computed, in all laws but those with batches.
+ * same for all. They are applied to bodies at the start of a turn ({@link #accelerate}), before it is advanced. A turn
+ * is flown straight, at the speed of the middle of its parabola: at the fraction s of a turn the speed is v + a (s -
+ * 1/2). Impacts are computed from this speed, in all laws but those with batches.
  *
  * @param forceX   to the right, in pod masses times u per turn^2
  * @param forceY   downwards

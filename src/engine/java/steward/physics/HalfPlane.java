@@ -1,8 +1,8 @@
 package steward.physics;
 
 /**
- * A straight wall of infinite length. The vector is normalised, so that one written with few digits, such as 0.7071,
- * does not change the speed of a body that bounces.
+ * A straight wall of infinite length. Its vector is normalised, so that a vector written with few digits, such as
+ * 0.7071, does not change the speed of a body that bounces.
  *
  * @param x           a point on its edge
  * @param y           a point on its edge

@@ -1,7 +1,7 @@
 package steward.physics;
 
 /**
- * One application of an impulse, with the velocities before and after it and its momentum and energy.
+ * Record of one impulse, with the velocities before and after it and its momentum and energy.
  *
  * @param time     within the turn, 0..1
  * @param a        id of the first body

@@ -5,10 +5,10 @@ import java.util.List;
 import java.util.function.ObjIntConsumer;
 
 /**
- * The rules for speeds and positions at the end of a turn: steps in the order in which they apply, each to every body.
- * Absent steps cost nothing. Two with the same steps are equal. A game whose rules cannot be said so extends this class
- * and says what it does when {@link #endTurn} is called; its steps are then what it does to bodies without a game
- * around them, in measurements.
+ * Rules for speeds and positions at the end of a turn, such as drag and rounding: steps in their order, each applied to
+ * every body. Absent steps cost nothing. Two motions with the same steps are equal. A game with other rules extends
+ * this class, overriding {@link #endTurn}; its steps then describe what it does to bodies without a game around them,
+ * in measurements.
  */
 public class Motion {
 

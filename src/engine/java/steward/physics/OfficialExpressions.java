@@ -1,9 +1,9 @@
 package steward.physics;
 
 /**
- * A published official referee's own arithmetic, which a game brings for the rung {@code event/official}: a way to
- * advance whose turns have that referee's bits. Where a game has none, that rung computes the pod race's expressions
- * under the scene's {@link ImpactLaw}.
+ * Way to advance that has the bits of a published official referee, which a game brings for the rung {@code
+ * event/official}. If a game has none, that rung computes the pod race's expressions under the scene's {@link
+ * ImpactLaw}.
  */
 @FunctionalInterface
 public interface OfficialExpressions {

@@ -3,8 +3,8 @@ package steward.physics;
 import java.util.Arrays;
 
 /**
- * The pairs that pass through each other: a {@link Reaction} answered {@code PASS}, and they have not separated yet.
- * Usually empty; a short unsorted list of packed ids.
+ * Pairs that pass through each other until they separate, because a {@link Reaction} answered {@code PASS}. Usually
+ * empty; a short unsorted list of packed ids.
  */
 public final class PassingPairs {
 

@@ -3,7 +3,7 @@ package steward.physics;
 import java.util.List;
 
 /**
- * The parts of a scene's physics. An advance is built from these; what is not among them costs nothing during a turn.
+ * Parts of a scene's physics from which an advance is built. A part that is missing costs nothing during a turn.
  *
  * @param arithmetic     how times of impact are computed
  * @param walls          immovable walls, each identified by its index in this list; may be empty

@@ -1,12 +1,12 @@
 package steward.physics;
 
 /**
- * The game's answer to a contact whose {@link Contacts} entry is {@code ASK}. Called inside the advance, at the exact
- * time, with all positions at that time and the velocities before any impulse.
+ * Callback of a game that answers a contact whose {@link Contacts} entry is {@code ASK}. It is called inside the
+ * advance, at the exact time, with all positions at that time and the velocities before any impulse.
  *
- * <p>A reaction reads and alters the bodies that it is given and nothing else, so that it also runs on copies of a
- * game's bodies, in measurements and searches. It tells the sink facts for the game, see {@link TurnSink#fact}, which
- * the game takes from its own log after the turn.
+ * <p>A reaction reads and alters the given bodies and nothing else, so that it also runs on copies of a game's bodies,
+ * in measurements and searches. It passes facts for the game to the sink (see {@link TurnSink#fact}); the game takes
+ * them from its own log after the turn.
  */
 @FunctionalInterface
 public interface Reaction {

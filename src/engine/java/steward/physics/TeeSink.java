@@ -1,7 +1,7 @@
 package steward.physics;
 
 /**
- * A sink that hands on to another what it is told of a turn, and may look at it itself.
+ * Turn sink that passes everything on to two others.
  *
  * @param other who looks on, and hears everything first
  */

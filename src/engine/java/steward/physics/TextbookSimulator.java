@@ -4,10 +4,10 @@ import java.util.Arrays;
 import java.util.PriorityQueue;
 
 /**
- * Elastic discs in a square box as a textbook simulates them: predict all impacts, queue them by time, and bounce; an
+ * Simulator of elastic discs in a square box as in a textbook: predict all impacts, queue them by time, and bounce. An
  * event is dropped when it is due if one of its discs has had another impact since (R. Sedgewick, K. Wayne,
- * "Algorithms", 4th edition, section 6.1). The way into this package, the baseline of benchmarks, and used by nothing
- * else: it shares nothing with the other forms but the list of bodies that it starts from.
+ * "Algorithms", 4th edition, section 6.1). It is the way into this package and the baseline of benchmarks, and used by
+ * nothing else. It shares nothing with the other forms but the list of bodies that it starts from.
  */
 public final class TextbookSimulator {
 

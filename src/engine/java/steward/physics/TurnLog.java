@@ -5,9 +5,9 @@ import java.util.Objects;
 import steward.Internal;
 
 /**
- * Records the impacts, path knots and facts of a turn, and whether the bound on impacts was reached, in flat arrays
- * that are reused from turn to turn. Of the impacts all are counted, and the first are kept, up to a number; knots are
- * kept all, since a path without one of its corners is another path.
+ * Records the impacts, path knots and facts of a turn, and whether the bound on impacts was reached. Its flat arrays
+ * are reused from turn to turn. All impacts are counted, and the first are kept, up to a number; all knots are kept,
+ * since a path without one of its corners is another path.
  */
 public final class TurnLog implements TurnSink {
 

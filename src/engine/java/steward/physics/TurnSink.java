@@ -1,6 +1,8 @@
 package steward.physics;
 
-/** Observer of a turn: receives impacts and path knots in the order of time. To be fast, it must allocate nothing. */
+/**
+ * Observer of a turn, which receives impacts and path knots in the order of time. To be fast, it must allocate nothing.
+ */
 public interface TurnSink {
 
     /** Ignores everything. */

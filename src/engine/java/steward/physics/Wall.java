@@ -1,6 +1,6 @@
 package steward.physics;
 
-/** An immovable obstacle of infinite mass that bodies bounce off. */
+/** Immovable obstacle of infinite mass that bodies bounce off. */
 public sealed interface Wall permits HalfPlane, Segment, Arena {
 
     /** The share of an approach speed that an impact gives back, 0..1; the lower of the two, wall and body, counts. */

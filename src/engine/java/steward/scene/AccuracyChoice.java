@@ -4,7 +4,7 @@ import java.util.List;
 
 
 /**
- * The rung that a scene is computed on, and how it was chosen.
+ * The rung on which a scene is computed, and how it was chosen.
  *
  * @param rung   of the ladder
  * @param stated whether the scene file itself names it

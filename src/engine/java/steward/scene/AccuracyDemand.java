@@ -4,9 +4,9 @@ import java.math.BigDecimal;
 import steward.scene.json.Wording;
 
 /**
- * A scene's demand in place of a rung: after one turn, the position error is at most {@code maxPositionError} in the
- * given share of the states of a calibration, and a turn costs at most {@code maxCost}. Measured figures, not
- * guarantees.
+ * A scene's demand from which a rung is chosen: a greatest position error after one turn, in a share of states. The
+ * error is at most {@code maxPositionError} in the given share of the states of a calibration, and a turn costs at most
+ * {@code maxCost}. These are measured figures, not guarantees.
  *
  * @param maxPositionError in u, for the body of a state with the largest error; before rounding at the end of the turn;
  *                         {@code POSITIVE_INFINITY} for any

@@ -17,9 +17,9 @@ import steward.scene.json.JsonTree;
 import steward.scene.json.SceneException;
 
 /**
- * The measured position errors and the cost of each rung in the states of a scene's calibration. Read from JSON, to
- * find the rung that meets a demand. Figures belong to a scene by its {@link SceneKey}, and those of each rung to its
- * {@link RungLaw} by the {@link PhysicsFingerprint}; those of a law that has changed since are left out.
+ * Measured position errors and cost of each rung in the states of a scene's calibration. They are read from JSON, to
+ * find the rung that meets a demand. Figures belong to a scene by its {@link SceneKey}, and the figures of each rung to
+ * its {@link RungLaw} by the {@link PhysicsFingerprint}; figures of a law that has changed since are ignored.
  *
  * <p>The figures of shipped scenes are resources of the program; those of another scene are beside the scene file: for
  * {@code my.json} in {@code my.accuracy.json}.

@@ -4,7 +4,7 @@ import java.util.List;
 import steward.physics.Wall;
 
 /**
- * The field from (x, y) to (x + width, y + height) with its walls and bumpers.
+ * The playing field from (x, y) to (x + width, y + height), with its walls and bumpers.
  *
  * @param x       of its corner with the lowest coordinates, in u; 0 unless the world has its origin elsewhere
  * @param y       of the same corner, in u

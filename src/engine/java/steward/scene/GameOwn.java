@@ -5,7 +5,7 @@ import steward.physics.Motion;
 import steward.physics.OfficialExpressions;
 
 /**
- * A game's own parts in place of those its scenes would name.
+ * Physics that a game defines itself instead of its scenes: official expressions, end of a turn, forces.
  *
  * @param official its referee's expressions for the rung {@code event/official}, or {@code null}
  * @param motion   the end of its turns, or {@code null} where the scene says it

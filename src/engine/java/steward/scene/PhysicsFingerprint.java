@@ -17,8 +17,8 @@ import steward.physics.TurnSink;
 import steward.physics.Wall;
 
 /**
- * The physics of a {@link RungLaw} from its results: a hash of turns of a few bodies and of a crowd, among walls and
- * without, and of a tie. It changes when the bits of these turns do.
+ * Fingerprint of the physics of a {@link RungLaw}: a hash of computed turns. They are turns of a few bodies and of a
+ * crowd, among walls and without, and of a tie. It changes when the bits of these turns do.
  */
 public final class PhysicsFingerprint {
 

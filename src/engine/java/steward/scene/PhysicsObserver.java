@@ -3,7 +3,7 @@ package steward.scene;
 import steward.physics.Advance;
 import steward.physics.PhysicsParts;
 
-/** Observer of the advances that games take from their plan. It may replace them by its own, for measurements. */
+/** Hook that sees each advance that a game takes from its plan, and may replace it by another, for measurements. */
 @FunctionalInterface
 public interface PhysicsObserver {
 

@@ -2,7 +2,7 @@ package steward.scene;
 
 import java.util.function.BiFunction;
 
-/** A plan as text: one line per part with in or out, its name and the reason. */
+/** Plan of a scene as text: one line per part with in or out, its name and the reason. */
 public final class PlanTable {
 
     private PlanTable() { }

@@ -15,8 +15,8 @@ import steward.scene.json.JsonValue.JsonObject;
 import steward.scene.json.JsonValue.JsonText;
 
 /**
- * Finds the files of a scene's own referee in the folder of the scene, as those of CSV: a word of its command or an
- * entry of its class path that is the relative path of a file there becomes its path from the current folder.
+ * Resolves files of a scene's own referee that are in the scene's folder, as for CSV files. If a word of its command or
+ * an entry of its class path is the relative path of a file there, it becomes a path from the current folder.
  */
 final class RefereeWords {
 

@@ -8,8 +8,8 @@ import steward.physics.ImpactLaw;
 
 /**
  * The law of impact of one rung, with its version. Whoever changes bits of a rung on purpose gives its law the next
- * version and the fingerprint that {@code RungLawTest} prints: seasons, calibrations and replays of that law end, those
- * of the others stay.
+ * version and the fingerprint that {@code RungLawTest} prints: then seasons, calibrations and replays of that law end,
+ * and those of other laws stay.
  */
 public enum RungLaw {
 

@@ -7,7 +7,7 @@ import steward.physics.Motion;
 import steward.scene.json.Block;
 
 /**
- * The contents of a scene file, except the blocks of the game. Two scenes are equal when their {@link #json()} is.
+ * Contents of a scene file without the game's own blocks. Two scenes are equal if their {@link #json()} is.
  *
  * @param players  number of players, 1..16
  * @param field    the field with its walls and bumpers, if there is one

@@ -11,8 +11,8 @@ import steward.scene.json.JsonValue.JsonObject;
 import steward.scene.json.JsonValue.JsonText;
 
 /**
- * A key of everything in a scene that decides what happens in its games: all except its name, the time limits, its
- * accuracy and the name of its JSON Schema. Neither the order of fields nor the notation of numbers matters (1, 1.0,
+ * Key of everything in a scene that decides what happens in its games. It leaves out the name, the time limits, the
+ * accuracy and the name of the JSON Schema. Neither the order of fields nor the notation of numbers matters (1, 1.0,
  * 1e0).
  */
 public final class SceneKey {

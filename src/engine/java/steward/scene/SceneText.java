@@ -4,7 +4,7 @@ import java.nio.file.Path;
 import java.util.Optional;
 
 /**
- * A scene file, not yet read.
+ * Text of a scene file that has not been parsed yet.
  *
  * @param source  how errors name it
  * @param figures where the figures of its accuracy would be, existing or not; empty for a text that is not a file

@@ -1,7 +1,7 @@
 package steward.scene;
 
 /**
- * The time limits of a player.
+ * Time limits of a player.
  *
  * @param firstAnswerMs for the first answer, its start included, in milliseconds
  * @param answerMs      for every later answer, in milliseconds

@@ -3,7 +3,7 @@ package steward.text;
 import java.io.IOException;
 import java.io.Reader;
 
-/** Lines of an input that may be of any length: one that goes on and on is left before it fills the memory. */
+/** Reads lines of an input that may be endless: a line that is too long is abandoned before it fills the memory. */
 public final class BoundedLine {
 
     private BoundedLine() { }

@@ -3,8 +3,8 @@ package steward.text;
 import java.util.regex.Pattern;
 
 /**
- * A row of a table of comma-separated values (RFC 4180, but with the end of line that Unix has). Built cell by cell,
- * from left to right. A text that a spreadsheet would take for a formula has an apostrophe before it.
+ * Builder of a row of a CSV table (RFC 4180, but with the line end of Unix), cell by cell from left to right. A text
+ * that a spreadsheet would take for a formula has an apostrophe before it.
  */
 public final class CsvRow {
 

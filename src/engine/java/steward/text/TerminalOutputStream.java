@@ -7,10 +7,10 @@ import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 
 /**
- * A terminal, protected from what bots, files and command lines may bring with them: whatever is printed in UTF-8, the
- * characters that {@link TextFormat#isUnsafe} names arrive as question marks. Passed on are line feed, tab, carriage
- * return, backspace and the sequences that begin with escape and {@code [}, since colours and progress are made of
- * them; texts from outside go through {@link TextFormat#plain}, which leaves none of these but line feed and tab.
+ * Output stream that protects a terminal from control characters of bots, files and command lines. Characters that
+ * {@link TextFormat#isUnsafe} names become question marks. Line feed, tab, carriage return, backspace and sequences
+ * that begin with escape and {@code [} are passed on, since colours and progress are made of them. Texts from outside
+ * go through {@link TextFormat#plain}, which leaves none of these but line feed and tab.
  */
 public final class TerminalOutputStream extends FilterOutputStream {
 

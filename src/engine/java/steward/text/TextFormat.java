@@ -3,7 +3,7 @@ package steward.text;
 import java.math.BigDecimal;
 import java.math.RoundingMode;
 
-/** Form of numbers and texts in commands, the same in every locale. */
+/** Formats numbers and texts for commands, the same in every locale. */
 public final class TextFormat {
 
     private static final double NANOS_PER_MS = 1e6;

@@ -11,7 +11,7 @@ import java.nio.charset.CharsetDecoder;
 import java.nio.charset.CoderResult;
 import java.nio.charset.StandardCharsets;
 
-/** Strict decoding of texts that people name: unlike {@code new String}, it says where a text is not UTF-8. */
+/** Strict decoder of UTF-8 texts: unlike {@code new String}, it says where a text is not UTF-8. */
 public final class Utf8Text {
 
     private static final int BUFFER = 1 << 13;

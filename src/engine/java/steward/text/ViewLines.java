@@ -4,9 +4,9 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * The text that a frame of a server's recording has for the site's viewer, line by line, counted from 0. Line 0 begins
- * with the number of the frame, perhaps with words around it. Errors name the frame and the line, what was found and
- * what was expected.
+ * Lines of one frame's text in a server's recording, which the site's viewer reads, counted from 0. Line 0 begins with
+ * the number of the frame, perhaps with words around it. Errors name the frame and the line, what was found and what
+ * was expected.
  */
 public final class ViewLines {
 

@@ -1,5 +1,5 @@
 /**
- * Formatting for people: the nearest known word to a misspelt one, columns, counts and units, the same in every locale;
- * rows of tables for spreadsheets; what may reach a terminal. No files.
+ * Formatting for people, the same in every locale. It finds the nearest known word to a misspelt one, and writes
+ * columns, counts and units, rows of CSV tables, and safe output to a terminal. No files.
  */
 package steward.text;

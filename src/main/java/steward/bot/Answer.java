@@ -4,7 +4,8 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 
 /**
- * The outcome of one {@link Player#ask}. One instance is reused from turn to turn, so that asking allocates nothing.
+ * Reusable result of one {@link Player#ask}: the answer's bytes, or a fault, and the time. One instance is reused from
+ * turn to turn, so that asking allocates nothing.
  */
 public final class Answer {
 

@@ -1,8 +1,8 @@
 package steward.bot;
 
 /**
- * A bot that runs inside this JVM: it reads the same lines as a bot program and answers with the same lines.
- * One instance plays one match; the methods are called by one thread at a time.
+ * A bot that runs inside this JVM and reads and answers the same lines as a bot program. One instance plays one match;
+ * the methods are called by one thread at a time.
  */
 public interface Bot {
 

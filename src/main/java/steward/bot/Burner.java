@@ -1,7 +1,7 @@
 package steward.bot;
 
 /**
- * A bot that computed while another was asked, which was late.
+ * A bot that used the processor while another bot was asked, which then was late.
  *
  * @param player     its place in the game
  * @param processors how many it used on average, over the last 100 ms of such time

@@ -4,9 +4,10 @@ import java.util.List;
 import java.util.regex.Pattern;
 
 /**
- * Line of a program's stderr that says why it failed. It is found by the form in which interpreters, virtual machines
- * and C libraries write, never by a word alone: a bot may print "no Error" as often as it likes. Of a chain of causes
- * it is the first cause, of errors of a compiler the first, otherwise the last.
+ * Finds the line of a program's stderr that explains its failure. A line is recognised by the form in which
+ * interpreters, virtual machines and C libraries write errors, never by a word alone: a bot may print "no Error" as
+ * often as it likes. Of a chain of causes the first cause is taken, of compiler errors the first, otherwise the last
+ * line.
  */
 public final class ErrorLine {
 

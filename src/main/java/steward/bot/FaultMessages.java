@@ -2,7 +2,7 @@ package steward.bot;
 
 import java.util.regex.Pattern;
 
-/** Texts that say how a player failed. */
+/** Messages that say how a player failed. */
 public final class FaultMessages {
 
     /** Statuses above this are 128 + the number of the signal that ended the process. */

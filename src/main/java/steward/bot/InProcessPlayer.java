@@ -3,12 +3,12 @@ package steward.bot;
 import java.nio.charset.StandardCharsets;
 
 /**
- * A player whose {@link Bot} runs on the asking thread: for tests and trusted bots. Time is measured as for a bot
- * program and the limit applies, but a bot that never returns cannot be stopped.
+ * Player whose {@link Bot} runs on the asking thread, for tests and trusted bots. Time is measured as for a bot program
+ * and the limit applies, but a bot that never returns cannot be stopped.
  *
- * <p>Lines told before a turn are one call of {@link Bot#setup}; the turn itself is one call of {@link Bot#turn}; a
- * frame of several lines arrives as one text, without the last line end. The answer must have as many lines as were
- * asked for, each at most 64 KiB long.
+ * <p>Lines sent before a turn are one call of {@link Bot#setup}; the turn itself is one call of {@link Bot#turn}. A
+ * frame of several lines arrives as one text, without the last line end. The answer must have the requested number of
+ * lines, each at most 64 KiB long.
  */
 public final class InProcessPlayer implements Player {
 

@@ -3,7 +3,7 @@ package steward.bot;
 import java.io.OutputStream;
 import java.util.Arrays;
 
-/** Bytes of lines that can be read in place; reused from line to line. Not thread-safe. */
+/** Reusable byte buffer for lines, which can be read in place. Not thread-safe. */
 public final class LineBuffer extends OutputStream {
 
     private byte[] bytes = new byte[4096];

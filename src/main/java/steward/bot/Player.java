@@ -4,7 +4,7 @@ import java.util.function.Consumer;
 import steward.Internal;
 
 /**
- * A player of one match, as the referee sees it: it is sent lines and asked for lines. Not thread-safe: one thread at a
+ * Player of one match as the referee sees it: receives lines and is asked for lines. Not thread-safe: one thread at a
  * time uses a player and hands it over with a happens-before edge. Only {@link #finish} may be called by any thread at
  * any time, to break a match off: an {@link #ask} in progress then ends with a fault, unless the player runs on the
  * asking thread.

@@ -1,11 +1,12 @@
 package steward.bot;
 
 /**
- * Time in which a bot program did not answer, by what it was spent on, as far as the kernel shows it. All times in
- * nanoseconds of the wall clock; {@code unobserved + computed + waited + other} is {@code taken}.
+ * Breakdown of the time that a bot program took to answer, as far as the kernel shows it: computing, waiting for a
+ * processor, other. All times are in nanoseconds of real time; {@code unobserved + computed + waited + other} is {@code
+ * taken}.
  *
- * <p>The parts of several threads are put side by side: two threads that compute at the same time for 10 ms have
- * computed for 10 ms, since no more of the wall clock passed.
+ * <p>Times of several threads that pass at once count once: two threads that compute at the same time for 10 ms have
+ * computed for 10 ms, since no more real time passed.
  *
  * @param limit      what was allowed by the wall clock, or, with {@code overCpu}, of CPU time
  * @param taken      what had passed at the verdict, without the time in which the referee did not run

@@ -1,6 +1,6 @@
 package steward.bot;
 
-/** A player whose program is not there, or cannot be executed: it fails when it is asked for the first time. */
+/** Player whose program is missing or cannot be executed; it fails when it is asked for the first time. */
 public final class UnstartablePlayer implements Player {
 
     private final String name;

@@ -6,8 +6,8 @@ import steward.cli.shared.ExitStatus;
 import steward.cli.streams.Streams;
 
 /**
- * Commands that many calls are of, run one after the other, so that an archive of classes has what they load. The
- * launcher calls it; it exits with the status of the first command that fails.
+ * Runs typical commands one after the other, to record the classes they load in an archive that makes later starts
+ * faster. The launcher calls it; it exits with the status of the first command that fails.
  */
 final class ArchiveTraining {
 

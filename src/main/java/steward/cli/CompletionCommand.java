@@ -8,7 +8,7 @@ import steward.cli.options.ProgramCommand;
 import steward.cli.shared.ExitStatus;
 import steward.files.Resources;
 
-/** {@code steward completion}: lets a shell complete commands and options. */
+/** {@code steward completion}: prints a script with which a shell completes commands and options. */
 @Command(name = CompletionCommand.NAME, description = "Prints a script for bash and zsh that completes commands.",
     footer = {"", "Example, for the running shell:", "  source <(steward completion)"})
 final class CompletionCommand extends ProgramCommand {

@@ -11,9 +11,9 @@ import steward.files.UserFolders;
 import steward.game.GameTypes;
 
 /**
- * The user's folder of games while a command runs: {@code --games-path DIR} anywhere in the call, otherwise the folder
- * {@code steward/games} of the user's data (XDG base directory specification). Its jars are found through the context
- * class loader, see {@link GameTypes#installed}.
+ * The user's folder of games while a command runs: {@code --games-path DIR}, or the folder {@code steward/games} of the
+ * user's data (XDG base directory specification). The option may stand anywhere in the call. The folder's jars are
+ * found through the context class loader (see {@link GameTypes#installed}).
  *
  * @param words  of the call, without the option
  * @param before the context class loader of this thread before

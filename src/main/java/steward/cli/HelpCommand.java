@@ -16,7 +16,7 @@ import steward.cli.options.SandboxOptions;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.UnknownWord;
 
-/** {@code steward help}: the help of the program, or of a command. */
+/** {@code steward help}: prints the help of the program or of one command. */
 @Command(name = HelpCommand.NAME, description = "Prints the help of the program, or of a command.",
     footer = {"", "'steward help sandbox' tells of the options by which bots are isolated.",
         "", "Examples:", "  steward help match", "  steward help league run"})

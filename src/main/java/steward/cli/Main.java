@@ -40,7 +40,7 @@ import steward.cli.streams.Streams;
 import steward.cli.tournament.TournamentCommand;
 import steward.files.InputException;
 
-/** The program. See {@link ExitStatus} for its exit statuses. */
+/** The program's main class: finds and runs the command that is called. {@link ExitStatus} has the exit statuses. */
 @Command(name = "steward", synopsisSubcommandLabel = "COMMAND",
     description = "Referees matches between bot programs in games with exact physics.",
     footer = {"", "--games-path DIR with any command: the folder with the jars of further games, in place of",

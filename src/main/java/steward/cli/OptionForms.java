@@ -12,7 +12,7 @@ import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.Model.UsageMessageSpec;
 import steward.cli.options.OptionSection;
 
-/** Forms that the options of all commands share: short names of the usual ones, and sections in the help. */
+/** Forms that the options of all commands share: short names of common options, and sections in the help. */
 final class OptionForms {
 
     private static final Map<String, String> SHORT = Map.of("--bot", "-b", "--games", "-g", "--json", "-j", "--out",

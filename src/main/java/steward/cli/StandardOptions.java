@@ -3,7 +3,7 @@ package steward.cli;
 import java.util.List;
 import picocli.CommandLine.Option;
 
-/** The options that every command has. */
+/** Options that every command has. */
 final class StandardOptions {
 
     private static final String SHORT = "-V";

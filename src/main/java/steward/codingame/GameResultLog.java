@@ -28,8 +28,7 @@ import tools.jackson.core.ObjectWriteContext;
 
 /**
  * Collects a match and writes it as one JSON object with the field names of CodinGame's own game result, for tools that
- * read those. Lists have one entry for the start, which is {@code null} for all that players say, and one for each
- * turn, {@code null} where there is nothing:
+ * read it. Lists have one entry for the start and one for each turn, {@code null} if there is nothing:
  *
  * <ul>
  * <li>{@code errors}, {@code outputs}: what {@code "referee"}, {@code "0"}, {@code "1"}, ... wrote to stderr and to
@@ -42,7 +41,7 @@ import tools.jackson.core.ObjectWriteContext;
  * <li>{@code tooltips}: the eliminations, with the turn as {@code event}
  * </ul>
  *
- * <p>Of each list at most {@value #MOST_CHARACTERS} characters are kept; later entries are {@code null} then.
+ * <p>Each list keeps at most {@value #MOST_CHARACTERS} characters; later entries are {@code null}.
  */
 public final class GameResultLog implements MatchListener {
 

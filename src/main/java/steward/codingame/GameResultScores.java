@@ -5,8 +5,8 @@ import steward.match.MatchResult;
 import steward.match.MatchResult.PlayerResult;
 
 /**
- * The scores that arena tools compare: whole numbers, higher is better, negative for a player that failed. They follow
- * the ranks, so that a better rank always has the higher score and a shared rank the same.
+ * Scores in the form that arena tools compare: whole numbers, higher is better, negative for a player that failed. They
+ * follow the ranks: a better rank always has the higher score, and a shared rank the same score.
  */
 public final class GameResultScores {
 

@@ -8,9 +8,8 @@ import steward.match.MatchListener;
 import steward.match.Turn;
 
 /**
- * Collects what bots report on stderr about single turns: {@code [TDATA][turn] name = value} about the match,
- * {@code [PDATA][turn] name = value} about the player. At most {@value #MOST_CHARACTERS} characters are kept, the first
- * ones.
+ * Collects data about single turns that bots write to stderr: {@code [TDATA][turn] name = value} about the match,
+ * {@code [PDATA][turn] name = value} about the player. Only the first {@value #MOST_CHARACTERS} characters are kept.
  */
 public final class LeagueAttributes implements MatchListener {
 

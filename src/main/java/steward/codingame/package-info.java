@@ -1,5 +1,5 @@
 /**
- * The formats of the tools around CodinGame: its game result, the fields of a league system, the protocols by which
- * match runners call a referee. The pod race is the only game it knows.
+ * Formats of the tools around CodinGame: its game result, the fields of a league system, the protocols by which match
+ * runners call a referee. The pod race is the only game it knows.
  */
 package steward.codingame;

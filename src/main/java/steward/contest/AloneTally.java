@@ -8,8 +8,8 @@ import java.util.TreeMap;
 import steward.match.MatchResult;
 
 /**
- * Results of one bot where each plays alone, compared with those of the others on the same maps. Maps on which a game
- * has no result do not count; the mean score is that of all results of the bot.
+ * Results of one bot in a game for one player, compared with the other bots' results on the same maps. A map counts
+ * only if every game on it has a result; the mean score is over all results of the bot.
  */
 final class AloneTally {
 

@@ -1,11 +1,12 @@
 package steward.contest;
 
 /**
- * Times that one bot took to answer, in one game or in many: counted in buckets of equal relative width, so that games
- * add up and nothing grows with them. The first answers of games, which include the start of a program, are apart.
+ * Histogram of the times that one bot took to answer, in one game or in many. The buckets have equal relative width, so
+ * that histograms of games can be added and do not grow. First answers are counted apart, since they include the start
+ * of the program.
  *
- * <p>The buckets are those of HdrHistogram (G. Tene): below 2^7 ns one for each nanosecond, above 64 for each power of
- * two. Times read from them are therefore at most 1/64 too high. The mean and the worst are exact.
+ * <p>The buckets are those of HdrHistogram (G. Tene): one for each nanosecond below 2^7 ns, 64 for each power of two
+ * above. A time read from them is therefore at most 1/64 too high. The mean and the maximum are exact.
  */
 public final class AnswerTimes {
 

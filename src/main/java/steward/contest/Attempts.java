@@ -8,13 +8,20 @@ import steward.bot.TimeBasis;
 import steward.contest.Contest.Entrant;
 
 /**
- * The attempts at one game, and whether the last of them counts. A game that a bot lost on time is played again with
- * the same seed: if the bot may have been late only since it waited for a processor ({@link Failure#doubtful}), then
- * without charging it for that ({@link TimeBasis#UNSTARVED}); where limits are of CPU time, if it waited for half of
- * what it had ({@link Failure#starved}); once if another burned that was not yet held, which then
- * is held from the start. Where that cannot be held, the game is played again twice. If another burns or the machine is
- * too busy in each of {@value #MOST} attempts, the game does not count. With {@link Hiccups#COUNT} every first attempt
- * counts.
+ * Attempts at one game that may be lost on time through no fault of the bot. Decides whether the game is played again
+ * and whether the last attempt counts. Further attempts have the same seed:
+ *
+ * <ul>
+ * <li>If the bot may have been late only because it waited for a processor ({@link Failure#doubtful}), the game is
+ * played again without charging the bot for waiting ({@link TimeBasis#UNSTARVED}).
+ * <li>If limits are of CPU time, the game is played again if the bot waited for half of its time
+ * ({@link Failure#starved}).
+ * <li>If another bot computed meanwhile and was not yet held, the game is played again once with that bot held from the
+ * start. If that bot cannot be held, the game is played twice more.
+ * <li>If another bot computes or the machine is too busy in each of {@value #MOST} attempts, the game is discarded.
+ * </ul>
+ *
+ * <p>With {@link Hiccups#COUNT} every first attempt counts.
  */
 public final class Attempts {
 

@@ -6,7 +6,7 @@ import steward.bot.command.Program;
 import steward.bot.isolation.Isolation;
 import steward.contest.Contest.Entrant;
 
-/** Makes players of bots: processes, unless something is measured without them. */
+/** Starts the players of a match from bots: as processes, or inside the JVM for measurements. */
 public interface BotStarter {
 
     /**

@@ -32,7 +32,7 @@ import steward.scene.Time;
 import steward.text.TextFormat;
 
 /**
- * A scene and the bots that are to play in it, checked: any number of matches can be played, also at the same time.
+ * A scene and the checked bots that play in it. Any number of matches can be played, also at the same time.
  *
  * @param setup      the scene with its game
  * @param entrants   the bots, in the order of the call: as many as a game has players, or any number in a scene for one

@@ -9,7 +9,7 @@ import steward.bot.FaultMessages;
 import steward.bot.TimeSpent;
 
 /**
- * Failure of a bot as a program in one game.
+ * Failure of a bot in one game: a crash, a missed deadline or an invalid answer.
  *
  * @param player its place in the game
  * @param turn   in which it failed, counted from 1

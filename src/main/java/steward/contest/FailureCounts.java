@@ -6,7 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
-/** Failures of many games by bot and kind, each kind with its earliest game as an example. Thread-safe. */
+/** Counts of failures in many games by bot and kind, each kind with its earliest game as an example. Thread-safe. */
 public final class FailureCounts {
 
     private final Contest contest;

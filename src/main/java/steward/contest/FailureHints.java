@@ -17,7 +17,7 @@ import steward.bot.isolation.SandboxLevel;
 import steward.match.Protocol;
 import steward.text.TextFormat;
 
-/** Hints for beginners: the likely cause, guessed from how a bot failed. */
+/** Hints for beginners: the likely cause of a bot's failure, guessed from how it failed. */
 final class FailureHints {
 
     static final String FLUSH = "nothing ever came on its stdout; does it flush after every answer, and start in time?";

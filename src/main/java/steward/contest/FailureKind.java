@@ -3,7 +3,7 @@ package steward.contest;
 import java.util.List;
 
 /**
- * All failures of one bot for the same reason in a series.
+ * All failures of one bot for one reason in a series, the first of them in full.
  *
  * @param entrant     the bot, by its place in the call
  * @param occurrences where it failed so, in the order of the games; at least one

@@ -4,7 +4,10 @@ import java.util.HashMap;
 import java.util.Map;
 import steward.text.TextFormat;
 
-/** Games in a row in which each bot failed: more of them tell nothing about strength. Not thread-safe. */
+/**
+ * Counts, for each bot, games in a row that it failed in; after enough of them, further games tell nothing about its
+ * strength. Not thread-safe.
+ */
 public final class FailureStreaks {
 
     /** Number of games in a row that end a test or a search. */

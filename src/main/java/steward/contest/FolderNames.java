@@ -6,7 +6,9 @@ import java.util.List;
 import steward.bot.command.BotCommand;
 import steward.contest.Contest.Entrant;
 
-/** Names of bots whose programs are called alike in different folders: {@code v1-bot.py} and {@code v2-bot.py}. */
+/**
+ * Names for bots whose programs have the same file name in different folders: {@code v1-bot.py} and {@code v2-bot.py}.
+ */
 final class FolderNames {
 
     private FolderNames() { }

@@ -26,8 +26,9 @@ import steward.replay.TranscriptDigest;
 import steward.text.TextFormat;
 
 /**
- * Follows one game and collects what its result does not contain: why bots failed, with the last lines they wrote to
- * stderr, how long each answer took, and {@link GameFacts}. A turn costs it the writing of its commands.
+ * Listener of one game that collects facts which its result does not contain. They are the reasons why bots failed, the
+ * last lines that they wrote to stderr, the answer times, and {@link GameFacts}. Its cost per turn is writing the
+ * turn's commands.
  */
 public final class GameLog implements MatchListener {
 

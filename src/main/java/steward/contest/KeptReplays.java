@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.Locale;
 import java.util.Optional;
 
-/** Choice of the replays of a series that are kept. */
+/** Setting for which replays of a series are kept. */
 public enum KeptReplays {
 
     /** Every one; also that of a game that was broken off, if it has a turn. */

@@ -16,9 +16,9 @@ import steward.contest.seeds.Seeds;
 import steward.match.MatchResult;
 
 /**
- * Play of some bots on one seed after the other, each seed from all seats, until the taker of the results has enough or
- * there is none any more. Results come to it in the order of seeds, however many threads play: when it says that it has
- * enough, nothing that is played besides counts.
+ * Plays games of a few bots seed after seed, each seed from all seats, until the results suffice or no seed is left.
+ * Results are delivered to a receiver in the order of seeds, however many threads play. Games that are still being
+ * played when the receiver has enough do not count.
  */
 public final class PairedPlay {
 

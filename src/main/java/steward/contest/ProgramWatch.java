@@ -22,9 +22,9 @@ import steward.files.Sha256;
 import steward.match.Protocol;
 
 /**
- * Watch over the files of programs while more than one game is played. A file that is missing, or that is being
- * written, is waited for: programs have come to rest when all their files have stood unchanged for a second, none is
- * missing or cut off, and each can be started. Thread-safe.
+ * Watches the files of the bots' programs while several games are played. If a file is missing or being written, it
+ * waits until all files are present, have been unchanged for a second, are not cut off, and each program can be
+ * started. Thread-safe.
  */
 public final class ProgramWatch {
 

@@ -12,9 +12,9 @@ import steward.files.LateFile;
 import steward.replay.WriteBehind;
 
 /**
- * The replay of one game as a file: it remembers what went wrong with it, and leaves nothing empty behind. The file is
- * made with its first line, so that also after {@code kill -9} every file there is can be verified up to its cut, but
- * for one that was killed between the two calls of the system: it is empty.
+ * Output file for the replay of one game, which remembers its write error and is never left behind empty. The file is
+ * created together with its first line. So after {@code kill -9} every existing file can be verified up to its cut,
+ * except one killed between the two system calls: that one is empty.
  */
 public final class ReplayFile extends OutputStream {
 

@@ -10,9 +10,9 @@ import steward.files.OutputFiles;
 import steward.match.MatchResult;
 
 /**
- * Many games between the same bots. Game k, counted from 0, has seed k; with {@code swap} each seed is played once for
- * every way to move the bots up, one after the other. In a scene for one player each seed is played
- * by each bot alone, one after the other.
+ * Settings of a series: many games between the same bots. Game k, counted from 0, has seed k. With {@code swap} each
+ * seed is played once for every rotation of the seats, one after the other. In a scene for one player each bot plays
+ * each seed alone, one after the other.
  *
  * @param starts  the seeds: numbers in a row from that of the first game on, or a list
  * @param seeds   how many seeds

@@ -26,7 +26,7 @@ import steward.replay.sign.SigningKey;
 import steward.scene.Time;
 
 /**
- * Staging of the matches of a contest: bots are started, replays are written and signed.
+ * Prepares the matches of a contest: starts the bots, opens the replay and signs it.
  *
  * @param key       signs replays; or {@code null}
  * @param isolation how bots are kept apart, asked for when bots are started

@@ -8,8 +8,8 @@ import steward.contest.repeat.Repeats;
 import steward.match.MatchResult;
 
 /**
- * The games of a series that are over, and their sums. May be read by any thread while games are played; no result
- * depends on the order in which games ended.
+ * Finished games of a series and their sums. Any thread may read them while games are played; no result depends on the
+ * order in which games ended.
  */
 public final class Standings {
 

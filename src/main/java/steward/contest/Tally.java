@@ -8,14 +8,15 @@ import java.util.TreeMap;
 import steward.match.MatchResult;
 
 /**
- * Results of one bot in many games.
+ * Results of one bot in many games: ranks, points, scores and failures.
  *
- * <p>Points of a game: the share of the others that are ranked below, with half of those on the same rank; between two
- * bots 1 for a win, 1/2 for a draw, 0 for a loss. Where each plays alone, the results on the same map count so; a bot
- * without others has no points.
+ * <p>Points of a game: the share of the opponents ranked below, plus half of those on the same rank. Between two bots
+ * that is 1 for a win, 1/2 for a draw, 0 for a loss. In a game for one player the results on the same map are compared
+ * so; a bot without opponents has no points.
  *
- * <p>Two kinds of games tell nothing of which bot is better, and have no points: those in which all bots failed in the
- * same turn, and repeats, in which the same bots in the same seats did what they had done in an earlier game.
+ * <p>Two kinds of games say nothing about which bot is better, and give no points: games in which all bots failed in
+ * the same turn, and repeats, in which the same bots in the same seats did exactly what they had done in an earlier
+ * game.
  *
  * @param games     that have points
  * @param wins      alone on the first rank

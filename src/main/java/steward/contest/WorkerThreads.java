@@ -8,7 +8,7 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.function.IntFunction;
 
-/** Daemon threads, each of which works until nothing is left to do. */
+/** Daemon threads, each of which repeats a task until no work is left. */
 public final class WorkerThreads {
 
     private WorkerThreads() { }

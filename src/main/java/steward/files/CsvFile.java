@@ -8,7 +8,7 @@ import java.nio.file.Path;
 import java.util.List;
 import steward.text.CsvRow;
 
-/** A table for spreadsheets that grows row by row: what was added is in the file, whatever happens next. */
+/** A CSV table that grows row by row; each added row is in the file at once, whatever happens next. */
 public final class CsvFile implements AutoCloseable {
 
     private final OutputStream out;

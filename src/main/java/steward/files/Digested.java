@@ -1,6 +1,6 @@
 package steward.files;
 
-/** Contents of files that decide what happens in a game. */
+/** Interface of content whose files decide what happens in a game; gives their digest. */
 public interface Digested {
 
     /** Digest of the files, or {@code null} if there are none. */

@@ -8,8 +8,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 
 /**
- * Test of an executable in the Executable and Linkable Format (System V ABI, chapters 4 and 5): whether all segments
- * that its header promises are there. A compiler that was stopped, or a copy under way, leaves one that is cut off.
+ * Tests whether an executable in the Executable and Linkable Format has all segments that its header promises (System V
+ * ABI, chapters 4 and 5). A stopped compiler, or a copy under way, leaves one that is cut off.
  */
 public final class ElfFile {
 

@@ -6,7 +6,7 @@ import java.nio.file.Path;
 import java.util.Comparator;
 import java.util.stream.Stream;
 
-/** Folders of the program's own making. */
+/** Deletes folders with their contents. */
 public final class Folders {
 
     private Folders() { }

@@ -13,8 +13,8 @@ import java.util.Map;
 import java.util.stream.Stream;
 
 /**
- * Class loader of the jars of a folder. What is loaded from a jar is another thing whenever a byte of the jar is: its
- * digest stands in the seasons and replays of a game that is from there.
+ * Class loader for the jars of a folder, with their digests. A class from a jar counts as another one whenever a byte
+ * of the jar changes: the digest is stored in the seasons and replays of a game from that jar.
  */
 public final class JarFolder extends URLClassLoader {
 

@@ -10,9 +10,9 @@ import java.nio.file.Path;
 import java.nio.file.attribute.BasicFileAttributes;
 
 /**
- * A file that is made when something is first written to it, so that a process which is killed before leaves no empty
- * one, and one that is to be replaced stays until then. Errors that can be known before are found when this is made:
- * whether a new file can be made is tried. Devices and pipes, which are there already, are opened at once.
+ * Output file that is created at the first write. So a process that is killed before leaves no empty file, and a file
+ * to be replaced stays until then. Foreseeable errors are found at construction, where it is tried whether a new file
+ * can be created. Existing devices and pipes are opened at once.
  *
  * <p>One thread at a time may use it.
  */

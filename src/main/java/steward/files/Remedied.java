@@ -2,7 +2,7 @@ package steward.files;
 
 import java.util.List;
 
-/** Problem that a call with another option would not have. Commands that have the option name it. */
+/** Interface of an exception that another option would prevent. Commands that have the option name it. */
 public interface Remedied {
 
     /** The options; none if nothing would help. */

@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 
-/** Files that come with the program, by their absolute names on the class path. */
+/** Reads files that come with the program, by their absolute names on the class path. */
 public final class Resources {
 
     private Resources() { }

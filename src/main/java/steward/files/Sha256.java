@@ -4,7 +4,7 @@ import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 
-/** Digests by SHA-256, which every Java has. */
+/** SHA-256 digests, which every Java has. */
 public final class Sha256 {
 
     private Sha256() { }

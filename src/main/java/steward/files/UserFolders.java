@@ -2,7 +2,7 @@ package steward.files;
 
 import java.nio.file.Path;
 
-/** Folders of the user of this program, by the XDG base directory specification. */
+/** Folders of this program's user for cache, data and settings, by the XDG base directory specification. */
 public final class UserFolders {
 
     private UserFolders() {

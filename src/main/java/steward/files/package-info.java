@@ -1,5 +1,5 @@
 /**
- * Files that the user named: paths as typed, output that replaces nothing unless told to, digests, resources,
- * and the exception for unusable input.
+ * Files that the user names: paths as typed, output that replaces nothing unless told to, digests, resources, and the
+ * exception for unusable input.
  */
 package steward.files;

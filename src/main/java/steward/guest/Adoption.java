@@ -25,10 +25,10 @@ import tools.jackson.core.util.Separators.Spacing;
 import tools.jackson.databind.json.JsonMapper;
 
 /**
- * Adoption of a published referee: its folders and class files say which league level has the full rules, and trial
- * games with idle bots which numbers of players there are, what is the same when a game is played again, and whether
- * classes can be kept from game to game. Idle bots say {@code WAIT} and nothing else, so that games between them never
- * decide about levels.
+ * Finds the settings for a published referee, so that it can be played as a guest. Its folders and class files tell
+ * which league level has the full rules. Trial games with idle bots tell which numbers of players it allows, what is
+ * equal when a game is played again, and whether its classes can be kept between games. Idle bots answer {@code WAIT}
+ * and nothing else, so games between them never decide about levels.
  */
 public final class Adoption {
 

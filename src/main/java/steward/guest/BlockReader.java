@@ -10,7 +10,10 @@ import java.util.List;
 import java.util.regex.Matcher;
 import steward.text.TextFormat;
 
-/** Reads what a referee says until its host speaks next. Bounded, so that a flood is a fault and fills no memory. */
+/**
+ * Reads blocks of lines from a referee's output, with a bound, so that a flood becomes a fault and cannot fill the
+ * memory.
+ */
 final class BlockReader {
 
     /** Bytes that a referee may say between two words of its host: an SDK says at most 1 MiB of view. */

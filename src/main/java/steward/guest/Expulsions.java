@@ -9,12 +9,12 @@ import java.util.stream.Collectors;
 import steward.text.TextFormat;
 
 /**
- * Players whom a referee has thrown out by its own word. It says so with a line of the block SUMMARY in the form that
- * the SDK has for errors, red, with the player in it, and then either asks others twice without this player or gives it
- * the score -1. A negative score alone says nothing: games have such scores.
+ * Detects which players a referee has thrown out of the game. The referee writes a line of the block SUMMARY in the
+ * SDK's form for errors, red and with the player in it. Then it either asks others twice without this player or gives
+ * it the score -1. A negative score alone proves nothing: games have such scores.
  *
- * <p>The SDK counts times from 4.7.2 on: it allows {@value #STRIKE_EXTRA_MS} ms more than the contest's limit, but at
- * the third answer that needs them the player is out.
+ * <p>From version 4.7.2 on the SDK counts times: it allows {@value #STRIKE_EXTRA_MS} ms beyond the contest's limit, but
+ * at the third answer that needs them the player is out.
  */
 final class Expulsions {
 

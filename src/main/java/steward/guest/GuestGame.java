@@ -17,12 +17,13 @@ import steward.physics.Bodies;
 import steward.text.TextFormat;
 
 /**
- * A game whose referee is a program of its own. A turn is one question: the referee names a player, how many lines it
- * has to answer and within which limit; the turn plays that answer, or that there was none. Questions of no lines ask
- * nobody and are answered at once; the lines that came with them are sent with the next question of that player. A
- * player who has failed is not asked again: the referee is told so each time.
+ * Game whose rules are run by an external referee program. A turn is one question: the referee names a player, the
+ * number of lines to answer and the limit; the turn passes on that answer, or that there was none. A question for no
+ * lines asks nobody and is answered at once; its lines are sent with the next question of that player. A player who has
+ * failed is not asked again: the referee is told so each time.
  *
- * <p>The program is started by the first look at who is asked, and ended by the end of the game or {@link #close}.
+ * <p>The program is started when the game is first asked whose turn it is, and ended by the end of the game or {@link
+ * #close}.
  */
 final class GuestGame extends AbstractGame {
 

@@ -13,8 +13,8 @@ import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
 /**
- * All JSON of a guest: answers and states as a replay keeps them; its bots speak lines only. A command is the lines of
- * an answer, with its time where the referee counts times; a state is all that the referee has said since the last
+ * JSON of a guest's answers and states in replays; its bots themselves speak lines only. A command is the lines of an
+ * answer, with its time if the referee counts times. A state is everything that the referee has said since the last
  * answer.
  */
 record GuestJson(GuestGame game) implements GameJson {

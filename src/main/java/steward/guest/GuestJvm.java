@@ -19,14 +19,15 @@ import java.util.List;
 import java.util.jar.JarFile;
 
 /**
- * Main class of the JVM in which referees on a class path play, game after game. It needs nothing but the JDK. The
- * blocks go through the JVM's own input and output, which the referee cannot reach: what it prints itself goes to the
- * standard error.
+ * Main class of a JVM that runs referees from a class path, game after game. It needs nothing but the JDK. Blocks go
+ * through the JVM's own input and output, which the referee cannot reach: text that the referee prints goes to standard
+ * error.
  *
- * <p>A game begins with a block START, whose lines are system properties, and ends with END, which is answered by
- * READY: {@code go on}, or {@code recycle} once loaders that stay alive are many or fill the metaspace. Each game has
- * a loader of its own for the SDK and the contest, unless classes are reused; other libraries are shared. The loader
- * of the system has the whole class path too, but none of these loads by it: it serves referees that ask it for files.
+ * <p>A game begins with a block START, whose lines are system properties, and ends with END. The answer is READY, with
+ * {@code go on}, or {@code recycle} if many class loaders stay alive or fill the metaspace. Each game has a class
+ * loader of its own for the SDK and the contest, unless classes are reused; other libraries are shared. The system
+ * class loader has the whole class path too, but only for referees that ask it for files; none of these loaders
+ * delegates to it.
  *
  * <p>Arguments: the main class, {@code fresh} or {@code classes}, the entries of the class path.
  */

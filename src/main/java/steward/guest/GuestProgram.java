@@ -20,8 +20,8 @@ import steward.scene.SceneReader;
 import steward.scene.json.Block;
 
 /**
- * The block {@code referee} of a scene: a command that plays one game, or a class path whose main class plays game
- * after game in a JVM.
+ * The block {@code referee} of a scene, which says how the referee is run. It is a command that plays one game, or a
+ * class path whose main class plays game after game in a JVM.
  *
  * @param command      the program and its arguments; empty with a class path
  * @param classPath    folders and jars of a referee made with an SDK, the project itself first; empty with a command

@@ -4,7 +4,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import steward.game.TextCodec;
 
-/** Lines between a guest's referee and the bots, passed on as they are. */
+/** Passes lines between a guest's referee and the bots unchanged. */
 record GuestText(GuestGame game) implements TextCodec {
 
     @Override

@@ -20,7 +20,7 @@ import steward.scene.Scene;
 import steward.scene.SceneReader;
 import tools.jackson.databind.json.JsonMapper;
 
-/** Type of the games whose referee is a program of its own. */
+/** Game type of all guests, games whose referee is an external program. */
 public final class GuestType implements GameType {
 
     /** Id of the game in scenes. */

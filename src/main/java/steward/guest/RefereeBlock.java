@@ -6,7 +6,8 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
- * A block of lines, {@code [[NAME] n]} and n lines behind it: all that a referee and its host say to each other.
+ * A block of lines, {@code [[NAME] n]} followed by n lines: the unit of all communication between a referee and its
+ * host.
  *
  * @param lines behind its head, without line ends
  */

@@ -13,8 +13,8 @@ import java.util.stream.Stream;
 import steward.files.Sha256;
 
 /**
- * Digest of a referee's files, whatever the folders above are called: all on its class path, or those that its command
- * names. They are read when it is first asked for.
+ * Digest of a referee's files, independent of where they are stored: its class path, or the files that its command
+ * names. They are read when the digest is first asked for.
  */
 final class RefereeDigest {
 

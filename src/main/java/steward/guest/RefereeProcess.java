@@ -16,8 +16,8 @@ import steward.bot.process.GuestProcess;
 import steward.text.TextFormat;
 
 /**
- * A referee program that is running. It is asked in blocks and answers in blocks within a limit of the wall clock;
- * whatever else it does is a {@link RefereeFault} with the end of its stderr, after which it is dead.
+ * Running referee program that is asked in blocks and answers in blocks, within a limit of real time. Any other
+ * behaviour is a {@link RefereeFault} with the end of its stderr; afterwards the process is dead.
  */
 final class RefereeProcess {
 

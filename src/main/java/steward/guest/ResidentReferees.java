@@ -5,7 +5,7 @@ import java.util.Deque;
 import java.util.List;
 import steward.bot.isolation.Isolation;
 
-/** Referees between two games: JVMs that play the next one of the same referee, as many as are not in use. */
+/** Pool of idle referee JVMs, each of which can play the next game of the same referee. */
 final class ResidentReferees {
 
     private static final ResidentReferees SHARED = new ResidentReferees();

@@ -7,7 +7,7 @@ import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
 /**
- * Tests of a game for one, and the order of results.
+ * Test cases of a guest for one player, and how its results are compared.
  *
  * @param tests         lines of the block INIT in place of the seed, for each test; empty if the seed is sent
  * @param criterion     key of the block METADATA whose value is the score; empty for the score of the block SCORES

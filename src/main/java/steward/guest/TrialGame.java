@@ -18,7 +18,7 @@ import steward.bot.process.BotProcess;
 import steward.guest.RefereeBlock.Name;
 
 /**
- * A game that is played to learn about its referee, or its beginning.
+ * Trial game between idle bots that is played, in full or in part, to learn about a referee.
  *
  * @param said      a hash of all that was said in each kind of block
  * @param questions that were answered

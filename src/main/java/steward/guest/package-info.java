@@ -1,5 +1,5 @@
 /**
- * Games whose referee is a program of its own: the blocks that it speaks, its process, and the game that Steward sees.
- * Behind {@link steward.game.Game}, so that nobody above knows; it knows no particular contest.
+ * Guests, games whose referee is an external program: its blocks of lines, its process, and the game that Steward sees.
+ * Behind {@link steward.game.Game} nobody knows that a game is a guest; this package knows no particular contest.
  */
 package steward.guest;

@@ -14,8 +14,8 @@ import steward.files.InputException;
 import steward.files.OutputFiles;
 
 /**
- * Lists of seeds that games of bots chose and that were played in a league. The league keeps a copy of each, since its
- * games stay when the list of {@code league.json} becomes another, or was that of one test.
+ * Copies of the seed lists that were played in a league and had been chosen by games of bots. The league keeps its own
+ * copy, because its games stay when {@code league.json} names another list, or when the list belonged to one test.
  */
 public final class ChosenSeeds {
 

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * A decision of the schedule: which bots play on a seed, each of them on every seat.
+ * A decision of the schedule: which group of bots plays on one seed, with every bot on every seat.
  *
  * @param number from 0 on
  * @param group  the versions, ascending; where each plays alone, all that did at the time

@@ -11,8 +11,9 @@ import steward.files.InputException;
 import steward.files.OutputFiles;
 
 /**
- * Holds a league for one run: a lock of the operating system, which goes with the process however that ends. The file
- * says which process has it; an id that is left there without the lock means nothing.
+ * Lock that lets only one run at a time write to a league. It is a lock of the operating system, which is released when
+ * the process ends, however that happens. The file contains the id of the process; without the lock that id means
+ * nothing.
  */
 public final class FolderLock implements AutoCloseable {
 

@@ -2,7 +2,7 @@ package steward.league;
 
 import java.util.List;
 
-/** The name of a game: what is played by whom, so that the same game has the same name wherever it is played. */
+/** Identity of a game within a league: a hash of what is played and by whom, equal wherever the game is played. */
 public final class GameName {
 
     private GameName() { }

@@ -7,8 +7,8 @@ import java.util.Map;
 import steward.contest.seeds.Seeds;
 
 /**
- * Seeds that groups of bots still have to play: of a list each group plays every one once, in its order, whatever it
- * has played of another list before; of numbers in a row each decision has its own. Not thread-safe.
+ * Seeds that each group of bots still has to play. From a list, each group plays every seed once in the list's order,
+ * whatever it played from an earlier list. From consecutive numbers, each decision takes the next. Not thread-safe.
  */
 final class GroupSeeds {
 

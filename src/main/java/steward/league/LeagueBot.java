@@ -13,7 +13,7 @@ import steward.match.OwnLimits;
 import steward.match.Protocol;
 
 /**
- * A bot as league.json names it.
+ * A bot as league.json describes it: name, command and options.
  *
  * @param name      unlike the others' names; {@code NAME@PLATFORM} plays on that platform only
  * @param command   {@code [builtin:|json:|codingame:]COMMAND}

@@ -20,8 +20,8 @@ import steward.text.Utf8Text;
 import steward.text.Utf8Text.NotUtf8Exception;
 
 /**
- * The folder of a league: {@code league.json}, {@code league.db}, {@code league.lock}, the replays, and the lists of
- * seeds that games chose ({@link ChosenSeeds}).
+ * The folder of a league and the paths in it: {@code league.json}, {@code league.db}, {@code league.lock}, the replays,
+ * and the seed lists of {@link ChosenSeeds}.
  *
  * @param path as it was named
  */

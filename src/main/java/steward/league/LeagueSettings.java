@@ -10,7 +10,7 @@ import steward.contest.Hiccups;
 import steward.contest.KeptReplays;
 
 /**
- * Settings of a league by a person: the content of league.json.
+ * Settings of a league that a person decides: the content of league.json.
  *
  * @param scene    a shipped scene's name, or a file in the league's folder
  * @param seed     of the first decision; each decision has the next one

@@ -7,7 +7,10 @@ import java.util.Map;
 import java.util.TreeSet;
 import java.util.function.Predicate;
 
-/** Chooses the group chosen least, of several the first in {@link RoundOrder}: latecomers catch up. Uses no results. */
+/**
+ * Pairing that chooses the group with the fewest games, among equals the first in {@link RoundOrder}, so that
+ * latecomers catch up. It uses no results.
+ */
 final class LeastPlayed implements Pairing {
 
     private final List<int[]> groups;

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 
-/** Lineups of a decision of the schedule: the same bots on one seed, every one of them on every seat. */
+/** Lineups of a decision: the same bots on one seed, rotated so that each bot sits on every seat. */
 final class Lineups {
 
     /** All ways to move these versions up by a place. */

@@ -4,9 +4,8 @@ import java.util.List;
 import java.util.function.Predicate;
 
 /**
- * Decides who plays next. It is told of all decisions; of their results, in a pairing that uses them, only those of
- * decisions that are {@code lag} or more back: then nothing it decides depends on threads or on where a run was
- * interrupted.
+ * Strategy that decides which bots play next. It is told all decisions. A pairing that uses results is told only those
+ * of decisions at least {@code lag} back; so its choices depend neither on threads nor on where a run was interrupted.
  */
 public interface Pairing {
 

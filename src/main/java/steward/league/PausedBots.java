@@ -5,16 +5,16 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * Bots that failed in many games in a row, and are not chosen any more. The pause of a bot at a decision follows from
- * the results of the decisions before, so that threads do not change it, and lasts:
+ * Tells which bots are paused because they failed in many games in a row. Whether a bot is paused at a decision depends
+ * on the results of earlier decisions alone, so that threads do not change it:
  *
  * <ul>
- * <li>A bot whose last game at least {@code lag} decisions back was without failure plays: nothing is waited for.
- * <li>Any other is paused if it has failed in all games since, and in enough. Where one that is under way could
- * complete the row, the decision waits for it.
+ * <li>A bot plays if its last game at least {@code lag} decisions back was without failure; nothing is waited for.
+ * <li>Otherwise it is paused if it has failed in all games since, and in enough of them. If a game under way could
+ * complete the row, the decision waits for that game.
  * </ul>
  *
- * <p>A decision in which the bot did not fail in every game ends the row. Not thread-safe.
+ * <p>A decision ends the row if the bot played one of its games without failure. Not thread-safe.
  */
 public final class PausedBots {
 

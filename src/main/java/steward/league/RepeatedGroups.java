@@ -9,10 +9,10 @@ import java.util.TreeMap;
 import steward.contest.repeat.Repeats;
 
 /**
- * Groups of bots that play nothing but repeats: the last {@value steward.contest.repeat.Repeats#ENOUGH} games of a
- * group, in the order of decisions, were equal to earlier ones. More of its games tell nothing. Where each plays alone,
- * all bots are one group. Answers use the games of decisions below a number and no others, so that they do not depend
- * on threads.
+ * Detects groups of bots that only repeat games: the last {@value steward.contest.repeat.Repeats#ENOUGH} games of a
+ * group, in the order of decisions, equalled earlier ones. More games of such a group give no information. In a game
+ * for one player, all bots are one group. An answer uses only games of decisions below a given number, so that it does
+ * not depend on threads.
  *
  * <p>Not thread-safe.
  */

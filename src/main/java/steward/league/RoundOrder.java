@@ -9,8 +9,9 @@ import java.util.Set;
 import java.util.stream.IntStream;
 
 /**
- * Order of all groups of bots in which every beginning is even: who has played least comes first. For two players it is
- * the circle method: no bot is ever more than one game ahead of another. In larger groups it is two games at most.
+ * Order of all groups of bots in which game counts stay balanced: the bot with the fewest games comes first. For two
+ * players it is the circle method: no bot is ever more than one game ahead of another. In larger groups it is two games
+ * at most.
  */
 public final class RoundOrder {
 

@@ -18,9 +18,9 @@ import java.util.function.Predicate;
 import steward.contest.seeds.Seeds;
 
 /**
- * The games of a season in their order. Decisions are numbered, and each is made once: those of earlier runs are there,
- * with the games that they lack. One is made only when all that are {@code lag} or more back are over, so that what it
- * depends on is known however many threads play; its games begin when it is stored.
+ * Order of all games of a season, made of numbered decisions. Each decision is made once; a restarted run finds the
+ * earlier decisions and plays their missing games. A decision is made only when all decisions at least {@code lag} back
+ * are over, so that the results it uses do not depend on the number of threads. Its games begin after it is stored.
  *
  * <p>Not thread-safe. Over 400 lines, because all that happens to a game changes the same rows.
  */

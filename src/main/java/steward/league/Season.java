@@ -6,7 +6,7 @@ import steward.scene.Scene;
 import steward.scene.SceneKey;
 
 /**
- * Common conditions of all games of a season, so that they can be compared: the scene, the time limits, the rules.
+ * Conditions that all games of a season share, so that they can be compared: the scene, the time limits, the rules.
  *
  * @param sceneName the scene's name
  * @param sceneKey  of all in the scene that decides what happens

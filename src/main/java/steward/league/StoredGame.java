@@ -10,7 +10,7 @@ import java.util.stream.Collectors;
 import steward.contest.repeat.GameFacts;
 
 /**
- * One game as it is stored: an observation that any rating can be computed from.
+ * One game as the league's database stores it: an observation from which any rating can be computed.
  *
  * @param id       its number in the league; 0 before it is stored
  * @param name     see {@link GameName}

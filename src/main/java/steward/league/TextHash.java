@@ -10,7 +10,7 @@ import java.util.HexFormat;
 import java.util.List;
 import steward.files.Sha256;
 
-/** A hash of a list of texts: the first 128 bits of SHA-256 over each text's length and bytes. */
+/** Hash of a list of texts: the first 128 bits of SHA-256 over the length and bytes of each text. */
 final class TextHash {
 
     private static final int BYTES = 16;

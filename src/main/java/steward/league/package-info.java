@@ -1,5 +1,5 @@
 /**
- * A league on disk: the file that a person edits, the folder, the identity of a bot and of a game, and the schedule of
- * who plays whom. It computes nothing from results and stores nothing.
+ * A league on disk: the file that a person edits, the folder, identities of bots and games, and the schedule. It
+ * computes nothing from results and stores nothing.
  */
 package steward.league;

@@ -5,9 +5,9 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * The host names that a request may use for this server. A foreign page can have its own name resolved to this machine
- * (DNS rebinding) and would then be allowed to read what is served here; the {@code Host} header reveals that name. A
- * numeric address cannot be rebound, so numeric addresses are accepted.
+ * Host names that a request may use for this server, as protection against DNS rebinding. A foreign page can have its
+ * own name resolved to this machine and could then read what is served here; the {@code Host} header reveals that name.
+ * A numeric address cannot be rebound, so numeric addresses are accepted.
  *
  * @param given the name or address that the server was told to listen on
  * @param port  the server's port

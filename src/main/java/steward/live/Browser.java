@@ -9,7 +9,7 @@ import java.util.Locale;
 import java.util.concurrent.TimeUnit;
 import steward.bot.command.ProgramFinder;
 
-/** The user's web browser, started through the system's own program for that. */
+/** Opens the user's web browser through the system's own program for that. */
 public final class Browser {
 
     /**

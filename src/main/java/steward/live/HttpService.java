@@ -18,11 +18,11 @@ import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.ThreadLocalRandom;
 
 /**
- * A small read-only server for browsers: one thread serves all connections without ever waiting for one of them, a
+ * A small read-only HTTP server for browsers. One thread serves all connections without ever waiting for one of them; a
  * second makes pages that take their time. Viewers share the bytes that they are sent.
  *
- * <p>A viewer who reads nothing for some time, while there is something to read, is dropped, and told so when the
- * browser connects again by itself: with its number, which is the id of the last event it knows.
+ * <p>A viewer who reads nothing for some time, although there is something to read, is dropped. When its browser
+ * connects again by itself, it is told so; it is recognised by its number, the id of the last event it knows.
  */
 final class HttpService implements AutoCloseable {
 

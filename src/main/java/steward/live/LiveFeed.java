@@ -2,7 +2,7 @@ package steward.live;
 
 import java.nio.charset.StandardCharsets;
 
-/** Stream of server-sent events. Every viewer follows it at its own pace, from a position of its own. Thread-safe. */
+/** Stream of server-sent events that many viewers follow, each at its own pace from its own position. Thread-safe. */
 interface LiveFeed {
 
     /** Last piece of a feed: nothing follows. */

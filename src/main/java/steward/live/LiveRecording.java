@@ -8,9 +8,9 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * The replay of a match while it is written, kept in memory: a replay writer writes into it, and any number of readers
- * follow, each at its own pace. A slow reader delays neither the match nor other readers, because each has its own
- * position in the list of lines, which all share. Its size depends on the match alone, a few megabytes at most.
+ * Replay of a match in memory while it is written, for any number of readers. A slow reader delays neither the match
+ * nor other readers, because each has its own position in the shared list of lines. Its size depends on the match
+ * alone, a few megabytes at most.
  *
  * <p>Thread-safe.
  */

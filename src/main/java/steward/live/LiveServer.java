@@ -9,11 +9,11 @@ import steward.replay.page.PageExtras;
 import steward.replay.page.ReplayPage;
 
 /**
- * Serves the page of a match that is being played, the match line by line to every open page, and the match so far as
- * a self-contained page. Access is read-only.
+ * Web server for a match while it is played. It serves the page, sends the match line by line to every open page, and
+ * offers the match so far as a self-contained page. Access is read-only.
  *
- * <p>Caveat: there is no password. On an address other than the loopback one, every client that reaches this machine
- * can watch.
+ * <p>Caveat: there is no password. On any address but the loopback one, every client that reaches this machine can
+ * watch.
  */
 public final class LiveServer implements AutoCloseable {
 

@@ -5,7 +5,7 @@ import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.Locale;
 
-/** A request while it arrives, up to the empty line behind its headers. */
+/** HTTP request while it arrives, up to the empty line behind its headers. */
 final class Request {
 
     private static final int MOST_BYTES = 16 << 10;

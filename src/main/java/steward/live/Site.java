@@ -1,6 +1,6 @@
 package steward.live;
 
-/** The pages of a server, and the feed that its front page follows. */
+/** Pages of a server, and the feed that its front page follows. */
 interface Site {
 
     /** Address of the feed, relative to the front page. */

@@ -5,8 +5,8 @@ import java.net.URI;
 import java.util.function.Function;
 
 /**
- * Serves a page and, to every open one, the newest state of what it shows, by server-sent events: who is slow misses
- * states in between, and delays no one. Other pages are found by their path. Access is read-only.
+ * Web server for a page whose data change: it sends every open page the newest state by server-sent events. A slow
+ * viewer misses states in between and delays no one. Other pages are found by their path. Access is read-only.
  *
  * <p>Caveat: there is no password, as with {@link LiveServer}.
  */

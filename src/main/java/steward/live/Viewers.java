@@ -3,7 +3,7 @@ package steward.live;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Counts the viewers of a match: how many may follow at the same time, and what they still have to receive.
+ * Counts the viewers of a match: how many may follow at the same time, and how much they still have to receive.
  * Thread-safe.
  */
 final class Viewers {

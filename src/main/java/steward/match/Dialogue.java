@@ -10,8 +10,8 @@ import steward.game.TextCodec;
 import steward.scene.Time;
 
 /**
- * A protocol bound to one game: the lines sent to a bot, and how its answers are read. The referee uses it; a replay
- * can produce the same lines again, because they follow from the game.
+ * Protocol bound to one game: produces the lines sent to a bot and reads its answers. The referee uses it; a replay can
+ * produce the same lines again, because they depend on the game alone.
  */
 public interface Dialogue {
 

@@ -3,11 +3,10 @@ package steward.match;
 import steward.game.Game;
 
 /**
- * A bot inside this JVM that reads the game itself instead of lines, and gives its commands directly to it: nothing is
- * written or parsed. A match with such bots gives the same result, and the same recording, as one in which the same
- * commands are sent as lines.
+ * A bot inside this JVM that reads the game itself and gives commands directly to it, without lines or JSON. A match
+ * with such bots gives the same result and the same recording as one in which the same commands are sent as lines.
  *
- * <p>One instance plays one match; the methods are called by one thread at a time. It must change the game only by
+ * <p>One instance plays one match; the methods are called by one thread at a time. The bot must change the game only by
  * giving commands, for which each game has its own class.
  */
 public interface DirectBot {

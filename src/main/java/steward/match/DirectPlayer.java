@@ -7,8 +7,8 @@ import steward.bot.Player;
 import steward.game.Game;
 
 /**
- * A {@link DirectBot} as a player, and its dialogue, in which nothing is said: it is asked without lines. Time is
- * measured as for a bot program and the limit applies, but a bot that never returns cannot be stopped.
+ * Adapter of a {@link DirectBot} to a player and its dialogue, without lines. Time is measured as for a bot program and
+ * the limit applies, but a bot that never returns cannot be stopped.
  */
 final class DirectPlayer implements Player, Dialogue {
 

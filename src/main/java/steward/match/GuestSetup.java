@@ -6,7 +6,7 @@ import steward.bot.isolation.Isolation;
 import steward.game.Game;
 import steward.game.GameSetup;
 
-/** Setup of a game whose referee is a program of its own. */
+/** Setup of a game whose referee is an external program. */
 public interface GuestSetup extends GameSetup {
 
     /** Returns this setup with a referee that is kept apart as bots are. */

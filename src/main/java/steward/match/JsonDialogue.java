@@ -11,8 +11,8 @@ import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.ObjectWriteContext;
 
 /**
- * The JSON protocol: one setup frame, a turn frame per turn, one end frame, each a JSON object and a line feed,
- * UTF-8; an answer is one line.
+ * Dialogue in the JSON protocol: one setup frame, one turn frame per turn, one end frame. Each frame is a JSON object
+ * and a line feed in UTF-8; an answer is one line.
  */
 final class JsonDialogue implements Dialogue {
 

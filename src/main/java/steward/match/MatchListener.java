@@ -3,7 +3,7 @@ package steward.match;
 import steward.game.Game;
 import steward.game.GameJson;
 
-/** Observes a match as it is played. Called in order by one thread at a time. */
+/** Observer of a match as it is played. Its methods are called in order, by one thread at a time. */
 public interface MatchListener {
 
     /** Before the first turn; the game and its codec may be read in every later call, never changed. */

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Result of a match.
+ * Result of a match: ranks, scores and failures of the players, and how it ended.
  *
  * @param ending  one sentence without its full stop
  * @param players per player, in order

@@ -5,7 +5,7 @@ import java.util.regex.Pattern;
 import steward.scene.Time;
 
 /**
- * Time limits of one bot in place of the scene's, in milliseconds.
+ * Time limits in milliseconds for one bot that replace the scene's.
  *
  * @param answerMs      for every answer but the first, 1 to {@link #MOST_MS}
  * @param firstAnswerMs for the first answer, its start included, up to {@link #MOST_MS}; 0 for the scene's, but no less

@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.Locale;
 import java.util.Optional;
 
-/** The protocols that a bot can use. */
+/** Protocols that a bot can use: JSON frames, or the game's text lines. */
 public enum Protocol {
     /** One JSON object a line: setup, turn, answer, end. */
     JSON,

@@ -19,9 +19,10 @@ import steward.game.GameSetup;
 import steward.scene.Time;
 
 /**
- * The referee loop: each turn it sends every player a frame, takes the commands one player after another, eliminates
- * players that failed, lets the game play the turn and notifies the listener. All players who are in are asked every
- * turn, also after another has failed, unless that fault has decided the game and the turn is not played.
+ * The loop of a match: each turn it asks the players for commands and lets the game play the turn. It sends every
+ * player a frame, takes commands one player after another, eliminates players that failed, and notifies the listener.
+ * All remaining players are asked every turn, also after another has failed. Only if that fault decides the game is the
+ * turn not played.
  *
  * <p>The loop runs on a thread that does nothing else, one of {@link DaemonThreadPool}. When a player can neither be
  * read nor killed, that thread is blocked. The player then hands the fault to a new thread, which goes on with the next

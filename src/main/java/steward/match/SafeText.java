@@ -3,7 +3,7 @@ package steward.match;
 import java.nio.charset.StandardCharsets;
 import steward.text.TextFormat;
 
-/** Makes texts from players safe to print on a terminal and to store in a replay. */
+/** Escapes and shortens texts from players so that they are safe to print on a terminal and to store in a replay. */
 public final class SafeText {
 
     /** Characters of a line that are quoted. */

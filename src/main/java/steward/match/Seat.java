@@ -4,7 +4,7 @@ import steward.bot.Player;
 import steward.scene.Time;
 
 /**
- * A player of a match and the protocol it uses.
+ * Player of a match with the protocol it uses.
  *
  * @param player exchanges lines, or is a {@link #direct} one
  * @param limits of its own, or {@code null} for those of the scene

@@ -1,6 +1,6 @@
 package steward.match;
 
-/** Sums up one player's answer times, in nanoseconds. */
+/** Sum and maximum of one player's answer times, in nanoseconds. */
 public final class Stopwatch {
 
     private int answers;

@@ -4,7 +4,7 @@ import steward.game.Game;
 import steward.game.GameJson;
 
 /**
- * Passes every call on to two listeners.
+ * Match listener that passes every call on to two others.
  *
  * @param first  is called first
  * @param second is called only if the first call did not throw

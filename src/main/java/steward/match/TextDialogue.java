@@ -4,7 +4,7 @@ import java.nio.charset.StandardCharsets;
 import steward.bot.LineBuffer;
 import steward.game.TextCodec;
 
-/** A game's line protocol; it has no lines at the end. */
+/** Dialogue in a game's line protocol, which sends nothing at the end of a game. */
 final class TextDialogue implements Dialogue {
 
     private final TextCodec codec;

@@ -4,7 +4,7 @@ import steward.bot.TimeBasis;
 import steward.scene.Time;
 
 /**
- * Time limits of players.
+ * Time limits for the answers of all players.
  *
  * @param firstNanos the limit of the first answer, in nanoseconds; it includes the start of a process
  * @param turnNanos  the limit of every later answer; {@code Long.MAX_VALUE} is no deadline

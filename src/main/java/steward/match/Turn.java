@@ -5,7 +5,7 @@ import steward.bot.Answer;
 import steward.bot.Burner;
 import steward.bot.TimeSpent;
 
-/** Actions of the players in one turn; the referee reuses it from turn to turn. Arrays are indexed by player. */
+/** Reusable buffer for the players' actions in one turn. Arrays are indexed by player. */
 public final class Turn {
 
     private int number;

@@ -7,10 +7,9 @@ import steward.numerics.SplitMix64;
 import steward.numerics.StateHash;
 
 /**
- * Hash of a line of a replay.
- * Verification plays the game again and compares the outcome; fields that have no effect on it (a slightly different
- * target, a message, the name of a bot) are protected by this hash alone. It detects damage and edits, but not an edit
- * after which the hash was computed again: signatures are for that.
+ * Hash of a line of a replay, which detects damage and edits. Verification plays the game again and compares the
+ * outcome; fields without effect on it (a slightly different target, a message, the name of a bot) are protected by
+ * this hash alone. An edit after which the hash was computed again is not detected: signatures are for that.
  *
  * <p>Every complete block of 32 bytes feeds four independent hashes, eight bytes each (little-endian), because a
  * processor computes four at once in little more time than one; their values enter the hash first. Then come the

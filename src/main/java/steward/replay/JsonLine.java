@@ -15,8 +15,8 @@ import tools.jackson.core.JsonToken;
 import tools.jackson.core.ObjectReadContext;
 
 /**
- * One line of a replay: a JSON object of which only the top level is taken apart. Objects and arrays are kept as the
- * bytes they were written with, so that they can be compared with other bytes and parsed only when needed.
+ * One line of a replay, a JSON object of which only the top level is parsed. Objects and arrays are kept as bytes, so
+ * that they can be compared with other bytes and parsed only when needed.
  */
 public final class JsonLine {
 

@@ -6,8 +6,8 @@ import steward.text.NearestName;
 import steward.text.TextFormat;
 
 /**
- * Fields of the lines of replays, in their order. Every reader refuses a field that is unknown,
- * repeated or out of place: behind the hash of its line, no hash would cover it.
+ * Fields of the lines of replays, in their order. Every reader refuses a field that is unknown, repeated or out of
+ * place: behind the hash of its line, no hash would cover it.
  */
 enum LineFields {
     /** The first line. */

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * A replay read whole.
+ * A replay read completely into memory.
  *
  * @param source  the name of the file, for errors
  * @param header  what it says of the match

@@ -16,7 +16,7 @@ import tools.jackson.databind.MapperFeature;
 import tools.jackson.databind.json.JsonMapper;
 
 /**
- * One turn as it was recorded.
+ * One turn of a replay.
  *
  * @param number    counted from 1
  * @param commands  the array of commands, one per player or null, as JSON

@@ -8,7 +8,7 @@ import steward.match.Protocol;
 import steward.scene.Time;
 
 /**
- * Header of a replay: the facts of its match before the first turn.
+ * Header of a replay: the facts of its match that are known before the first turn, such as scene, seed and bots.
  *
  * @param game       id of the game
  * @param scene      the scene as used, one line of JSON

@@ -27,13 +27,13 @@ import steward.scene.json.JsonProblem;
 import tools.jackson.core.JacksonException;
 
 /**
- * Reads a replay line by line, also one that was packed with gzip, has a byte order mark or line ends of Windows, as
- * git and editors make them. A file that was cut off anywhere is read up to the cut: its last line, if it has no line
- * end and is no complete object, is dropped, and {@link #warning} says so.
+ * Reads a replay line by line, also if it is packed with gzip, has a byte order mark or Windows line ends. A file that
+ * was cut off anywhere is read up to the cut: its last line, if it has no line end and is no complete object, is
+ * dropped, and {@link #warning} says so.
  *
- * <p>Throws {@link ReplayException} for a file that is no replay, of a newer format, damaged before its end, or with a
- * field that its format does not have at that place or a line that is too long, and {@link UncheckedIOException} if the
- * file cannot be read. Over 400 lines: each kind of line is read here, with what may stand where.
+ * <p>Throws {@link ReplayException} if a file is no replay, has a newer format, is damaged before its end, has a line
+ * that is too long, or a field that its format does not have at that place; {@link UncheckedIOException} if the file
+ * cannot be read. Over 400 lines: each kind of line is read here, with the fields that it may have.
  */
 public final class ReplayReader implements AutoCloseable {
 

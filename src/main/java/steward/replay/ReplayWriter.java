@@ -19,11 +19,11 @@ import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.io.SerializedString;
 
 /**
- * Writes a match as it is played, a line at a time; every line goes to the file in one piece as soon as it is complete,
- * so that a match that is killed leaves the turns it has played; see {@link WriteBehind} for how soon.
+ * Writes a match to a replay as it is played, one line at a time. Every complete line goes to the file in one piece, so
+ * that a match that is killed leaves the turns it has played; {@link WriteBehind} says how soon.
  *
- * <p>A match that is signed names its signer in the header, and its signature follows the result, in one piece with it:
- * see {@link LinesDigest} for what is signed. A match that does not come to a result has no signature.
+ * <p>A signed match names its signer in the header, and its signature follows the result, in one piece with it ({@link
+ * LinesDigest} says what is signed). A match without a result has no signature.
  */
 public final class ReplayWriter implements MatchListener, AutoCloseable {
 

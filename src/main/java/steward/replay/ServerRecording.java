@@ -6,8 +6,8 @@ import steward.json.JsonObject;
 import tools.jackson.core.JsonGenerator;
 
 /**
- * Recording of a match by the site's server, kept in a replay of the match that its answers give here: the texts of its
- * frames, word for word, and its result. They are the fields {@code server} of header, turns and result.
+ * The site's own recording of a match, kept in a replay beside ours: the texts of its frames, word for word, and its
+ * result. They are the fields {@code server} of header, turns and result.
  */
 public final class ServerRecording {
 

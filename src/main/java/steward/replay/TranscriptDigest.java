@@ -10,10 +10,10 @@ import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.ObjectWriteContext;
 
 /**
- * Digest of a game's transcript: 64 bits of all commands, as a replay writes them, and of the hash of the state after
+ * Digest of a game's transcript: 64 bits over all commands, as a replay writes them, and the hash of the state after
  * each turn. Two games with the same digest were the same game, whatever their seeds were.
  *
- * <p>Not thread-safe. A turn costs the writing of its commands.
+ * <p>Not thread-safe. Its cost per turn is writing the commands.
  */
 public final class TranscriptDigest {
 

@@ -11,11 +11,11 @@ import java.util.concurrent.locks.LockSupport;
 import java.util.concurrent.locks.ReentrantLock;
 
 /**
- * Buffers what is written; one thread of this JVM writes it to the file, so that a match does not wait for a disk. The
- * thread is woken if it sleeps, and polls every {@value #PAUSE_MICROS} microseconds while there is work: a JVM that is
- * killed loses that much of a match at most. When the JVM exits in order, also by Ctrl-C, everything is written. At
- * most {@value #CAPACITY} bytes are buffered; when the buffer is full, the calling thread writes it to the file itself,
- * as do {@link #flush} and {@link #close}.
+ * Output buffer that one thread of this JVM writes to the file, so that a match does not wait for a disk. The thread is
+ * woken if it sleeps, and polls every {@value #PAUSE_MICROS} microseconds while there is work: a JVM that is killed
+ * loses that much of a match at most. When the JVM exits in order, also by Ctrl-C, everything is written. At most
+ * {@value #CAPACITY} bytes are buffered; when the buffer is full, the calling thread writes it to the file itself, as
+ * do {@link #flush} and {@link #close}.
  *
  * <p>A failure to write is thrown by the next call. One thread at a time may write.
  */

@@ -15,9 +15,9 @@ import steward.scene.Bumper;
 import steward.scene.Plan;
 
 /**
- * The rules. The ids of discs come first, in the order of the scene, then those of its bumpers. Zones may take discs
- * out: then the indices of later bodies fall, and ids stay. A player commands a thrust for each disc that is the
- * player's.
+ * Rules of the game {@code bodies}: discs that players push, among walls and zones. The ids of discs come first, in the
+ * order of the scene, then those of its bumpers. Zones may take discs out: then the indices of later bodies fall, and
+ * ids stay. A player commands a thrust for each of its discs.
  */
 public final class BodiesGame extends AbstractGame {
 

@@ -5,7 +5,7 @@ import steward.numerics.SineCosine;
 import steward.numerics.SplitMix64;
 
 /**
- * Discs that are laid out by a rule.
+ * Discs of a scene that a rule lays out, in place of a list.
  *
  * @param shape     how they lie
  * @param count     how many, at least 1

@@ -7,7 +7,7 @@ import steward.scene.Bumper;
 import steward.scene.Field;
 
 /**
- * The discs of a scene: those that are listed, then those of each fill.
+ * Places the discs of a scene: listed ones first, then those of each fill.
  *
  * @param field  its walls and bumpers are where no disc can be
  * @param listed in their order

@@ -5,7 +5,7 @@ import steward.physics.Contacts;
 import steward.physics.Forces;
 
 /**
- * The block {@code play} of a scene.
+ * Rules of play with players: the block {@code play} of a scene.
  *
  * @param maximumTurns  after this many turns the game ends
  * @param restBelow     the game ends when every body of finite mass is slower, in u per turn; 0 for never

@@ -19,7 +19,7 @@ import steward.physics.TurnSink;
  */
 
 /**
- * Zones that take discs out on their way: from its entry on a disc has no impact. The disc itself flies on to the end
+ * Zones that remove discs during a turn: from its entry on a disc has no impacts. The disc itself flies on to the end
  * of the turn, where the game removes it.
  */
 final class Pockets implements Reaction {

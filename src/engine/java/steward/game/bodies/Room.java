@@ -7,7 +7,7 @@ import java.util.TreeMap;
 import steward.physics.Wall;
 
 /**
- * The discs that are placed already, by cells: says whether there is room for one more. Each disc stands in all cells
+ * Grid of the discs that are placed already, which tells whether there is room for one more. Each disc is in all cells
  * that its box covers; the largest covers some {@value #MOST_CELLS} in a direction.
  */
 final class Room {

@@ -1,7 +1,7 @@
 package steward.game.bodies;
 
 /**
- * A circle that bodies pass over: the place of a body is its centre.
+ * A circle that bodies can enter without an impact; a body is where its centre is.
  *
  * @param x       its centre, in u
  * @param y       its centre, in u

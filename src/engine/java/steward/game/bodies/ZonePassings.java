@@ -5,8 +5,8 @@ import steward.physics.Bodies;
 import steward.physics.TurnLog;
 
 /**
- * Entries of discs into zones during a turn, by the paths of their centres: a start, the knots of the turn's log, an
- * end. In the order of time, then of ids, then of zones.
+ * Finds entries of discs into zones during a turn from the paths of their centres: start, knots of the turn's log, end.
+ * Entries are in the order of time, then of ids, then of zones.
  */
 final class ZonePassings {
 

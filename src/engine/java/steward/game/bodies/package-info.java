@@ -1,6 +1,6 @@
 /**
- * The game {@code bodies}, the smallest whole one: discs that somebody lists or lays out, with walls, forces and zones,
- * with or without players. Rules free of JSON.
+ * The game {@code bodies}, the smallest whole one: listed or laid-out discs, with walls, forces and zones, with or
+ * without players. Rules free of JSON.
  */
 package steward.game.bodies;
 

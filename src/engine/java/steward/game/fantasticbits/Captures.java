@@ -5,13 +5,13 @@ import steward.physics.Reaction;
 import steward.physics.TurnSink;
 
 /**
- * Effects of contacts beside the impulse, as seen by the bodies alone: wizards take snaffles and carry them, snaffles
- * leave through the goals, bludgers remember whom they have hit. The official expressions use the parts of it; where
- * the common law computes a turn it is the answer to contacts.
+ * Effects of contacts besides the impulse: wizards take snaffles and carry them, snaffles leave through the goals,
+ * bludgers remember whom they have hit. They read and alter the bodies alone. The official expressions use parts of it;
+ * if the common law computes a turn, it is the answer to contacts.
  *
- * <p>There the goal lines are walls behind the field, at the distance of a snaffle's radius, and the walls between the
- * posts let snaffles pass. Caveat: a capture that is refused is not asked again in the same turn unless the two have
- * separated.
+ * <p>In that case the goal lines are walls behind the field, at the distance of a snaffle's radius, and the walls
+ * between the posts let snaffles pass. Caveat: a capture that is refused is not asked again in the same turn unless the
+ * two have separated.
  */
 public final class Captures implements Reaction {
 

@@ -1,8 +1,8 @@
 package steward.game.fantasticbits;
 
 /**
- * The kinds of bodies, in the order of their numbers as {@link steward.physics.Bodies#kind}. A snaffle changes its kind
- * when a wizard takes or releases it and when it leaves play, since that changes what its contacts mean.
+ * Kinds of bodies in Fantastic Bits, in the order of their numbers as {@link steward.physics.Bodies#kind}. A snaffle
+ * changes its kind when a wizard takes or releases it and when it leaves play, since that changes its contacts.
  */
 public enum EntityKind {
 

@@ -9,12 +9,11 @@ import steward.physics.Motion;
 import steward.scene.Plan;
 
 /**
- * The rules of Fantastic Bits in all leagues and both variants, free of JSON. Source: the published official referee;
- * with the official arithmetic, positions, speeds, scores, magic, spells and impact times agree with it to the last
- * bit.
+ * Rules of Fantastic Bits in all leagues and both variants, free of JSON. Source: the published official referee; with
+ * the official arithmetic, positions, speeds, scores, magic, spells and impact times agree with it to the last bit.
  *
- * <p>The game ends with the turn in which a player goes out; its score is then -1. Commands that stand in a faulty
- * answer before the fault take effect in that turn.
+ * <p>The game ends with the turn in which a player goes out; its score is then -1. In a faulty answer, commands before
+ * the fault take effect in that turn.
  */
 public final class FantasticBits extends AbstractGame {
 

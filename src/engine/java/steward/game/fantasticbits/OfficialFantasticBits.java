@@ -6,9 +6,9 @@ import steward.physics.TurnSink;
 import steward.physics.event.OfficialLoop;
 
 /**
- * The motion of the published Fantastic Bits referee in its own expressions and their order. Impacts within 1e-5 of the
- * earliest react together; touching bodies react even when they separate, with an impulse of at least {@value
- * #MINIMUM} in its second half. Bodies are never removed, so that indices are ids.
+ * Motion of the published Fantastic Bits referee in its own expressions and their order. Impacts within 1e-5 of the
+ * earliest react together; touching bodies react even when they separate, with an impulse of at least {@value #MINIMUM}
+ * in its second half. Bodies are never removed, so that indices are ids.
  */
 public final class OfficialFantasticBits extends OfficialLoop {
 

@@ -9,8 +9,8 @@ import steward.physics.Motion;
 import steward.scene.Bumper;
 
 /**
- * Everything on the pitch: wizards 0..3, two by two the players', snaffles, bludgers and goal posts, which are bodies
- * in this order and are never removed, so that ids are indices; and the spells of the wizards.
+ * Everything on the pitch of Fantastic Bits: all bodies, and the spells of the wizards. Bodies are wizards 0..3 (two
+ * for each player), snaffles, bludgers and goal posts, in this order. They are never removed, so that ids are indices.
  */
 public final class Pitch {
 

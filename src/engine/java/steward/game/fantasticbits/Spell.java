@@ -2,7 +2,7 @@ package steward.game.fantasticbits;
 
 import java.util.Locale;
 
-/** The spells of wizards; the last three in the order in which they work within a turn. */
+/** Spells of wizards; the last three in the order in which they work within a turn. */
 public enum Spell {
 
     /** A bludger leaves the caster's team alone. */

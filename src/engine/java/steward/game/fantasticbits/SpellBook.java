@@ -4,8 +4,8 @@ import java.util.Arrays;
 import steward.numerics.StateHash;
 
 /**
- * The spells of all wizards: those at work with their targets, and those cast in the last turn, which begin to work in
- * the next.
+ * Spells of all wizards: active ones with their targets, and spells cast in the last turn, which become active in the
+ * next.
  */
 public final class SpellBook {
 

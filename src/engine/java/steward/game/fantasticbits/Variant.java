@@ -3,8 +3,8 @@ package steward.game.fantasticbits;
 import java.util.Locale;
 
 /**
- * The two forms in which the site has published the game: how long spells work and what they cost, by spell in the
- * order of {@link Spell}.
+ * The two forms in which the site has published the game. They differ in how long spells work and what they cost, by
+ * spell in the order of {@link Spell}.
  */
 public enum Variant {
 

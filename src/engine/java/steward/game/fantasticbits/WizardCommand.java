@@ -1,7 +1,7 @@
 package steward.game.fantasticbits;
 
 /**
- * A wizard's command for a turn.
+ * A wizard's command for a turn: move, throw, or cast a spell.
  *
  * @param x      the place it is about, in u; 0 for a spell
  * @param y      the same

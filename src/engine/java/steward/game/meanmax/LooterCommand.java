@@ -1,7 +1,7 @@
 package steward.game.meanmax;
 
 /**
- * A looter's command for a turn.
+ * A looter's command for a turn: wait, thrust toward a place, or cast its skill there.
  *
  * @param x     the place it is about, in u; 0 for {@code WAIT}
  * @param y     the same

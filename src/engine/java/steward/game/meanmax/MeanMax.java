@@ -9,11 +9,11 @@ import steward.physics.Bodies;
 import steward.scene.Plan;
 
 /**
- * The rules of Mean Max in all leagues, free of JSON. Source: the published official referee; with the official
- * arithmetic, positions, speeds, masses, scores, rages, ids and impact times agree with it to the last bit.
+ * Rules of Mean Max in all leagues, free of JSON. Source: the published official referee; with the official arithmetic,
+ * positions, speeds, masses, scores, rages, ids and impact times agree with it to the last bit.
  *
- * <p>The units of a player who is out drift on, may harvest, and its tankers keep coming; its score stays. Commands
- * that stand in a faulty answer before the fault take effect in that turn.
+ * <p>The units of a player who is out drift on, may harvest, and its tankers keep coming; its score stays. In a faulty
+ * answer, commands before the fault take effect in that turn.
  */
 public final class MeanMax extends AbstractGame {
 

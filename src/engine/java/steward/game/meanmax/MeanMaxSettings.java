@@ -12,7 +12,7 @@ import steward.scene.Scene;
 import steward.scene.json.Block;
 
 /**
- * The block {@code harvest} of a scene.
+ * Settings of Mean Max: the block {@code harvest} of a scene.
  *
  * @param winningScore the score that ends the game, 1..1000
  * @param maximumTurns turns after which the game ends, 1..10000

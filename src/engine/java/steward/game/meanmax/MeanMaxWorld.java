@@ -8,8 +8,8 @@ import steward.numerics.StateHash;
 import steward.physics.Bodies;
 
 /**
- * Everything in the arena: looters and tankers, which are bodies, and wrecks and skill effects, which are places. All
- * share one counter of ids. Bodies stand in the order of their ids: looters from 0 on, player by player, then tankers.
+ * Everything in the arena of Mean Max. Looters and tankers are bodies; wrecks and skill effects are places. All share
+ * one counter of ids. Bodies stand in the order of their ids: looters from 0 on, player by player, then tankers.
  */
 public final class MeanMaxWorld {
 

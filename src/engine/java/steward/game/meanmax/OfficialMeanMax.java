@@ -8,9 +8,9 @@ import steward.physics.TurnSink;
 import steward.physics.event.OfficialLoop;
 
 /**
- * The motion of the published Mean Max referee in its own expressions and their order. One impact at a time; touching
- * units react even when they separate; the second half of an impulse is raised to {@value #MINIMUM} unless it is nearly
- * nothing, whatever its sign.
+ * Motion of the published Mean Max referee in its own expressions and their order. Impacts react one at a time;
+ * touching units react even when they separate; the second half of an impulse is raised to {@value #MINIMUM} unless it
+ * is nearly nothing, whatever its sign.
  *
  * <p>Caveat: two units on exactly the same point, for which the referee computes no numbers, get no impulse here.
  */

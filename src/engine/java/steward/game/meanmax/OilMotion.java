@@ -5,8 +5,9 @@ import steward.physics.Bodies;
 import steward.physics.Motion;
 
 /**
- * The end of a turn: positions are rounded, then speeds lose the friction of their kind, but not in oil (as seen from
- * the rounded place), and are rounded; all halves away from zero.
+ * End of a turn in Mean Max: rounded positions, and speeds with the friction of their kind. Positions are rounded
+ * first. Then speeds lose friction, but not in oil (as seen from the rounded place), and are rounded; all halves away
+ * from zero.
  */
 public final class OilMotion extends Motion {
 

@@ -2,7 +2,7 @@ package steward.game.meanmax;
 
 import java.util.Locale;
 
-/** The skills of looters, in the order in which their effects work within a turn. */
+/** Skills of looters, in the order in which their effects work within a turn. */
 public enum Skill {
 
     /** Adds {@value MeanMaxWorld#TAR_MASS} to the mass of units within it, each turn. */

@@ -1,8 +1,8 @@
 package steward.game.meanmax;
 
 /**
- * A skill that was cast: a place that is no body, with an id from the same counter. When it is spent, a later turn may
- * use the object for another.
+ * Effect of a skill that was cast: a place, not a body, with an id from the same counter. When it is spent, a later
+ * turn may reuse the object.
  */
 public final class SkillEffect {
 

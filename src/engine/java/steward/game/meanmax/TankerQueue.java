@@ -3,7 +3,7 @@ package steward.game.meanmax;
 import steward.numerics.JavaRandom;
 import steward.numerics.StateHash;
 
-/** The tankers that are still to come: one list, of which every player has a copy of its own. */
+/** Tankers that are still to come: one list, of which every player has a copy of its own. */
 public final class TankerQueue {
 
     private static final int TANKERS = 500;

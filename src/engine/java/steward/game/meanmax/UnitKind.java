@@ -2,7 +2,7 @@ package steward.game.meanmax;
 
 import java.util.Locale;
 
-/** The kinds of bodies, in the order of their numbers in frames and of {@link steward.physics.Bodies#kind}. */
+/** Kinds of bodies in Mean Max, in the order of their numbers in frames and of {@link steward.physics.Bodies#kind}. */
 public enum UnitKind {
 
     /** Harvests water; its skill is tar. */

@@ -1,8 +1,8 @@
 package steward.game.meanmax;
 
 /**
- * A sunken tanker from which reapers harvest water, or the water that comes without tankers: a place that is no body,
- * with an id from the same counter. When it is gone, a later turn may use the object for another.
+ * A sunken tanker from which reapers harvest water, or the water of a league without tankers. It is a place, not a
+ * body, with an id from the same counter. When it is gone, a later turn may reuse the object.
  */
 public final class Wreck {
 

@@ -1,6 +1,6 @@
 /**
- * The rules of Mean Max, free of JSON: three players, each with a reaper, a destroyer and a doof, in a round arena with
- * tankers, wrecks and skill effects; and the published referee's own expressions for its motion
- * ({@link steward.game.meanmax.OfficialMeanMax}).
+ * Rules of Mean Max, free of JSON, and the published referee's own expressions for its motion. Three players, each with
+ * a reaper, a destroyer and a doof, play in a round arena with tankers, wrecks and skill effects ({@link
+ * steward.game.meanmax.OfficialMeanMax}).
  */
 package steward.game.meanmax;

@@ -3,9 +3,8 @@ package steward.game.podrace;
 import steward.physics.TurnLog;
 
 /**
- * Test of a pod's path inside a turn, a polyline, against a checkpoint: true if it comes near enough. The path has one
- * corner per impact, the place after positional correction; a later impact at the same time replaces it. Allocates
- * nothing.
+ * Tests whether a pod's path inside a turn passes near enough to a checkpoint. The path is a polyline with one corner
+ * per impact, the place after positional correction; a later impact at the same time replaces it. Allocates nothing.
  */
 public final class CheckpointSweep {
 

@@ -4,11 +4,11 @@ import steward.numerics.SineCosine;
 import steward.numerics.StrictAngles;
 
 /**
- * The headings of pods, turned without angles. The rules keep a heading as an angle in radians, every bit of which
- * follows from arc tangents and sums. Here it is kept twice: as a unit vector accurate to {@link #VECTOR_ERROR}, which
- * suffices for nearly all steering, and as a deferred exact value: the arguments of an arc tangent that has not been
- * computed yet and the turns by 18 degrees since. The exact value is computed only when the angle is read, or when the
- * vector cannot decide. Allocates nothing.
+ * Headings of pods, turned without computing angles. The rules keep a heading as an angle in radians, every bit of
+ * which follows from arc tangents and sums. Here it is kept twice: as a unit vector accurate to {@link #VECTOR_ERROR},
+ * which suffices for nearly all steering, and as a deferred exact value. That value consists of the arguments of an arc
+ * tangent that has not been computed yet and the turns by 18 degrees since. It is computed only when the angle is read,
+ * or when the vector cannot decide. Allocates nothing.
  *
  * <p>The headings themselves are in an array of the caller, {@link #NUMBERS} numbers per pod from an offset on.
  */

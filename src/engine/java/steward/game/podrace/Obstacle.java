@@ -7,7 +7,7 @@ import steward.scene.Bumper;
 import steward.scene.Field;
 
 /**
- * A wall or bumper that a pod cannot be in.
+ * Wall or bumper that a pod cannot overlap at its start.
  *
  * @param name for people, as in {@code field.bumpers[1]}
  * @param gap  from the edge of a circle to it

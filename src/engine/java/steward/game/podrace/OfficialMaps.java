@@ -3,7 +3,7 @@ package steward.game.podrace;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The 13 maps of the official pod race, before shift and jitter: coordinates in u, as seen on CodinGame's server. */
+/** The 13 maps of the official pod race before shift and jitter: coordinates in u, as seen on CodinGame's server. */
 final class OfficialMaps {
 
     private static final double[][] COORDINATES = {

@@ -20,12 +20,12 @@ import steward.scene.Plan;
 import steward.scene.Scene;
 
 /**
- * The rules of the pod race, free of JSON. Pods are the bodies 0..pods-1 in the order of players; bumpers follow.
- * Sources: the published official referee and official recordings of 2016 and 2026; with the official law and
- * arithmetic, positions, speeds, headings, impact times and impulses agree with them to the last bit.
+ * Rules of the pod race, free of JSON. Pods are the bodies 0..pods-1 in the order of players; bumpers follow. Sources:
+ * the published official referee and official recordings of 2016 and 2026; with the official law and arithmetic,
+ * positions, speeds, headings, impact times and impulses agree with them to the last bit.
  *
  * <p>The pods of an eliminated player stay on the field: they get no commands, drift, and can be hit; a pod whose
- * shield was raised stays heavy. Commands that stand in a faulty answer before the fault take effect in that turn.
+ * shield was raised stays heavy. In a faulty answer, commands before the fault take effect in that turn.
  *
  * <p>Over 400 lines, because the steps of a turn belong together and half of the class are accessors for codecs.
  */

@@ -10,7 +10,7 @@ import steward.scene.Scene;
 import steward.scene.json.Block;
 
 /**
- * The settings of a pod race, from the blocks {@code pods} and {@code race} of a scene.
+ * Settings of a pod race: the blocks {@code pods} and {@code race} of a scene.
  *
  * @param siteCommands           whether lines of commands are read as the site reads them; otherwise leniently
  * @param players                how many players, 1..16

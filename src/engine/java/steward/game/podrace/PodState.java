@@ -1,7 +1,7 @@
 package steward.game.podrace;
 
 /**
- * The state of one pod between two turns.
+ * State of one pod between two turns.
  *
  * @param x           centre, in u
  * @param y           centre, in u

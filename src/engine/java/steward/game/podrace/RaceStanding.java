@@ -1,9 +1,9 @@
 package steward.game.podrace;
 
 /**
- * Order of the players in a pod race: one who is in, then the one whose best pod has passed more checkpoints (counting
- * on behind the finish), then the one whose best pod is nearer to its next. All players who are out share the last
- * rank.
+ * Ranks the players of a pod race: players who are in come first, then more checkpoints passed, then the distance to
+ * the next one. For both a player's best pod counts, and checkpoints are counted on behind the finish. All players who
+ * are out share the last rank.
  */
 record RaceStanding(PodRace race) {
 

@@ -4,7 +4,7 @@ import java.util.Locale;
 import steward.Internal;
 
 /**
- * Edition of the race's rules, {@code race.rules} of a scene. Both have the same physics; they differ in when a
+ * Edition of the pod race's rules, {@code race.rules} of a scene. Both have the same physics; they differ in when a
  * checkpoint is passed and when a player is out.
  */
 public enum RulesEdition {

@@ -3,7 +3,7 @@ package steward.game.podrace;
 import java.util.List;
 
 /**
- * A start of pods that can be drawn and where one of them stands in an obstacle.
+ * A possible random start in which a pod stands in an obstacle, for an error message.
  *
  * @param map      its number among the maps of the scene
  * @param first    the checkpoint across which pods start

@@ -1,6 +1,6 @@
 package steward.game.podrace;
 
-/** The start positions of pods. */
+/** Computes the start positions of pods. */
 public final class StartPlaces {
 
     /** Distance of the inner start places from checkpoint 0, in u, and of each further pair from the last. */

@@ -7,8 +7,8 @@ import steward.scene.Plan;
 import steward.scene.Scene;
 
 /**
- * Fast way to play the commands and the motion of a turn, for the scenes that it fits, with the bits of the general way
- * of {@link PodRace}. It keeps the headings of the pods; everything else is the race's.
+ * Fast way to play commands and motion of a turn, in scenes that it fits, with the bits of {@link PodRace}'s general
+ * way. It keeps the headings of the pods; everything else is the race's.
  */
 public interface TurnKernel {
 

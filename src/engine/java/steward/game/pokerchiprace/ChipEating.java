@@ -5,8 +5,9 @@ import steward.physics.Reaction;
 import steward.physics.TurnSink;
 
 /**
- * Reaction to the touch of two chips under the common law: chips of the same radius bounce, otherwise the bigger eats
- * the smaller, and what it then overlaps; a chip passes the one that it was just ejected from. Alters the bodies alone.
+ * Decides what happens when two chips touch, under the common law. Chips of the same radius bounce; otherwise the
+ * bigger eats the smaller, and then every chip that it overlaps. A chip passes the one that it was just ejected from.
+ * It alters the bodies alone.
  */
 public final class ChipEating implements Reaction {
 

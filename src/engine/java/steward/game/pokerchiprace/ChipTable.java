@@ -8,8 +8,8 @@ import steward.physics.PassingPairs;
 import steward.physics.TurnSink;
 
 /**
- * The chips on the table, which are bodies in the order of their ids, and the lists of chips that the players own. A
- * chip that was eaten in the last turn stands in its owner's list until {@link #forgetEaten}. The mass of a chip is its
+ * All chips on the table, which are bodies in the order of their ids, and the lists of chips that the players own. A
+ * chip that was eaten in the last turn stays in its owner's list until {@link #forgetEaten}. The mass of a chip is its
  * area r * r * pi.
  */
 public final class ChipTable {

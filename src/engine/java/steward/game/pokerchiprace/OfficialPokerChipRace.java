@@ -8,9 +8,9 @@ import steward.physics.TurnSink;
 import steward.physics.event.OfficialLoop;
 
 /**
- * The motion of the published referee in its own expressions and their order. Impacts within 1e-5 turns of the earliest
- * react together, on the chips as they then stand. A chip that was eaten in a batch may take part in later impacts of
- * the same batch, as a chip of radius -1 and mass pi: it is eaten again, or bounces off another such chip.
+ * Motion of the published Poker Chip Race referee in its own expressions and their order. Impacts within 1e-5 turns of
+ * the earliest react together, on the chips as they then are. A chip that was eaten in a batch may take part in later
+ * impacts of the same batch, as a chip of radius -1 and mass pi: it is eaten again, or bounces off another such chip.
  *
  * <p>Chips that overlap meet once: the pair remembers its contact, in {@link Bodies#passing}, until time passes. Every
  * look first moves chips that stand in a wall into the table.

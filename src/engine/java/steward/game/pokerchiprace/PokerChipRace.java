@@ -10,12 +10,12 @@ import steward.physics.Bodies;
 import steward.scene.Plan;
 
 /**
- * The rules of the Poker Chip Race, free of JSON. Source: the published official referee; with the official arithmetic,
+ * Rules of the Poker Chip Race, free of JSON. Source: the published official referee; with the official arithmetic,
  * positions, speeds, radii, ids, scores and impact times agree with it to the last bit.
  *
- * <p>The chips of a player who is out become neutral. Pushes that stand in a faulty answer before the fault take effect
- * in that turn. With fewer than two players left the game ends without playing the turn. New chips take their ids in
- * the order of players and of their lines.
+ * <p>The chips of a player who is out become neutral. In a faulty answer, pushes before the fault take effect in that
+ * turn. With fewer than two players left the game ends without playing the turn. New chips take their ids in the order
+ * of players and of their lines.
  */
 public final class PokerChipRace extends AbstractGame {
 

@@ -10,7 +10,8 @@ import steward.scene.Scene;
 import steward.scene.json.Block;
 
 /**
- * The block {@code chips} of a scene. Missing fields are drawn, as the published referee draws it.
+ * Settings of a Poker Chip Race: the block {@code chips} of a scene. Missing fields are drawn as the published referee
+ * draws them.
  *
  * @param players      2..4
  * @param neutral      most neutral chips at the start, {@link #DRAWN} or 0..200

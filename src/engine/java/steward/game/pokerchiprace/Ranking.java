@@ -1,8 +1,9 @@
 package steward.game.pokerchiprace;
 
 /**
- * The scores of the published referee: players in the order of their areas get one more than the player before, those
- * who are left also their area; without chips, the one who lost them later is better.
+ * Scores of the players as the published referee computes them. In the order of their areas each player gets one more
+ * than the player before; players who are left also get their area. Without chips, a player who lost them later is
+ * better.
  */
 final class Ranking {
 

@@ -3,8 +3,8 @@ package steward.game.searchrace;
 import steward.numerics.StrictAngles;
 
 /**
- * The expressions of the published official referee of the search race, operation by operation, so that positions,
- * headings and times have its bits. Degrees and radians are converted by one multiplication, as the JDK has done since
+ * Expressions of the published official referee of the search race, operation by operation, so that positions, headings
+ * and times have its bits. Degrees and radians are converted by one multiplication, as the JDK has done since version
  * 9.
  */
 public final class OfficialSearchRace {

@@ -15,9 +15,9 @@ import steward.scene.Plan;
 import steward.scene.Scene;
 
 /**
- * The rules of the search race, free of JSON: one car, a point without impacts, passes checkpoints in their order as
- * soon as it can. Source: the published official referee; on the rung {@code event/official} positions, headings and
- * times have its bits. On other rungs the car flies by the scene's advance, and the times follow from its course.
+ * Rules of the search race, free of JSON: one car, a point without impacts, passes checkpoints in order as soon as it
+ * can. Source: the published official referee; on the rung {@code event/official} positions, headings and times have
+ * its bits. On other rungs the car flies by the scene's advance, and the times follow from its course.
  *
  * <p>A race is won with the turn in which the last checkpoint is passed; the score is the time, with two decimals. A
  * race that is lost, or goes on, has the score 1000. A finish in the very last turn does not count, since the official

@@ -6,7 +6,7 @@ import steward.scene.Scene;
 import steward.scene.json.Block;
 
 /**
- * The settings of a search race, from the blocks {@code race} and {@code map} of a scene.
+ * Settings of a search race: the blocks {@code race} and {@code map} of a scene.
  *
  * @param laps             1..100
  * @param checkpointRadius in u

@@ -13,8 +13,8 @@ import steward.physics.time.LowParts;
 import steward.physics.time.PairTime;
 
 /**
- * The event loop for laws in which impacts react in batches, as in the official games: it moves all bodies to the
- * earliest impact, and after each batch it searches all pairs anew.
+ * Event loop for laws in which impacts react in batches, as in official games. It moves all bodies to the earliest
+ * impact, and after each batch it searches all pairs anew.
  */
 final class BatchLoop {
 

@@ -11,10 +11,10 @@ import steward.physics.time.LowParts;
 import steward.physics.time.Magnitudes;
 
 /**
- * The exact event loop: find the earliest impact, fly to it, apply it, search anew. Every turn begins with a search of
- * all pairs and all walls, O(n^2), and each impact costs O(n), or O(n^2) where impacts react in batches: suited to the
- * few bodies of a game. Allocates nothing in a turn once its buffers have grown, except in the rare turns that reach
- * the bound on impacts or need the exact arithmetic for their numbers.
+ * Exact event loop for few bodies: find the earliest impact, fly to it, apply it, search anew. Every turn begins with a
+ * search of all pairs and all walls, O(n^2), and each impact costs O(n), or O(n^2) if impacts react in batches: suited
+ * to the few bodies of a game. Allocates nothing in a turn once its buffers have grown, except in the rare turns that
+ * reach the bound on impacts or need the exact arithmetic for their numbers.
  *
  * <p>It always ends. A turn in which the impacts reach {@link ImpactLaw#impactLimit} is finished without impulses:
  * bodies that touch while they approach, and each body that comes into contact later, keep their place (so that no

@@ -14,9 +14,9 @@ import steward.physics.time.LowParts;
 import steward.physics.time.SimultaneousImpacts;
 
 /**
- * The event loop for laws in which one impact happens at a time: take the earliest impact, move its two bodies there,
- * let them react, predict their next impacts. Who may meet whom is found by all pairs or by cells
- * ({@link FreeFlights}); so both have the same impacts in the same order, bit for bit.
+ * Event loop for laws in which impacts happen one at a time. It takes the earliest impact, moves its two bodies there,
+ * lets them react, and predicts their next impacts. Neighbours are found by all pairs or by cells ({@link
+ * FreeFlights}); both give the same impacts in the same order, bit for bit.
  */
 final class EventLoop {
 

@@ -1,8 +1,8 @@
 package steward.physics.event;
 
 /**
- * Tests that set aside pairs of circles which cannot meet in the rest of a turn: without a square root, and with the
- * decision of the official expressions, which would find no impact.
+ * Tests that exclude pairs of circles which cannot meet in the rest of a turn, without a square root. They decide as
+ * the official expressions do, which would find no impact.
  */
 public final class FarPairs {
 

@@ -12,9 +12,9 @@ import steward.physics.time.LowParts;
  */
 
 /**
- * Free flight of all bodies from one impact to the next and to the end of the turn: in plain doubles, or to times in
- * double-double. There each coordinate is rounded once, when it is stored; its rounding error is kept in
- * {@link LowParts}.
+ * Moves all bodies in free flight from one impact to the next and to the end of the turn. Times are plain doubles or
+ * double-doubles. With double-doubles each coordinate is rounded once, when it is stored; {@link LowParts} keeps its
+ * rounding error.
  */
 final class Flight {
 

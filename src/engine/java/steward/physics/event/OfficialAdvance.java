@@ -12,11 +12,11 @@ import steward.physics.time.CircleTime;
 import steward.physics.time.Magnitudes;
 
 /**
- * The event loop of {@link EventAdvance} for one kind of scene, several times as fast and with the same bits: circles
+ * Fast form of {@link EventAdvance} for the official pod race: the same bits, several times as fast. It takes circles
  * of equal size and finite masses under {@link ImpactLaw#OFFICIAL_POD_RACE} in the official arithmetic, without walls.
- * Pairs that cannot meet are set aside by {@link FarPairs} and tested again only when the velocity of one of the two
- * has changed. Allocates nothing in a turn (except in the rare turns that reach the bound on impacts or are left to
- * {@link EventAdvance}).
+ * Pairs that cannot meet are excluded by {@link FarPairs} and tested again only when the velocity of one of the two has
+ * changed. Allocates nothing in a turn (except in the rare turns that reach the bound on impacts or are left to {@link
+ * EventAdvance}).
  *
  * <p>Caveat: at most {@value #MOST_BODIES} bodies; more, or of different sizes, are left to {@link EventAdvance}.
  */

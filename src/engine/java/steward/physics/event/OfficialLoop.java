@@ -10,13 +10,13 @@ import steward.physics.TurnSink;
 import steward.physics.time.Magnitudes;
 
 /**
- * The loop that the published official referees have in common: look for impacts; the next one; those that happen
- * together with it; fly to it; let them react; over? A game fills it in with its referee's own expressions, so that its
- * turns have the same bits, and names it as its {@link OfficialExpressions}, for the rung {@code event/official} only:
- * the other rungs compute the same game under the scene's {@link ImpactLaw}.
+ * Common loop of the published official referees, filled in by each game: look for impacts, take the next ones, fly
+ * there, let them react, repeat. A game adds its referee's own expressions, so that its turns have the same bits, and
+ * names it as its {@link OfficialExpressions}, for the rung {@code event/official} only. Other rungs compute the same
+ * game under the scene's {@link ImpactLaw}.
  *
- * <p>Times are the game's own measure: some referees count from the start of the turn, some from now. Offers carry ids,
- * not indices, because a reaction may remove or add bodies while others of its batch are still to come.
+ * <p>Times are in the game's own measure: some referees count from the start of the turn, some from now. Offers carry
+ * ids, not indices, because a reaction may remove or add bodies while other impacts of its batch are still to come.
  *
  * <p>It ends as {@link EventAdvance} does: at the bound on impacts of the scene's law, with {@link Standstill}. A turn
  * with numbers whose squares leave the range of doubles is computed by the general loop in the exact arithmetic.

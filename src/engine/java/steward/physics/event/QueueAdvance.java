@@ -10,11 +10,10 @@ import steward.physics.time.LowParts;
 import steward.physics.time.Magnitudes;
 
 /**
- * The exact event loop for many bodies: the impacts of {@link EventAdvance}, in the same order and bit for bit, at a
- * cost per impact that hardly depends on the number of bodies. Bodies are kept in cells and impacts are predicted only
- * among neighbours; each body has one event in a queue; and each has a local clock, so that only bodies that have an
- * impact are moved (after B. Lubachevsky, "How to Simulate Billiards and Similar Systems", 1991, with a queue after G.
- * Paul, 2007).
+ * Exact event loop for many bodies: the impacts of {@link EventAdvance}, bit for bit, at a cost per impact that hardly
+ * depends on their number. Bodies are kept in cells and impacts are predicted only among neighbours; each body has one
+ * event in a queue; and each has a local clock, so that only bodies that have an impact are moved (after B.
+ * Lubachevsky, "How to Simulate Billiards and Similar Systems", 1991, with a queue after G. Paul, 2007).
  *
  * <p>Every turn starts from the bodies alone, so that its result depends on nothing else. Allocates nothing in a turn
  * once its arrays have grown, to at most 240 bytes per body of the capacity, from 100 on, except in the rare turns that

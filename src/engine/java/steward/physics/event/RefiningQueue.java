@@ -12,10 +12,10 @@ import steward.physics.time.ExactWalls;
 import steward.physics.time.SimultaneousImpacts;
 
 /**
- * Collects impacts with lower bounds of their times and computes a time in double-double only when its entry is the
- * earliest: the earliest entry is refined and put back until the earliest one is refined, so that no other can be
- * earlier. An entry whose refined time is not in the turn is dropped. Ties, to the last bit of a double-double, go to
- * the lowest pair, or in the order of the scan where the law has batches.
+ * Queue of impacts with lower bounds of their times; a time is computed in double-double only when its entry is the
+ * earliest. The earliest entry is refined and put back until the earliest one is refined already, so that no other can
+ * be earlier. An entry whose refined time is not in the turn is dropped. Ties, to the last bit of a double-double, go
+ * to the lowest pair, or in the order of the scan if the law has batches.
  */
 final class RefiningQueue extends ImpactQueue {
 

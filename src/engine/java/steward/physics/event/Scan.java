@@ -12,7 +12,7 @@ import steward.physics.event.flight.PairSelection;
 import steward.physics.time.PairTime;
 import steward.physics.time.WallTime;
 
-/** A search for impacts in the rest of a turn. A scene gets the scans for the parts that it has, and no others. */
+/** A search for impacts in the rest of a turn. A scene gets only the scans for the parts that it has. */
 sealed interface Scan {
 
     /** Room for rounding in a box of places, as a share of what it is computed from. */

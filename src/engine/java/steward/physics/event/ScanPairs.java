@@ -1,8 +1,8 @@
 package steward.physics.event;
 
 /**
- * The pairs of n bodies in the order in which the official referee scans them, i = n-1..1, j = i-1..0. A set of pairs
- * is held as the bits of a long. Immutable, one instance for each number of bodies.
+ * Pairs of n bodies in the order in which the official referee scans them, i = n-1..1, j = i-1..0. A set of pairs is
+ * held as the bits of a long. Immutable, one instance for each number of bodies.
  */
 public final class ScanPairs {
 

@@ -14,22 +14,22 @@ import steward.physics.time.PairTime;
 import steward.physics.time.TimeOfImpact;
 
 /**
- * The cheapest way to advance: a turn is k equal steps, and after each step the pairs that overlap react, under the
- * same law as in other advances. For search programs, which play many turns and need less accuracy: an impact happens
- * up to 1/k late, at an overlap, and a body that flies through another within one step is not noticed.
+ * Cheapest way to advance: a turn is k equal steps, and after each step overlapping pairs react, under the same law as
+ * elsewhere. It is for search programs, which play many turns and need less accuracy: an impact happens up to 1/k late,
+ * at an overlap, and a body that flies through another within one step is not noticed.
  *
- * <p>In each step, all bodies fly straight for 1/k. Then the pairs that touch and approach (or only touch, where the
- * law lets separating pairs react) are listed in the order of the scan, followed by the bodies that touch walls. They
- * react in this order, each if its condition still holds after the reactions before it. Positional correction is
- * applied also under a law without it: each body of a pair is moved by half of the overlap plus the law's
- * {@code pushOut}, if any, because overlaps are normal here.
+ * <p>In each step, all bodies fly straight for 1/k. Then the pairs that touch and approach (or only touch, if the law
+ * lets separating pairs react) are listed in the order of the scan, followed by the bodies that touch walls. They react
+ * in this order, each if its condition still holds after the reactions before it. Positional correction is applied also
+ * under a law without it: each body of a pair is moved by half of the overlap plus the law's {@code pushOut}, if any,
+ * because overlaps are normal here.
  *
  * <p>A turn ends by construction: every step searches once, so that a turn has at most k impacts per pair and per body
  * and wall; the law's batch window and bound on impacts have no effect. After a {@link Reaction} that has changed the
  * bodies the step searches once more, at most once per body.
  *
- * <p>A turn with numbers whose squares leave the range of doubles is computed as on the event rungs, see
- * {@link Magnitudes}.
+ * <p>A turn with numbers whose squares leave the range of doubles is computed as on the event rungs (see {@link
+ * Magnitudes}).
  *
  * <p>Caveats: a contact at the start of a turn reacts only after the first step. Momentum is conserved as in other
  * advances; energy is conserved by the impulses, but positions are moved.

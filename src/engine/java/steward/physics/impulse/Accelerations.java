@@ -20,7 +20,7 @@ import steward.physics.PhysicsParts;
  * the wall is below a^2 / 8: w^2 / 2 + a^2 s (1 - s) / 2 with w < a (1/2 - s) is less than that.
  */
 
-/** The accelerations of bodies in a turn: those of the scene's {@link Forces}, less what carries a body at rest. */
+/** Accelerations of bodies in a turn by the scene's {@link Forces}, less the support of bodies at rest. */
 public final class Accelerations {
 
     final Forces forces;

@@ -21,8 +21,9 @@ import steward.physics.time.CircleSums;
  */
 
 /**
- * The velocities after an impact in which the two move more along the line of centres than across it, from the part of
- * their relative velocity that the impulse does not change. Two doubles for every number, rounded once.
+ * Velocities after an impact in which the two bodies move more along the line of centres than across it. They are
+ * computed from the part of the relative velocity that the impulse does not change. Every number is two doubles,
+ * rounded once.
  */
 final class CentralImpact {
 

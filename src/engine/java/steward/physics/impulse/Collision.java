@@ -10,8 +10,8 @@ import steward.physics.time.ExactWalls;
 import steward.physics.time.LowParts;
 
 /**
- * The reaction of a pair, or of a body and a wall, under a law: the impulse, which an {@link ImpulseSolver} computes in
- * the arithmetic of the rung; what of the approach is left after it; the record; positional correction.
+ * Reaction of a pair, or of a body and a wall, under a law. An {@link ImpulseSolver} computes the impulse in the
+ * arithmetic of the rung; then come the rest of the approach, the record, and positional correction.
  */
 public final class Collision {
 

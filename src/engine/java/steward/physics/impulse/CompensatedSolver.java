@@ -4,7 +4,7 @@ import steward.physics.Bodies;
 import steward.physics.time.CompensatedCircles;
 
 /**
- * Impulses with their rounding errors added back, for laws without a minimum impulse: the energy of a gas of elastic
+ * Impulses with their rounding errors added back, for laws without a minimum impulse. So the energy of a gas of elastic
  * discs is affected only by the rounding of stored velocities, which does not drift; and an elastic bounce off a
  * vertical or horizontal wall exactly negates a velocity component. Impulse and energy for the record are plain.
  */

@@ -9,7 +9,7 @@ import steward.physics.TurnSink;
 import steward.physics.Wall;
 import steward.physics.time.ContactDistance;
 
-/** The response to a contact: an impact, or what the scene's {@link Reaction} answers. */
+/** Response to a contact: an impact, or the answer of the scene's {@link Reaction}. */
 public abstract sealed class ContactResponse {
 
     /** Responds to a contact. @return false if the bodies were altered, so that all predictions are out of date */

@@ -10,17 +10,16 @@ import steward.physics.time.ExactWalls;
 import steward.physics.time.LowParts;
 
 /**
- * Impulses computed from the positions before rounding (see {@link LowParts}): all numbers are two doubles each,
- * accurate to some units of 2^-106, and impulse and new velocities are rounded once, when they are stored. The stored
- * masses are used, not their rounded inverses. A gap of up to 2^-60 of the distance counts as contact: a time of impact
- * in double-double is not more accurate.
+ * Impulses in double-double arithmetic, computed from the positions before rounding (see {@link LowParts}). All numbers
+ * are two doubles each, accurate to some units of 2^-106, and impulse and new velocities are rounded once, when they
+ * are stored. The stored masses are used, not their rounded inverses. A gap of up to 2^-60 of the distance counts as
+ * contact: a time of impact in double-double is not more accurate.
  *
  * <p>Under a law in which only approach reacts, the rounding of positions can make a pair approach again right after
  * its impact. This happens when the cosine between normal and velocity is below the rounding of the positions relative
- * to the touching distance; where the positions are as stored, the rounding of the velocities can do so. Then, and
- * after an impact without restitution, the residual approach is removed: first by a unit in the last place of each
- * velocity, and where that is not enough, as in {@link
- * ImpulseSolver#separate}; exact signs decide whether there is any.
+ * to the touching distance; if the positions are as stored, the rounding of the velocities can do so. Then, and after
+ * an impact without restitution, the residual approach is removed: first by a unit in the last place of each velocity,
+ * and if that is not enough, as in {@link ImpulseSolver#separate}; exact signs decide whether there is any.
  */
 final class ExactSolver extends ImpulseSolver {
 

@@ -17,7 +17,7 @@ import steward.physics.time.CircleSums;
  * affect the energy.
  */
 
-/** A register of two doubles for what an impulse multiplies: operations replace it by their result. */
+/** Register of a double-double for the factors of an impulse: operations replace it by their result. */
 final class ImpulseRegister {
 
     /** Result of the last operation: the sum of both, accurate to some units of u^2. */

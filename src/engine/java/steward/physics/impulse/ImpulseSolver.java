@@ -4,8 +4,9 @@ import steward.physics.Bodies;
 import steward.physics.Wall;
 
 /**
- * Computes impulses, and all that hangs on signs and roundings at an impact, in one arithmetic. The order of steps and
- * the record are the law's: {@link Collision}. One instance serves one thread; a result belongs to the last call.
+ * Computes impulses in one arithmetic, and everything at an impact that depends on signs and roundings. The order of
+ * steps and the record belong to the law: {@link Collision}. One instance serves one thread; a result belongs to the
+ * last call.
  */
 abstract sealed class ImpulseSolver permits PlainSolver, ExactSolver {
 

@@ -20,9 +20,9 @@ import steward.physics.Bodies;
  */
 
 /**
- * The least impulses after which no contact of a system approaches faster than it may. The order of the contacts
- * decides ties. A contact that is held does not open either. Bounds: {@value #MOST} contacts, {@value #ROUNDS} entries
- * per contact.
+ * Solver for the least impulses after which no contact of a heap approaches faster than it may. The order of the
+ * contacts decides ties. A contact that is held does not open either. Bounds: {@value #MOST} contacts, {@value #ROUNDS}
+ * entries per contact.
  *
  * <p>Over 400 lines, because every step of the solution works on the same arrays.
  */

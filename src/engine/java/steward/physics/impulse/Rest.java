@@ -33,7 +33,7 @@ import steward.physics.Wall;
  */
 
 /**
- * Rest: the end of bounces that would never end. Where restitution is below 1, bodies that press against each other or
+ * Rest: the end of bounces that would never end. With restitution below 1, bodies that press against each other or
  * against a wall bounce infinitely often in a finite time.
  *
  * <ol>

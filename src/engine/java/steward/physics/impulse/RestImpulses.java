@@ -5,10 +5,10 @@ import steward.physics.TurnSink;
 import steward.physics.Wall;
 
 /**
- * The impulses of a heap that comes to rest ({@link Rest}): solves the system of its contacts, ascending by ids,
- * applies them one after the other, and records one impact for each contact that exchanges an impulse.
+ * Computes the impulses of a heap that comes to rest ({@link Rest}). It solves the system of its contacts, ascending by
+ * ids, applies the impulses one after the other, and records one impact for each contact that exchanges an impulse.
  *
- * <p>Afterwards the contacts of the system part at 2^-42 of its speeds, so that rounding leaves no approach. Where they
+ * <p>Afterwards the contacts of the system part at 2^-42 of its speeds, so that rounding leaves no approach. If they
  * cannot part, in a gap that is just filled or too narrow, velocities below 2^-40 of the speeds become 0.
  */
 final class RestImpulses {

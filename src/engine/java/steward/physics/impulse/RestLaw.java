@@ -6,8 +6,8 @@ import steward.physics.PhysicsParts;
 import steward.physics.Wall;
 
 /**
- * The first sentence of {@link Rest}: which impacts give nothing back. A body has to be seen before it is asked about;
- * the largest kinetic energy of each in the turn is kept from one look to the next.
+ * Decides which impacts give nothing back, by the first sentence of {@link Rest}. A body has to be seen before it is
+ * asked about; the largest kinetic energy of each in the turn is kept from one look to the next.
  */
 final class RestLaw {
 

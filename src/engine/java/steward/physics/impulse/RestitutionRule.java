@@ -5,7 +5,7 @@ import steward.physics.ImpactLaw;
 import steward.physics.Wall;
 
 /**
- * The restitution of an impact, 0..1.
+ * Restitution of an impact, 0..1, from those of its two partners.
  *
  * @param elastic whether every impact is; otherwise the lower of the two counts
  */

@@ -26,8 +26,8 @@ import steward.physics.Wall;
  * as in any flight. Bodies that cover more than 25 radians in a turn make longer flights of a tenth of a radian each,
  * very slow ones flights of 2e-6 radians.
  *
- * <p>An elastic body keeps the angle of its bounces: it slides only where they are more than
- * {@value #MOST_BOUNCES} a turn, too flat to be told from a slide.
+ * <p>An elastic body keeps the angle of its bounces: it slides only if they are more than {@value #MOST_BOUNCES} a
+ * turn, too flat to be told from a slide.
  *
  * <p>Caveats: a slide that begins at an angle alpha keeps the whole speed, of which the share alpha^2 / 2 was not along
  * the rim: the body is then up to 4.5e-6 w^3 radians ahead after a turn of w radians, elastic ones 2e-9 w^3. Between

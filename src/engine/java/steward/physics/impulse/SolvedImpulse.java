@@ -1,6 +1,6 @@
 package steward.physics.impulse;
 
-/** Result of an {@link ImpulseSolver}: facts about the impulse that it has applied. */
+/** Result of an {@link ImpulseSolver}: the impulse that it has applied. */
 final class SolvedImpulse {
 
     /** The unit vector from the one to the other. */

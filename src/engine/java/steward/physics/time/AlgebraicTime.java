@@ -19,7 +19,7 @@ import steward.physics.Wall;
  * signs of a and of the roots together differ, a^2 is compared with their square, in which one root is left.
  */
 
-/** Exact time of an impact, a number of degree two: equality and order without rounding. Allocates. */
+/** Exact time of an impact as an algebraic number of degree two: equality and order without rounding. Allocates. */
 record AlgebraicTime(BigDecimal p, BigDecimal q, BigDecimal r, BigDecimal s) implements Comparable<AlgebraicTime> {
 
     private static BigDecimal difference(double from, double what) {

@@ -10,7 +10,7 @@ import steward.numerics.ErrorFree;
  *     b: 12 u^2 per |dx vx| + |dy vy|        c: 20 u^2 per d.d + s^2        D: 40 u^2 per a s^2 + (|dx vy| + |dy vx|)^2
  */
 
-/** The low parts of sums of products of numbers that are two doubles each, given what has been rounded. */
+/** Rounding errors of sums of products of double-double numbers, given the rounded products and sums. */
 public final class CircleSums {
 
     private CircleSums() { }

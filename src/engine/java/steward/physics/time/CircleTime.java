@@ -40,7 +40,7 @@ import steward.physics.Arithmetic;
  *     expressions see FarPairs, (2), where the margin is the same share of d.d.
  */
 
-/** The time of impact of two circles, in one arithmetic: a family of solutions of one quadratic. */
+/** Time of impact of two circles, in one arithmetic: a family of solutions of one quadratic. */
 public abstract sealed class CircleTime permits CircleTime.Official, CircleTime.Stable, CompensatedCircles {
 
     static final double NEVER = Double.POSITIVE_INFINITY;

@@ -22,14 +22,14 @@ import steward.physics.Bodies;
  */
 
 /**
- * Time of impact of two circles with the rounding errors of its differences, products and sums added back, so that a
- * path is judged as given, also where it grazes by some units in the last place of the coordinates. The error is at
- * most 5 units in the last place, unless the gap is below 2^-46 of the distance or the path grazes as closely; there
- * the decision can still be wrong. Products of the inputs, up to the fourth power, have to be in the range of
- * {@link ErrorFree}: lengths and speeds from 1e-60 to 1e60.
+ * Time of impact of two circles with the rounding errors of its differences, products and sums added back. So a path is
+ * judged as given, also if it grazes by some units in the last place of the coordinates. The error is at most 5 units
+ * in the last place, unless the gap is below 2^-46 of the distance or the path grazes as closely; then the decision can
+ * still be wrong. Products of the inputs, up to the fourth power, have to be in the range of {@link ErrorFree}: lengths
+ * and speeds from 1e-60 to 1e60.
  *
- * <p>Where separating pairs react, differences are rounded first, as the push-out sees them: otherwise a pair could
- * react again and again.
+ * <p>If separating pairs react, differences are rounded first, as the push-out sees them: otherwise a pair could react
+ * again and again.
  */
 public final class CompensatedCircles extends CircleTime {
 

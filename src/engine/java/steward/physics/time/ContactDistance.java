@@ -4,9 +4,9 @@ import steward.physics.Bodies;
 import steward.physics.Contacts;
 
 /**
- * Contacts at a distance of their own ({@link Contacts#askWithin}): while a pair is looked at, each of the two has half
- * of the distance as its radius, so that every arithmetic and every search can be used as it is. Made only for scenes
- * that have such contacts.
+ * Support for contacts at a distance other than the sum of the radii ({@link Contacts#askWithin}). While a pair is
+ * looked at, each of the two has half of the distance as its radius, so that every arithmetic and every search can be
+ * used unchanged. Made only for scenes that have such contacts.
  */
 public final class ContactDistance {
 

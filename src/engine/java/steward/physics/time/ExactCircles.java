@@ -17,10 +17,10 @@ import steward.physics.Bodies;
  */
 
 /**
- * The two times at which two circles touch, with exact decisions and in double-double. Call {@code load}, then the
- * queries. One instance serves one thread; it allocates only for numbers so far apart (more than about 2^400 between
- * the largest and the smallest) that no power of two brings their products into the range of doubles: then
- * {@link WideCircles} computes.
+ * Times at which two circles touch, with exact decisions and in double-double. Call {@code load}, then the queries. One
+ * instance serves one thread; it allocates only for numbers so far apart (more than about 2^400 between the largest and
+ * the smallest) that no power of two brings their products into the range of doubles: then {@link WideCircles}
+ * computes.
  */
 final class ExactCircles {
 

@@ -28,9 +28,9 @@ import steward.physics.ImpactLaw;
  */
 
 /**
- * Times of impact of circles for the arithmetic {@code EXACT}: a fast lower bound for all pairs, with exact decisions,
- * and the time itself in double-double for the pairs that {@code RefiningQueue} refines. Exact signs decide if two
- * touch, approach and meet; a tangent path is a miss.
+ * Times of impact of circles for the arithmetic {@code EXACT}: fast lower bounds for all pairs, with exact decisions,
+ * and times in double-double. These are computed for the pairs that {@code RefiningQueue} refines. Exact signs decide
+ * if two touch, approach and meet; a tangent path is a miss.
  */
 public final class ExactPairs extends PairTime {
 

@@ -14,7 +14,9 @@ import steward.physics.Segment;
  * All signs (of C, w, B.P, B.P - L^2, C^2 - r^2 L^2) are those of expansions; the ends are circles of radius 0.
  */
 
-/** A {@link Segment} in exact arithmetic, decided in the same order as {@link TimeOfImpact#segment}. */
+/**
+ * Time of impact with a {@link Segment} in exact arithmetic, decided in the same order as {@link TimeOfImpact#segment}.
+ */
 final class ExactSegment extends ExactWall {
 
     private final Segment segment;

@@ -9,11 +9,11 @@ import steward.physics.Segment;
 import steward.physics.Wall;
 
 /**
- * A wall for the arithmetic {@code EXACT}: whether a body approaches, touches and hits is decided by exact signs; times
- * are computed in double-double. The stored numbers of the wall are taken as exact: distances from a half-plane are
- * measured with its stored vector, whose length is 1 except for rounding (for the direction of an impulse it is
- * normalised again). Where the flat side of a segment meets its round end, both give the same time and normal to the
- * last bits; which of the two is hit there is decided in double-double.
+ * A wall for the arithmetic {@code EXACT}: exact signs decide whether a body approaches, touches and hits; times are in
+ * double-double. The stored numbers of the wall are taken as exact: distances from a half-plane are measured with its
+ * stored vector, whose length is 1 except for rounding (for the direction of an impulse it is normalised again). At the
+ * place where the flat side of a segment meets its round end, both give the same time and normal to the last bits;
+ * which of the two is hit there is decided in double-double.
  *
  * <p>Lengths and speeds have to be from 1e-60 to 1e60 (or 0) for half-planes and segments; arenas take any.
  */

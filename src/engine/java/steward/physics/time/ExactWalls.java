@@ -5,8 +5,8 @@ import steward.physics.Bodies;
 import steward.physics.Wall;
 
 /**
- * Times of impact with walls for the arithmetic {@code EXACT}: lower bounds for the search, and the time itself in
- * double-double for those that {@code RefiningQueue} refines. {@link ExactWall} says what is exact.
+ * Times of impact with walls for the arithmetic {@code EXACT}: lower bounds for the search, and times in double-double
+ * for entries that {@code RefiningQueue} refines. {@link ExactWall} says what is exact.
  */
 public final class ExactWalls extends WallTime {
 

@@ -21,9 +21,9 @@ import steward.numerics.ErrorFree;
  */
 
 /**
- * The clear cases of {@link ExactCircles#firstTouch}, in double-double: numbers of ordinary size and a pair that
- * clearly overlaps, or clearly separates, or is clearly apart, approaches and clearly meets or misses. Everything else
- * is left to {@link ExactCircles}.
+ * The clear cases of {@link ExactCircles#firstTouch}, computed faster in double-double. Numbers have ordinary size, and
+ * the pair clearly overlaps, clearly separates, or is clearly apart, approaches and clearly meets or misses. Everything
+ * else is left to {@link ExactCircles}.
  */
 final class FastCircles {
 

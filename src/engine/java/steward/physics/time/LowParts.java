@@ -4,9 +4,8 @@ import java.util.Arrays;
 import steward.physics.Bodies;
 
 /**
- * The rounding errors of stored coordinates: the low parts of double-double positions whose high parts are in
- * {@link Bodies}. They are kept until the next free flight, so that an impact is computed from the positions before
- * rounding.
+ * Rounding errors of stored coordinates: the low parts of double-double positions whose high parts are in {@link
+ * Bodies}. They are kept until the next free flight, so that an impact is computed from the positions before rounding.
  */
 public final class LowParts {
 

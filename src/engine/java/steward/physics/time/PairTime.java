@@ -5,9 +5,7 @@ import steward.physics.Bodies;
 import steward.physics.Contacts;
 import steward.physics.ImpactLaw;
 
-/**
- * The time of the next impact of a pair of circles. The law decides if a touching pair reacts; the rest is geometry.
- */
+/** Time of the next impact of a pair of circles. The law decides if a touching pair reacts; the rest is geometry. */
 public abstract sealed class PairTime permits PairTime.OfCircles, PairTime.Overlap, PairTime.AtOwnDistance,
     ExactPairs {
 

@@ -7,9 +7,9 @@ import steward.numerics.DoubleDouble;
 import steward.physics.Wall;
 
 /**
- * The impacts of one instant in the arithmetic {@code EXACT}: of impacts whose times are too close for double-doubles,
- * the earliest and all that are at the very same time, in the order of their ids. Their states are those before the
- * first of them reacts. Allocates; it is needed only where times are {@link #NEAR}.
+ * Decides which impacts happen at the same instant in the arithmetic {@code EXACT}. Of impacts whose times are too
+ * close for double-doubles, it finds the earliest and all that have exactly the same time, in the order of their ids.
+ * Their states are those before the first of them reacts. Allocates; it is needed only if times are {@link #NEAR}.
  */
 public final class SimultaneousImpacts {
 

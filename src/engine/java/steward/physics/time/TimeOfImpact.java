@@ -6,10 +6,9 @@ import steward.physics.Segment;
 import steward.physics.Wall;
 
 /**
- * The time at which a circle in free flight first touches a wall, in turns from now; for another circle see
- * {@link CircleTime}. "Never" is
- * {@code POSITIVE_INFINITY}. A present contact counts as 0 only while the two approach; a tangent path is a miss.
- * Inputs are finite.
+ * Time at which a circle in free flight first touches a wall, in turns from now; for another circle see {@link
+ * CircleTime}. "Never" is {@code POSITIVE_INFINITY}. A present contact counts as 0 only while the two approach; a
+ * tangent path is a miss. Inputs are finite.
  *
  * <p>All methods are pure; lengths in u, velocities in u per turn. Products of up to four of the inputs have to be in
  * the range of doubles: {@code EventAdvance} ensures that.

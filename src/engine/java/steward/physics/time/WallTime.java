@@ -3,7 +3,7 @@ package steward.physics.time;
 import steward.physics.Bodies;
 import steward.physics.Wall;
 
-/** The time of the next impact of a body with a wall. */
+/** Time of the next impact of a body with a wall. */
 public abstract sealed class WallTime permits WallTime.Plain, ExactWalls {
 
     /** Time from now; 0 for an impact now, infinite for none. */

@@ -5,8 +5,9 @@ import java.math.MathContext;
 import steward.numerics.DoubleDouble;
 
 /**
- * The quadratic of {@link ExactCircles} for numbers whose magnitudes are too far apart for doubles: exact decimals,
- * roots to 50 digits. Every double is a finite decimal, and so are the coefficients. It takes about a millisecond.
+ * Times at which two circles touch, for {@link ExactCircles}, if the magnitudes of their numbers are too far apart for
+ * doubles. The quadratic is solved in exact decimals, with roots to 50 digits. Every double is a finite decimal, and so
+ * are the coefficients. It takes about a millisecond.
  */
 final class WideCircles {
 

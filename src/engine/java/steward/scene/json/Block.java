@@ -18,10 +18,10 @@ import steward.scene.json.JsonValue.JsonText;
 import steward.text.NearestName;
 
 /**
- * One JSON object of a scene file. Its reader reads every field it knows, stating what the field has to be, and at the
- * end calls {@link #done()}, which refuses the fields that were not read. Every method that reads throws a
- * {@link SceneException}, located in the file, if a field is not as expected; a field is required unless the method
- * takes a default. A {@code null} in the file is not absence but an error.
+ * One JSON object of a scene file, read field by field. Its reader reads every field it knows, stating what the field
+ * has to be, and at the end calls {@link #done()}, which refuses the fields that were not read. Every method that reads
+ * throws a {@link SceneException}, located in the file, if a field is not as expected; a field is required unless the
+ * method takes a default. A {@code null} in the file is not absence but an error.
  *
  * <p>Not thread-safe: a block remembers which fields were read.
  */

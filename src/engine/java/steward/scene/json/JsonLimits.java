@@ -1,8 +1,8 @@
 package steward.scene.json;
 
 /**
- * Limits of a file that a person writes: far more than a person would need, and so little that it is read, or refused,
- * in a moment. Held while reading: the first value too many is the last one looked at.
+ * Limits on size and depth of a JSON file that a person writes: more than a person needs, yet read or refused in a
+ * moment. They apply while reading: the first value too many is the last one looked at.
  */
 public final class JsonLimits {
 

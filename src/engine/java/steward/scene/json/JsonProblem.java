@@ -6,7 +6,7 @@ import java.util.regex.Pattern;
 import tools.jackson.core.JacksonException;
 import tools.jackson.core.JsonToken;
 
-/** Messages about malformed JSON for the author of the file: the parser's own messages are for programmers. */
+/** Messages about malformed JSON for the author of the file; the parser's own messages are for programmers. */
 public final class JsonProblem {
 
     private static final String CUT = "found the end of the text within the JSON, expected all of it";

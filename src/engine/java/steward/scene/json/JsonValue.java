@@ -5,7 +5,7 @@ import java.util.Map;
 import steward.text.TextFormat;
 import tools.jackson.core.JsonGenerator;
 
-/** A value of a scene file as it was written, with its position. Numbers keep their text. */
+/** Value of a scene file as it was written, with its position. Numbers keep their text. */
 public sealed interface JsonValue {
 
     SourcePosition place();

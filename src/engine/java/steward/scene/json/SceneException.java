@@ -1,8 +1,8 @@
 package steward.scene.json;
 
 /**
- * An error in a scene file. The message is complete and meant for the author of the file:
- * {@code FILE:LINE:COLUMN: field.path: found ..., expected ...}; without a position if the file itself is missing.
+ * Error in a scene file. The message is complete and meant for the author of the file: {@code FILE:LINE:COLUMN:
+ * field.path: found ..., expected ...}; without a position if the file itself is missing.
  */
 public final class SceneException extends RuntimeException {
 

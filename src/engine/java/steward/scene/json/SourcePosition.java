@@ -2,7 +2,7 @@ package steward.scene.json;
 
 import tools.jackson.core.TokenStreamLocation;
 
-/** A position in a text; lines and columns count from 1. */
+/** Position in a text; lines and columns count from 1. */
 public record SourcePosition(int line, int column) {
 
     static SourcePosition of(TokenStreamLocation location) {

@@ -14,7 +14,7 @@ import steward.lab.chart.MeasuredTable;
 import steward.lab.chart.MeasuredTable.Column;
 import tools.jackson.core.JsonGenerator;
 
-/** The table in files, a row as soon as it is measured. The page comes last. */
+/** Writes the bench's table to files, each row as soon as it is measured. The page comes last. */
 public final class BenchFiles implements AutoCloseable {
 
     /** Name of the table for spreadsheets. */

@@ -9,7 +9,7 @@ import steward.lab.timing.TimingSamples;
 import steward.numerics.Median;
 
 /**
- * Several ways to do the same work, measured by turns; a row for each, whose ratio is to the first.
+ * Several ways to do the same work, measured in turns, with a row for each, whose ratio is to the first.
  *
  * @param section    that the rows belong to
  * @param unit       of the work

@@ -6,7 +6,7 @@ import steward.lab.timing.WorkClock;
 import steward.lab.timing.WorkTimer;
 
 /**
- * One way to do some work, to be compared with others.
+ * One way to do some work, which is compared with others.
  *
  * @param place where it is timed; never closed
  */

@@ -2,7 +2,7 @@ package steward.lab.bench;
 
 import steward.lab.timing.TimingEffort;
 
-/** Amount of measuring. */
+/** Effort of a measurement: repetitions and durations. */
 public enum Effort {
     /** A minute in all: for ratios that differ much. */
     QUICK(new TimingEffort(1, 5, 0.02, 0.05, 1.5), 1),

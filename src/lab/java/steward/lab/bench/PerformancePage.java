@@ -7,7 +7,7 @@ import java.util.Locale;
 import java.util.Map;
 import steward.text.TextFormat;
 
-/** The measured table as a page. */
+/** Writes the measured table as a page of the documentation. */
 public final class PerformancePage {
 
     private static final int WIDTH = 118;

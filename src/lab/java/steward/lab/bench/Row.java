@@ -1,7 +1,7 @@
 package steward.lab.bench;
 
 /**
- * One measured row.
+ * Row of the bench's table: one measured contender.
  *
  * @param perSecond units per second, of CPU time or of the wall clock as the section says
  * @param ratio     the speed relative to the first row of its group, NaN where there is nothing to compare

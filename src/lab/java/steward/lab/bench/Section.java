@@ -2,7 +2,7 @@ package steward.lab.bench;
 
 import java.util.function.Consumer;
 
-/** A part of the table. */
+/** Section of the bench's table: its title and its comparisons. */
 public interface Section {
 
     /** A word, for {@code --only}. */

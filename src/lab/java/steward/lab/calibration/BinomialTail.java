@@ -8,7 +8,7 @@ package steward.lab.calibration;
  * were seen, is the p with P(X <= k) = 1 - c.
  */
 
-/** Probabilities of a binomial distribution, and what follows from them for shares that were seen in a sample. */
+/** Tail probabilities of a binomial distribution, and confidence bounds for shares that were seen in a sample. */
 public final class BinomialTail {
 
     /** The confidence with which a calibration shows a share. */

@@ -19,8 +19,8 @@ import steward.physics.TurnLog;
  */
 
 /**
- * States that occur in play of a scene: seeded games, one after the other, whose players answer by rule. Each turn
- * gives the bodies as they were when its flight began; but where the game rounds positions, the velocities of bodies
+ * Source of states that occur in play of a scene: seeded games, one after the other, whose players answer by rule. Each
+ * turn gives the bodies as they were when its flight began. If the game rounds positions, the velocities of bodies
  * without an impact are accurate to half a unit only. Deterministic.
  */
 public final class SeededPlay {

@@ -4,8 +4,8 @@ import java.awt.Color;
 import java.util.List;
 
 /**
- * The colours of a picture: those of the rungs after Okabe and Ito (2008), which can be told apart with colour vision
- * deficiencies, lighter ones for dark pages.
+ * Colours of a picture: for rungs those of Okabe and Ito (2008), which people with colour vision deficiencies can tell
+ * apart. Dark pages have lighter ones.
  *
  * @param isDark of a picture for dark pages
  * @param faint  of the lines from marks to their names

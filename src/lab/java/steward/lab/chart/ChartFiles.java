@@ -16,7 +16,7 @@ import java.util.List;
 import javax.imageio.ImageIO;
 import org.knowm.xchart.style.AxesChartStyler;
 
-/** Pictures in files, for light and for dark pages, and their text in lines that fit. */
+/** Writes pictures to files, for light and for dark pages, and wraps their text. */
 public final class ChartFiles {
 
     static {

@@ -2,7 +2,7 @@ package steward.lab.chart;
 
 import java.awt.Graphics2D;
 
-/** A picture before it has colours. */
+/** Picture whose colours are chosen later, for a light or a dark page. */
 public interface Drawing {
 
     /** Width in points of its fonts. */

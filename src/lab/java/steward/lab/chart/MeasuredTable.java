@@ -17,8 +17,8 @@ import steward.text.CsvRow;
 import tools.jackson.core.JsonGenerator;
 
 /**
- * Table of measurements in two files. {@code NAME.csv} grows by each row, {@code NAME.json} is replaced by one with the
- * row: both are whole after each, so that an interrupted run leaves what was measured.
+ * Writes a table of measurements to two files. {@code NAME.csv} grows by each row; {@code NAME.json} is replaced by one
+ * with the row. Both are complete after each row, so that an interrupted run leaves its measurements.
  *
  * @param <R> a row
  */

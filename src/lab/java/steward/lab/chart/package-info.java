@@ -1,2 +1,2 @@
-/** Pictures of measurements: colours for light and for dark pages, text that is wrapped, files. */
+/** Pictures of measurements: colours for light and dark pages, wrapped text, files. */
 package steward.lab.chart;

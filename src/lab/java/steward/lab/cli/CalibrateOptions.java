@@ -18,7 +18,7 @@ import steward.scene.AccuracyFigures;
 import steward.scene.SceneFiles;
 import steward.text.TextFormat;
 
-/** The options of {@code steward tradeoff} by which it calibrates scenes instead. */
+/** Options of {@code steward tradeoff} for calibrating scenes. */
 final class CalibrateOptions {
 
     private static final int MOST_STATES = 10_000_000;

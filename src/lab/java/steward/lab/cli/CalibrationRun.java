@@ -26,8 +26,8 @@ import steward.scene.AccuracyFigures;
 import steward.text.TextFormat;
 
 /**
- * Calibrates one scene: measures, writes the figures and prints them. They are written to a file beside the final one
- * and moved at the end, so that old figures stay until there are new ones; after an interruption, the measured figures
+ * Calibrates one scene: measures, writes the figures and prints them. Figures are written to a file beside the final
+ * one and moved at the end, so that old figures stay until there are new ones. After an interruption, measured figures
  * are kept.
  */
 final class CalibrationRun {

@@ -3,7 +3,7 @@ package steward.lab.cli;
 import steward.cli.shared.Lab;
 import steward.lab.cli.bench.BenchCommand;
 
-/** The lab as the program sees it, found by {@link java.util.ServiceLoader}. */
+/** The lab's commands as a service that the program finds by {@link java.util.ServiceLoader}. */
 public final class LabCommands implements Lab {
 
     @Override

@@ -35,7 +35,10 @@ import steward.lab.trial.StabilityCase;
 import steward.numerics.StateHash;
 import steward.text.TextFormat;
 
-/** {@code steward stability}: the physics at the numerical extremes, compared with what is demanded. */
+/**
+ * {@code steward stability}: tests the physics in numerically extreme cases and compares each result with its
+ * requirement.
+ */
 @Command(name = "stability", description = "Tries the physics at the numerical extremes, on every rung of accuracy, "
     + "and says what was demanded and what was seen.",
     footer = {"", "Examples:", "  steward stability",

@@ -10,7 +10,9 @@ import steward.lab.stability.StabilityRow;
 import steward.lab.trial.Finding;
 import steward.text.TextFormat;
 
-/** Prints the stability table as it is measured: per case the demand, and a line per rung with the result. */
+/**
+ * Prints the stability table as it is measured: each case with its requirement, and a line per rung with the result.
+ */
 final class StabilityTable {
 
     private static final int WIDTH = 100;

@@ -9,7 +9,7 @@ import steward.lab.tradeoff.GrazingPasses;
 import steward.physics.PhysicsParts;
 import steward.scene.SceneReader;
 
-/** The program of a JVM that times one kind of turns for another JVM; people do not call it. */
+/** Main class of a JVM that times one kind of turns for another JVM; people do not call it. */
 public final class TimingMain {
 
     private TimingMain() { }

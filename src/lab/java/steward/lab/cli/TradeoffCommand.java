@@ -28,7 +28,7 @@ import steward.lab.tradeoff.TradeoffRow;
 import steward.lab.tradeoff.TradeoffScene;
 import steward.lab.tradeoff.report.TradeoffReport;
 
-/** {@code steward tradeoff}: the cost and the error of each rung of accuracy. */
+/** {@code steward tradeoff}: measures cost and error of each rung of accuracy. */
 @Command(name = "tradeoff", description = "Measures, scene by scene, what each rung of accuracy costs and how far "
     + "it is from the truth.",
     footer = {"", "Examples:", "  steward tradeoff --out results",

@@ -23,7 +23,7 @@ import steward.physics.Motion;
 import steward.scene.SceneFiles;
 import steward.text.NearestName;
 
-/** The scenes of the trade-off measurement: its own, and any scene that a match can be played in. */
+/** Scenes of the trade-off measurement: built-in ones, and any scene in which a match can be played. */
 final class TradeoffScenes {
 
     /** Names that {@code --scene} knows. */

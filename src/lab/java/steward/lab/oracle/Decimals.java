@@ -7,8 +7,7 @@ import java.math.RoundingMode;
 
 /**
  * Decimal arithmetic of 64 digits for the oracle. Every double is a decimal number and is converted exactly; sums and
- * products ({@link #dot}, {@link #cross}) are exact, and only quotients, roots and what is stored as a new state are
- * rounded.
+ * products ({@link #dot}, {@link #cross}) are exact. Only quotients, roots and stored states are rounded.
  */
 public final class Decimals {
 

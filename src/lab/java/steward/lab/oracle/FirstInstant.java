@@ -19,9 +19,9 @@ import steward.physics.Wall;
  */
 
 /**
- * The elastic impacts of the first instant of a turn by the rule of ties, in decimals of {@value #PRECISION} digits:
- * decided from the states before, in the order of indices, each on the velocities that those before have left. Times
- * that agree to 1e-110 are equal, for numbers of at most 31 bits.
+ * Reference computation of the first instant of a turn with simultaneous elastic impacts, in decimals of {@value
+ * #PRECISION} digits. Impacts are decided from the states before and react in the order of indices, each on the
+ * velocities that the previous ones have left. Times that agree to 1e-110 are equal, for numbers of at most 31 bits.
  */
 public final class FirstInstant {
 

@@ -11,18 +11,17 @@ import steward.physics.PhysicsParts;
 import steward.physics.Wall;
 
 /**
- * A turn computed from the definitions in {@link Decimals#COUNT} decimal digits: find the earliest touch of all pairs
- * and walls, move all bodies there, let the impact react, search again. Slow, and meant to be obviously right: nothing
- * is kept from one impact to the next, and only pairs that provably touch later than the next impact are not examined
- * in all digits ({@link OracleBroadPhase}). It reads {@link ImpactLaw} and {@link Wall} as plain data and calls
- * nothing of the physics.
+ * Reference computation of a turn from the definitions in {@link Decimals#COUNT} decimal digits. It finds the earliest
+ * touch of all pairs and walls, moves all bodies there, lets the impact react, and searches again. It is slow and meant
+ * to be obviously right: nothing is kept from one impact to the next, and only pairs that provably touch later than the
+ * next impact are not examined in all digits ({@link OracleBroadPhase}). It reads {@link ImpactLaw} and {@link Wall} as
+ * plain data and calls nothing of the physics.
  *
- * <p>Where the physics has to decide whether two rounded distances are equal, the oracle treats numbers that agree to
+ * <p>If the physics has to decide whether two rounded distances are equal, the oracle treats numbers that agree to
  * {@code COUNT - 16} digits as equal: a body moved to a touch does touch, and a body that slides does not approach.
  *
- * <p>Caveat: a turn that reaches the limit on impacts stops there, and so does one in which a body slides along a rim
- * where bodies rest ({@link OracleRest#slides}), or a heap has no way to rest. What contacts may mean is said in {@link
- * OracleContacts}.
+ * <p>Caveat: a turn stops if it reaches the limit on impacts, if a body slides along a rim where bodies rest ({@link
+ * OracleRest#slides}), or if a heap has no way to rest. {@link OracleContacts} tells which contacts are supported.
  */
 public final class Oracle {
 

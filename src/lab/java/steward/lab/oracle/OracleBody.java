@@ -7,7 +7,7 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import steward.physics.Bodies;
 
-/** A body of the oracle: a circle with a position and a velocity of {@link Decimals#COUNT} digits. */
+/** Body of the oracle: a circle whose position and velocity have {@link Decimals#COUNT} digits. */
 public final class OracleBody {
 
     public BigDecimal x;

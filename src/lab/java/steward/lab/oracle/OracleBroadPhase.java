@@ -24,9 +24,8 @@ import steward.physics.Wall;
  */
 
 /**
- * Lower bounds in doubles of the times of touch, so that the {@link Oracle} examines only those pairs in all digits
- * that can be the next to touch. Each bound has a margin above the rounding of its doubles; where squares could leave
- * their range it is 0.
+ * Lower bounds in doubles of times of touch, so that the {@link Oracle} examines only possible next pairs in all
+ * digits. Each bound has a margin above the rounding of its doubles; if squares could leave their range, it is 0.
  */
 final class OracleBroadPhase {
 

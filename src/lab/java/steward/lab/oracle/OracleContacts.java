@@ -14,8 +14,8 @@ import steward.physics.TurnSink;
 import steward.physics.Wall;
 
 /**
- * Meanings of contacts to the {@link Oracle}: which kinds meet, and how the game's reaction answers. The reaction is
- * asked about rounded copies of the bodies; those that it does not alter keep all their digits.
+ * Rules of contacts for the {@link Oracle}: which kinds meet, and how the game's reaction answers. The reaction is
+ * asked about rounded copies of the bodies; bodies that it does not alter keep all their digits.
  *
  * <p>Caveat: a contact at a distance of its own may be answered by anything but {@code BOUNCE}.
  */

@@ -12,9 +12,9 @@ import steward.physics.Arena;
 import steward.physics.Wall;
 
 /**
- * A heap that comes to rest, in the oracle's arithmetic, from the description in {@code docs/scenes.md}: which bodies
- * hang together, which of them would meet before the turn ends, the nearest velocities with which they do not ({@link
- * OracleProjection}), and the accelerations that closed contacts leave.
+ * Heap that comes to rest, in the oracle's arithmetic, as {@code docs/scenes.md} describes it. It finds which bodies
+ * hang together and which of them would meet before the turn ends. It computes the nearest velocities with which they
+ * do not ({@link OracleProjection}), and the accelerations that closed contacts leave.
  */
 final class OracleHeap {
 

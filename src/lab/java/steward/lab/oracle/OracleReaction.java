@@ -7,9 +7,9 @@ import steward.physics.ImpactLaw;
 import steward.physics.Wall;
 
 /**
- * Impact in the oracle's arithmetic: the first step of the impulse stops the approach, the second gives back the share
- * e of it or the law's minimum, and then comes the push-out. Source: the description of the impulse in the law ({@link
- * ImpactLaw}); conservation of momentum and energy follows and is tested.
+ * Reaction to an impact in the oracle's arithmetic. The first step of the impulse stops the approach, the second gives
+ * back the share e of it or the law's minimum; then comes the push-out. Source: the description of the impulse in the
+ * law ({@link ImpactLaw}); conservation of momentum and energy follows and is tested.
  */
 final class OracleReaction {
 

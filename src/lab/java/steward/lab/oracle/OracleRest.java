@@ -8,8 +8,8 @@ import steward.physics.ImpactLaw;
 import steward.physics.Wall;
 
 /**
- * The law of rest and of forces in the oracle's arithmetic, from its description in {@code docs/scenes.md}: which
- * impacts give nothing back, and how bodies leave an impact under forces. {@link OracleHeap} computes what rests.
+ * Law of rest and of forces in the oracle's arithmetic, as {@code docs/scenes.md} describes it. It decides which
+ * impacts give nothing back, and how bodies leave an impact under forces. {@link OracleHeap} computes heaps.
  */
 final class OracleRest {
 

@@ -17,8 +17,8 @@ import steward.physics.Wall;
  */
 
 /**
- * Times of impact in the oracle's arithmetic, from the definitions. {@code null} is never. A body that touches and
- * approaches has the time 0; a body that touches but recedes or slides does not come back, because all the walls and
+ * Times of impact in the oracle's arithmetic, from the definitions; {@code null} means never. A body that touches and
+ * approaches has the time 0. A body that touches but recedes or slides does not come back, because all walls and
  * circles here are convex.
  */
 final class OracleTimeOfImpact {

@@ -14,8 +14,8 @@ import steward.physics.Bodies;
  */
 
 /**
- * The exact first touch of two bodies within a turn, in integer arithmetic: a second oracle for single pairs, some
- * fifty times faster than {@link Oracle}, for millions of pairs.
+ * Exact first touch of two bodies within a turn, in integer arithmetic. It is a second oracle for millions of single
+ * pairs, some fifty times faster than {@link Oracle}.
  */
 public final class PairOracle {
 

@@ -1,7 +1,7 @@
 package steward.lab.oracle;
 
 /**
- * The error of a turn computed on some rung, compared with the true one.
+ * Error of a turn computed on some rung, compared with the true turn.
  *
  * @param position largest error of a body's centre at the end of the turn, in u; infinite if it is not a number
  * @param missed   true impacts that were not computed: counted per pair, whatever the time

@@ -19,8 +19,8 @@ import steward.scene.Accuracy;
  */
 
 /**
- * The true turn from a given start, computed by the {@link Oracle} (but see {@link #of}); any rung can be compared with
- * it. Slow to create, fast to query. Immutable.
+ * The true turn from a given start, computed by the {@link Oracle} (but see {@link #of}), with which any rung can be
+ * compared. Slow to create, fast to query. Immutable.
  */
 public final class TurnTruth {
 

@@ -24,7 +24,7 @@ import steward.physics.Wall;
 
 /**
  * One number for all computed results: the hash of every bit of worlds and games on every rung. It must be the same on
- * every machine, JDK, compiler level and garbage collector; where it differs, the hashes of the parts show where.
+ * every machine, JDK, compiler level and garbage collector; if it differs, the hashes of the parts show the place.
  */
 public final class GoldenHash {
 

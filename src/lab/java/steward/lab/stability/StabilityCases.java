@@ -38,7 +38,7 @@ import steward.lab.stability.pairs.RoundingCase;
 import steward.lab.stability.pairs.SlidingCase;
 import steward.lab.trial.StabilityCase;
 
-/** The rows of the stability table, in order; the only place that lists them. */
+/** List of all cases of the stability table, in order; no other place lists them. */
 public final class StabilityCases {
 
     private StabilityCases() { }

@@ -10,7 +10,7 @@ import steward.lab.trial.Rung;
 import steward.lab.trial.StabilityCase;
 
 /**
- * The result of a case on a rung, with its time.
+ * Result of a case on a rung, with its time.
  *
  * @param seconds how long it took
  */

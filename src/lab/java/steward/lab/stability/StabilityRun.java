@@ -3,7 +3,7 @@ package steward.lab.stability;
 import steward.lab.trial.RunLength;
 
 /**
- * A run of the stability table.
+ * Conditions of a run of the stability table: amount of work, date, version and machine.
  *
  * @param length how much work each case had
  * @param date   when, as year-month-day

@@ -10,7 +10,7 @@ import steward.physics.PhysicsParts;
 import steward.scene.Accuracy;
 
 /**
- * The flights of a turn on a rung, to be timed in this JVM or in another.
+ * Work to be timed in this JVM or in another: the flights of one turn on a rung.
  *
  * @param scene  what the other JVM needs to make the physics: a scene as JSON, or a name
  * @param rung   to time

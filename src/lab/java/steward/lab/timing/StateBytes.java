@@ -8,7 +8,7 @@ import java.util.List;
 import steward.physics.Bodies;
 import steward.physics.PassingPairs;
 
-/** States as bytes: one JVM draws them, others time turns that begin with them. */
+/** Serialised states: one JVM draws them, others time turns that begin with them. */
 final class StateBytes {
 
     private StateBytes() { }

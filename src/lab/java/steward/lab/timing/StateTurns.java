@@ -6,7 +6,7 @@ import steward.physics.Bodies;
 import steward.physics.TurnSink;
 
 /**
- * Flights of a turn from each of some states, in batches: each batch plays copies that were made before it, so that
+ * Timed flights of one turn from given states, in batches. Each batch plays copies that were made before it, so that
  * neither the copying nor the clock is included.
  */
 final class StateTurns implements TimedWork {

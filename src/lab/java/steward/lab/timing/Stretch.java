@@ -1,7 +1,7 @@
 package steward.lab.timing;
 
 /**
- * A measured stretch of work.
+ * Measured time and allocation per unit of work.
  *
  * @param nanos a unit's time by the clock of the measurement, in nanoseconds
  * @param bytes a unit's allocation; NaN where nobody tells

@@ -1,6 +1,6 @@
 package steward.lab.timing;
 
-/** Work that is timed piece by piece; a piece is long enough for a clock. */
+/** Interface of work that is timed piece by piece; a piece is long enough for a clock. */
 @FunctionalInterface
 public interface TimedWork {
 

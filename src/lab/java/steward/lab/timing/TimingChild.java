@@ -11,12 +11,12 @@ import java.io.OutputStream;
 import java.util.function.Function;
 
 /**
- * Other JVM of a timing: it reads its job, then obeys until its input ends, which it also does when the first JVM is no
- * more.
+ * Loop of the other JVM of a timing: it reads its job, then obeys orders until its input ends. The input also ends when
+ * the first JVM does.
  *
- * <p>The job comes first. Then each word is a byte and its arguments: {@link #WARM_UP} with the seconds at least and at
- * most, {@link #ROUND} with the seconds at least. Every answer, also that to the job, is {@link #DONE} with the
- * nanoseconds and bytes of a turn, 0 if none was measured, or {@link #FAILED} with a message.
+ * <p>The job comes first. Then each order is a byte and its arguments: {@link #WARM_UP} with the seconds at least and
+ * at most, {@link #ROUND} with the seconds at least. Every answer, also to the job, is {@link #DONE} with the
+ * nanoseconds and bytes of a turn (0 if none was measured), or {@link #FAILED} with a message.
  */
 public final class TimingChild {
 

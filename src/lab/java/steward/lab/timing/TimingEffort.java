@@ -1,7 +1,7 @@
 package steward.lab.timing;
 
 /**
- * Amount of timing.
+ * Effort of a timing: rounds and durations.
  *
  * @param repeats    how many times everything is started anew: what a compiler makes of a loop differs from one JVM to
  *                   the next by more than rounds do

@@ -10,9 +10,9 @@ import java.nio.file.Path;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Separate JVM that times one kind of turns, as a match plays them: it shares no compiled code and no profile with
- * another kind. It runs the same Java on the same class path as this one, with the JVM's own choice of compilers, and
- * ends when its input does, so it does not outlive this one.
+ * Separate JVM that times one kind of turns, so that it shares no compiled code and no profile with another kind. It
+ * runs the same Java on the same class path as this one, with the JVM's own choice of compilers, and ends when its
+ * input does, so it does not outlive this one.
  */
 final class TimingJvm implements TimedPlace {
 

@@ -6,7 +6,7 @@ import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
 import steward.numerics.Median;
 
-/** The measured rounds of some kinds of work, and what is said of them: medians, and ratios of the same medians. */
+/** Measured rounds of several kinds of work, and their statistics: medians, and ratios of these medians. */
 public final class TimingSamples {
 
     /** By repeat and round; a round has a stretch of each kind. */

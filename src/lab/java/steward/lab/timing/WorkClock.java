@@ -8,7 +8,7 @@ import java.util.function.DoubleSupplier;
 import java.util.function.LongSupplier;
 
 /**
- * Clock of a measurement, in nanoseconds, and count of the bytes that are allocated meanwhile.
+ * Clock of a measurement in nanoseconds, with a count of the bytes that are allocated meanwhile.
  *
  * @param time      so far
  * @param allocated so far; NaN where nobody tells

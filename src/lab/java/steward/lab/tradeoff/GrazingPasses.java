@@ -10,7 +10,7 @@ import steward.physics.Contacts;
 import steward.physics.ImpactLaw;
 import steward.physics.PhysicsParts;
 
-/** The scene of the trade-off that no file can say: two bodies that nearly touch. */
+/** Scene of the trade-off that no scene file can describe: two bodies that nearly touch. */
 public final class GrazingPasses {
 
     public static final String NAME = "grazing";

@@ -3,7 +3,7 @@ package steward.lab.tradeoff;
 import steward.lab.timing.TimingEffort;
 
 /**
- * Amount of work of a trade-off measurement.
+ * Effort of a trade-off measurement: numbers of states, turns and rounds.
  *
  * @param share    of a scene's states and free runs
  * @param timing   of the rungs

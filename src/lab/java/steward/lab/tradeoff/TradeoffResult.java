@@ -5,7 +5,7 @@ import java.util.List;
 import steward.scene.AccuracyFigures;
 
 /**
- * The results of a run.
+ * Results of a run of the trade-off: the rows of all scenes and rungs.
  *
  * @param machine the machine of the run
  * @param date    when, as year-month-day

@@ -1,7 +1,7 @@
 package steward.lab.tradeoff;
 
 /**
- * A rung on a scene: what it costs, and its errors, both from the same starting states.
+ * Cost and errors of one rung on one scene, both from the same starting states.
  *
  * @param states      how many starting states, of a turn each
  * @param impacts     true impacts in all these turns

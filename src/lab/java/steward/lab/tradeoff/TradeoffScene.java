@@ -6,7 +6,7 @@ import steward.physics.Motion;
 import steward.physics.PhysicsParts;
 
 /**
- * A scene of the trade-off.
+ * Scene of the trade-off measurement, with its starting states.
  *
  * @param name      a word, unique among those of a run
  * @param about     a readable description

@@ -1,4 +1,4 @@
 /**
- * Speed against accuracy: errors of every rung against the oracle and their cost, on the same states in the same run.
+ * Speed against accuracy: cost and errors of every rung, compared with the oracle on the same states in the same run.
  */
 package steward.lab.tradeoff;

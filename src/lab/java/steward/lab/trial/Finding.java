@@ -1,7 +1,7 @@
 package steward.lab.trial;
 
 /**
- * The result of a case on a rung.
+ * Result of a stability case on a rung.
  *
  * @param verdict what it means
  * @param text    the figures, readable

@@ -8,8 +8,9 @@ import steward.physics.Bodies;
  */
 
 /**
- * Sums the change of momentum of every impact, m (v after - v before), from the stored velocities, in double-double
- * arithmetic; the walls' share is what the bodies received from them.
+ * Sums the change of momentum of every impact, to check that momentum is conserved. The change is m (v after - v
+ * before) from the stored velocities, in double-double arithmetic; the walls' share is what the bodies received from
+ * them.
  */
 public final class MomentumBalance extends Probe {
 

@@ -8,7 +8,7 @@ import steward.physics.Bodies;
 import steward.physics.PhysicsParts;
 
 /**
- * Turns of a rung beside those of the oracle from the same states: how far off places and velocities are. Where two
+ * Compares turns of a rung with those of the oracle from the same states: errors of positions and velocities. If two
  * contacts meet at the same time but for rounding, either may be the first, and the turns part; few may be such.
  */
 public final class OracleTurns {

@@ -2,7 +2,7 @@ package steward.lab.trial;
 
 import java.util.function.Supplier;
 
-/** Receives the progress of a case that takes minutes, now and then and on the case's own thread. */
+/** Receiver of the progress of a case that takes minutes, called now and then on the case's own thread. */
 @FunctionalInterface
 public interface Progress {
 

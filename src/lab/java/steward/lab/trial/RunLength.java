@@ -1,6 +1,6 @@
 package steward.lab.trial;
 
-/** Amount of work of a case: for a test suite, for a table, or as much as the case can do. */
+/** Amount of work of a stability case: for a test suite, for a table, or as much as the case can do. */
 public enum RunLength {
     /** Seconds for all cases together. */
     SMALL,

@@ -15,7 +15,7 @@ import steward.physics.event.QueueAdvance;
 import steward.physics.event.StepAdvance;
 
 /**
- * A way to compute a turn: how it is advanced and with what arithmetic.
+ * A rung of accuracy: a way to advance a turn, with an arithmetic.
  *
  * @param name       as in a scene
  * @param isEvent    whether impacts are found by their times; steps necessarily miss and shift impacts

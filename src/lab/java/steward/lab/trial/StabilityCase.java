@@ -1,8 +1,8 @@
 package steward.lab.trial;
 
 /**
- * One row of the stability table: a situation at the limits of floating point, and what is demanded there. A case is
- * stateless and deterministic: the same rung and size give the same result.
+ * One row of the stability table: a situation at the limits of floating point, and the requirement for its result. A
+ * case is stateless and deterministic: the same rung and size give the same result.
  */
 public abstract class StabilityCase {
 

@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 
-/** A thread of this JVM, which other threads can ask the kernel about: whether it sleeps in a call, or is to run. */
+/** Handle of a thread of this JVM, through which others ask the kernel whether it sleeps in a call or wants to run. */
 public final class OwnThread {
 
     /** State of a thread, as the kernel tells it. */

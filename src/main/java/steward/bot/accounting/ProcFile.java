@@ -9,10 +9,10 @@ import java.util.Map;
 import java.util.regex.Pattern;
 
 /**
- * Reads small files of {@code /proc} into one buffer, and numbers out of it. Not thread-safe.
+ * Reads small files of {@code /proc} into one buffer and parses numbers in them. Not thread-safe.
  *
- * <p>A reader that {@linkplain #keep keeps} its files open reads each of them again from its beginning, in less than
- * half the time: nothing is looked up. The open file of a process that has ended is never that of a later one of the
+ * <p>A reader that {@linkplain #keep keeps} its files open reads each again from its beginning, in less than half the
+ * time, since no path is looked up. The open file of a process that has ended is never that of a later process with the
  * same number.
  */
 final class ProcFile implements AutoCloseable {

@@ -8,11 +8,12 @@ import steward.bot.TimeSpent;
 import steward.bot.accounting.TreeSample.ThreadTimes;
 
 /**
- * Adds up what a tree of processes did between the first and the last of several samples. Reads no clock and no files.
+ * Sums the use of time by a tree of processes between the first and the last of several samples. Reads no clock and no
+ * files.
  *
- * <p>The kernel counts a thread's waiting for a processor only when it gets one. A thread that is runnable at two
- * samples and did not run in between has waited all the time; what the kernel adds for it later is then left out. One
- * that ran and is runnable at the end may have waited for the rest: that is open until it runs again.
+ * <p>The kernel counts a thread's waiting for a processor only when the thread gets one. If a thread is runnable at two
+ * samples and did not run in between, it has waited all the time; the kernel's later addition for it is then left out.
+ * If it ran and is runnable at the end, it may have waited for the rest: that is open until it runs again.
  */
 public final class TimeLedger {
 

@@ -10,12 +10,12 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Memory of processes together, for machines where no control group counts it: what they have mapped, and files in
- * memory that they have open. Pages that several share are counted for each of them at first, and in proportion once
- * that is more than the limit.
+ * Measures the memory of a tree of processes, for machines where no control group counts it: mapped memory, and open
+ * files in memory. Shared pages are counted for each process at first, and in proportion once the sum exceeds the
+ * limit.
  *
- * <p>Caveat: files in memory are not seen of a process that does not let itself be looked at, nor in a message that is
- * under way; neither are page tables, pipes and other memory of the kernel.
+ * <p>Caveat: files in memory are not found if a process does not let itself be inspected, or if they are in a message
+ * under way. Page tables, pipes and other memory of the kernel are not counted.
  */
 public final class TreeMemory {
 

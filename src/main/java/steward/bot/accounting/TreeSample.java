@@ -3,7 +3,8 @@ package steward.bot.accounting;
 import java.util.Map;
 
 /**
- * Totals of a tree of processes at one moment. All times in nanoseconds.
+ * Sample of a tree of processes at one moment: number of processes, CPU time, waiting of threads. All times in
+ * nanoseconds.
  *
  * @param at        the moment, on the caller's clock
  * @param shown     whether the system shows any of it

@@ -12,12 +12,11 @@ import java.util.regex.Pattern;
 import steward.bot.accounting.TreeSample.ThreadTimes;
 
 /**
- * A process and its descendants, in whatever namespaces they are, found anew for each sample. Children are read from
- * {@code /proc/PID/task/TID/children}, or, where the kernel has no such file, found by their parents among all
- * processes.
+ * Samples a process and its descendants, in any namespaces, finding them anew each time. Children are read from {@code
+ * /proc/PID/task/TID/children}; if the kernel has no such file, they are found by their parents among all processes.
  *
- * <p>Caveat: a descendant whose parent has exited belongs to another process, outside a tree that is not in a PID
- * namespace of its own. The CPU time of processes that nobody has waited for is lost when they exit.
+ * <p>Caveat: without a PID namespace, a descendant whose parent has exited becomes another process's child and leaves
+ * the tree. The CPU time of processes that nobody has waited for is lost when they exit.
  */
 public final class TreeSampler implements AutoCloseable {
 

@@ -1,5 +1,5 @@
 /**
- * Use of time by bot processes, as Linux shows it under {@code /proc}: CPU time, waiting for a processor, and whether a
- * thread sleeps. Nothing here runs in a turn that is answered at once.
+ * Measurement of the time that bot processes use, as Linux shows it under {@code /proc}: CPU time, waiting for a
+ * processor, and whether a thread sleeps. Nothing here runs in a turn that is answered at once.
  */
 package steward.bot.accounting;

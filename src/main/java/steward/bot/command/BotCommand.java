@@ -11,8 +11,8 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
 /**
- * A bot as it is named on the command line: {@code [NAME=][builtin:|json:|codingame:]COMMAND}, for example
- * {@code racer.py}, {@code blue=python3 racer.py} or {@code builtin:racer}.
+ * A bot as it is given on the command line: {@code [NAME=][builtin:|json:|codingame:]COMMAND}, for example {@code
+ * racer.py}, {@code blue=python3 racer.py} or {@code builtin:racer}.
  *
  * @param name  the name before the {@code =} (letters, digits, dot, underscore, hyphen), or {@code null}
  * @param words the program and its arguments, split as by {@link CommandLine}; for {@link Prefix#BUILTIN} the bot's

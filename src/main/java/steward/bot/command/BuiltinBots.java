@@ -15,7 +15,7 @@ import java.util.stream.Collectors;
 import steward.text.NearestName;
 
 /**
- * The bots bundled with the program: ordinary bot programs, started as processes of the JVM that runs the referee.
+ * Bots that come with the program: ordinary bot programs, started as processes of the JVM that runs the referee.
  *
  * <p>The class-path resource {@value #RESOURCE} lists them, one {@code NAME = GAME main.Class} per line, with optional
  * arguments after the class, quoted as in {@link CommandLine}; the bots of a game from the weakest to the strongest.

@@ -7,7 +7,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 
 /**
- * Table of mounted file systems, as Linux tells it, a line each: device, mount point, type, options (see {@code
+ * Table of mounted file systems as Linux reports it, one line each: device, mount point, type, options (see {@code
  * fstab(5)}).
  */
 final class MountTable {

@@ -3,7 +3,7 @@ package steward.bot.command;
 import java.util.Locale;
 import java.util.regex.Pattern;
 
-/** Platforms that programs are made for, written as the system and the processor, such as {@code linux-aarch64}. */
+/** Platforms for which programs are made, written as system and processor, such as {@code linux-aarch64}. */
 public final class Platform {
 
     /** Form of a platform, in words. */

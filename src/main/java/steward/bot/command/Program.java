@@ -16,8 +16,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
 /**
- * Program of a bot: the words that start it, the folder in which it is started and where its words are found, and the
- * files that make it this program.
+ * Program of a bot: the words that start it, its working folder, and the files that identify it.
  *
  * @param words  the program and its arguments
  * @param folder absolute

@@ -6,9 +6,8 @@ import java.util.Set;
 import steward.files.Resources;
 
 /**
- * Call of Node.js for a bot of CodinGame's site, whose programs find {@code readline}, {@code print} and
- * {@code printErr} there. They are defined by a text before the bot, which needs no file that a sandbox would have to
- * show.
+ * Builds the call of Node.js for a bot written for CodinGame's site, where {@code readline}, {@code print} and {@code
+ * printErr} exist. A text before the bot defines them; it needs no file, which a sandbox would have to show.
  */
 public final class SiteJavaScript {
 

@@ -1,5 +1,5 @@
 /**
- * Bots as they are named on the command line: splitting words as a shell does, prefixes for the protocol, the bundled
- * bots, and finding the program.
+ * Bots as they are given on the command line. Splits words as a shell does, reads prefixes for the protocol, lists the
+ * bundled bots, and finds the program.
  */
 package steward.bot.command;

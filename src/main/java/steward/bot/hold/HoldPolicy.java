@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.Locale;
 import java.util.Optional;
 
-/** Policy by which bots are held, that is stopped, while others are asked. */
+/** Policy for which bots are held (stopped) while others are asked. */
 public enum HoldPolicy {
 
     /** Bots that {@link WaitingMeter#burns}, from then on. */

@@ -13,9 +13,10 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.locks.LockSupport;
 
 /**
- * The referee's end of the connection to the first process of a bot's namespace, which stops the bot and lets it go on.
+ * The referee's end of the socket to the first process of a bot's namespace, which stops the bot and lets it go on.
  * Each order is one byte, and the acknowledgement is the same byte. The launcher connects before it makes namespaces;
- * the connection is taken with the first order, so that a bot which is never held costs a file name. Not thread-safe.
+ * the connection is accepted with the first order, so that a bot which is never held costs only a file name. Not
+ * thread-safe.
  */
 public final class HoldSocket implements AutoCloseable {
 

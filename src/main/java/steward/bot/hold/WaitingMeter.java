@@ -6,8 +6,8 @@ import steward.bot.accounting.TimeLedger;
 import steward.bot.accounting.TreeSample;
 
 /**
- * Meter of the CPU time that a bot uses while it is not asked. Only time between two samples of one wait counts:
- * nothing of it is the bot's own turn. Reads no clock and no files. Not thread-safe.
+ * Meter of the CPU time that a bot uses while it is not asked. Only time between two samples of one wait counts, so
+ * that none of the bot's own turn is included. Reads no clock and no files. Not thread-safe.
  */
 public final class WaitingMeter {
 

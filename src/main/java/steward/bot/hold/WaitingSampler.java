@@ -4,8 +4,8 @@ import java.util.Arrays;
 import java.util.concurrent.locks.LockSupport;
 
 /**
- * The one thread of this JVM that looks at bots while others are asked. It sleeps while there are none; the threads
- * that play wait for nothing of it.
+ * The one thread of this JVM that measures waiting bots while others are asked. It sleeps if there are none; the
+ * threads that play never wait for it.
  */
 public final class WaitingSampler implements Runnable {
 

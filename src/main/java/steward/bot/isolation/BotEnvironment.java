@@ -6,8 +6,8 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * Variables that a bot inherits. Without a wish for more or less: at {@link SandboxLevel#STRICT} a short list, at the
- * other levels all but those whose names look like secrets.
+ * Environment variables that a bot inherits. By default, at {@link SandboxLevel#STRICT}, it is a short list; at the
+ * other levels it is all variables except those whose names look like secrets.
  *
  * @param clean whether it is the short list at every level
  * @param names of further variables that are passed, also secrets

@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Locale that the launcher chose for this JVM, since the one that was set has no UTF-8: a JVM without it can only name
- * files in ASCII. Programs of others are not to notice.
+ * Locale that the launcher chose for this JVM because the user's has no UTF-8, without which a JVM can name only files
+ * in ASCII. Programs that Steward starts get the user's own locale unless they need the chosen one.
  */
 public final class ChosenLocale {
 

@@ -14,9 +14,9 @@ import java.util.concurrent.atomic.AtomicLong;
 
 /**
  * Control group (cgroup version 2) of one bot: pauses and kills all its processes at once, and limits their memory and
- * number. This program can create groups as root, or in a group that was delegated to its user, {@code systemd-run
- * --user --scope -p Delegate=yes steward ...}. The limits hold where the system offers the two controllers and the
- * group of this program has no foreign processes; the program moves its own into a group below.
+ * number. Steward can create groups as root, or in a group that was delegated to its user: {@code systemd-run --user
+ * --scope -p Delegate=yes steward ...}. The limits hold if the system offers both controllers and Steward's group has
+ * no foreign processes; Steward moves its own processes into a group below.
  */
 public final class ControlGroup {
 

@@ -6,8 +6,8 @@ import java.nio.file.Path;
 import java.util.regex.Pattern;
 
 /**
- * Reason why a trial of a level failed: the program's words, and the known causes of just that. A property of the
- * machine is named only where the step that failed is one that it forbids.
+ * Explanation of why an isolation level does not work: the program's words, and known causes of exactly that error. A
+ * setting of the machine is named only if it forbids the step that failed.
  *
  * @param switchedOff whether the kernel's switches for user namespaces are off
  * @param appArmor    whether AppArmor restricts them

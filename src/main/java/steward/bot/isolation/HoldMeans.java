@@ -2,7 +2,7 @@ package steward.bot.isolation;
 
 import steward.bot.hold.HoldPolicy;
 
-/** By what bots are held while others are asked, at a level on this machine. */
+/** Technique by which bots are held (stopped) while others are asked, at a level on this machine. */
 public enum HoldMeans {
 
     /** The first process of the bot's namespace, which is the {@link NativeLauncher}, stops all others in it. */

@@ -7,7 +7,7 @@ import steward.bot.command.Program;
 import steward.bot.hold.HoldPolicy;
 
 /**
- * Isolation in which bots are started: the level, and the limits and files that they get in it.
+ * Settings with which bots are started: the isolation level, and the limits and files that bots get in it.
  *
  * @param level       which works on this machine, see {@link SandboxSupport}
  * @param network     whether the loopback device of a network namespace is brought up

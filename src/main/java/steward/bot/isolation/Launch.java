@@ -10,7 +10,7 @@ import steward.bot.command.Program;
 import steward.bot.command.ProgramFinder;
 
 /**
- * A program that is to be started as a bot.
+ * Description of a program to be started as a bot: the program, its isolation, and the bots that it plays against.
  *
  * @param program   what is started, and where
  * @param isolation how it is kept apart

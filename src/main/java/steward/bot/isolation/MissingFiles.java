@@ -15,8 +15,8 @@ import steward.bot.command.Program;
 import steward.bot.command.ProgramFinder;
 
 /**
- * Files of this machine that a program lacked at {@link SandboxLevel#STRICT}, guessed from its command and from what it
- * wrote to stderr: paths, programs that were not found, modules of Python and Node.
+ * Guesses which files a program lacked at {@link SandboxLevel#STRICT}, from its command and its stderr: paths, programs
+ * that were not found, modules of Python and Node.
  */
 public final class MissingFiles {
 

@@ -21,14 +21,14 @@ import steward.files.Sha256;
 import steward.files.UserFolders;
 
 /**
- * The small program that starts bots in a sandbox and stops them while others are asked, {@value #SOURCE}: as the
- * jar has it (a build with {@code -PbuiltLauncher}), or compiled once for each user by the C compiler of the machine,
- * and kept in the user's cache. Where there is neither, a shell does the same, see {@link ShellLauncher}, but that
- * starts several programs for every bot and stops none.
+ * Finds or compiles {@value #SOURCE}, the small native program that starts bots in a sandbox and stops them while
+ * others are asked. It is part of the jar (in a build with {@code -PbuiltLauncher}), or compiled once for each user by
+ * the machine's C compiler and kept in the user's cache. Without either, a shell does the same (see {@link
+ * ShellLauncher}), but starts several programs for every bot and cannot stop any.
  *
- * <p>The program is used only if it belongs to this user and others cannot write to it or to its folder. Its name has a
- * digest of the source and a checksum of the program in it: one that was damaged, or that does not run any more, is
- * compiled again. The checksum finds accidents; against attacks there are the owner and the permissions.
+ * <p>The program is used only if it belongs to this user and nobody else can write to it or to its folder. Its name
+ * contains a digest of the source and a checksum of the program: a program that is damaged, or no longer runs, is
+ * compiled again. The checksum finds accidents; owner and permissions protect against attacks.
  */
 final class NativeLauncher {
 

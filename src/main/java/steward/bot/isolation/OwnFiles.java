@@ -16,11 +16,11 @@ import steward.bot.command.ProgramFinder;
 import steward.files.UserFolders;
 
 /**
- * The files that belong to a bot, found in its command: the folder of its program, or all of its interpreter's
- * installation; folders and files that its arguments name, class paths included; the interpreter that a script names
- * in its first line; and what symbolic links on the way lead to.
+ * Finds the files that belong to a bot from its command. They are the folder of its program or its interpreter's whole
+ * installation; folders and files that its arguments name, class paths included; the interpreter in a script's first
+ * line; and the targets of symbolic links on the way.
  *
- * <p>A folder that is the home directory, or holds it, or is a league's, is not a bot's own: then only the file is.
+ * <p>If a folder is the home directory, contains it, or is a league's, only the file itself belongs to the bot.
  */
 final class OwnFiles {
 

@@ -11,12 +11,12 @@ import java.util.List;
 import java.util.Set;
 
 /**
- * The processes of a bot as this machine numbers them, at every level of isolation: the first process and all that
- * descend from it. In a PID namespace processes whose parents have ended become children of the namespace's first
- * process, so that none of them is missed. The programs that only make the namespaces and wait are among them; they
- * use a few milliseconds at the start and nothing later.
+ * Process numbers of a bot, at every level of isolation: the first process and all its descendants. In a PID namespace,
+ * processes whose parents have ended become children of the namespace's first process, so that none is missed. The
+ * programs that only create the namespaces and wait are included; they use a few milliseconds at the start and nothing
+ * later.
  *
- * <p>Caveat: without a PID namespace a process whose parents have ended descends from them no longer.
+ * <p>Caveat: without a PID namespace a process whose parents have ended is no longer a descendant.
  */
 public final class ProcessTree {
 

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Limits on what a bot may use; 0 for no limit.
+ * Limits on a bot's memory, processes, file sizes and open files; 0 for no limit.
  *
  * @param memory    in bytes, at least {@value #LEAST_MEMORY}
  * @param processes together with their threads

@@ -3,8 +3,8 @@ package steward.bot.isolation;
 import java.util.Locale;
 
 /**
- * Level of isolation of a bot from this machine and from other bots. A property of the machine on which a match is
- * played, never of the game: verdicts and exit statuses are the same at every level.
+ * Level of isolation of a bot from this machine and from other bots. It is a property of the machine on which a match
+ * is played, never of the game: verdicts and exit statuses are the same at every level.
  */
 public enum SandboxLevel {
 

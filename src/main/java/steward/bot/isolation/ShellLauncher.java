@@ -7,8 +7,8 @@ import steward.bot.command.CommandLine;
 import steward.bot.command.ProgramFinder;
 
 /**
- * Starts bots in a sandbox by {@code setsid}, {@code unshare}, {@code setpriv} and a shell, where there is no
- * {@link NativeLauncher}; it does what that does, and more slowly.
+ * Starts bots in a sandbox by {@code setsid}, {@code unshare}, {@code setpriv} and a shell, if there is no {@link
+ * NativeLauncher}; slower, with the same isolation.
  */
 final class ShellLauncher {
 

@@ -13,9 +13,9 @@ import java.util.TreeSet;
 import steward.bot.command.Program;
 
 /**
- * The file system that a bot sees at {@link SandboxLevel#STRICT}: an empty one, in which are shown the programs and
- * libraries of the machine, the bot's interpreter, its own files, and what it is shown by name. Symbolic links on the
- * way to these are made anew. In what is shown, files of other bots and what the isolation names are hidden.
+ * File system that a bot sees at {@link SandboxLevel#STRICT}. It starts empty; then it shows the machine's programs and
+ * libraries, the bot's interpreter, its own files, and files that the user adds by name. Symbolic links on the way to
+ * them are recreated. Files of other bots, and files that the isolation names, are hidden even inside shown folders.
  *
  * @param entries what is made, by path; folders before what is in them
  */

@@ -6,8 +6,8 @@ import java.util.List;
 import java.util.stream.Stream;
 
 /**
- * Paths of the machine that programs need in order to start at all: programs, libraries, and the settings of both.
- * Nothing in them is a person's, and of {@code /etc} nothing is listed that holds a secret.
+ * System paths that programs need in order to start at all: programs, libraries, and the settings of both. Nothing in
+ * them is personal, and nothing of {@code /etc} is listed that holds a secret.
  */
 final class SystemFiles {
 

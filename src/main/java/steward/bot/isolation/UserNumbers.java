@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 
-/** User and group in the namespaces of a bot: the same as outside, but root is nobody in particular. */
+/** User and group of a bot in its namespaces: the same as outside, except that root becomes an unprivileged number. */
 final class UserNumbers {
 
     private static final int NOBODY = 65534;

@@ -15,10 +15,9 @@ import steward.bot.Player;
 import steward.bot.command.Program;
 
 /**
- * A bot program that a person attends to, perhaps with a debugger: no deadline, no watchdog, no session of its own. Its
- * input and output are connected to the referee; the terminal is left as it is, and so is stderr if it is to be.
- * Otherwise stderr is passed on, and of what comes after the end of the input only as much as {@link #showRest} is
- * asked for.
+ * Bot program that a person attends to, perhaps with a debugger: no deadline, no watchdog, no session of its own. Its
+ * input and output are connected to the referee; the terminal is left as it is. Stderr is left too if that is wanted;
+ * otherwise it is passed on, and after the end of the input only as much as {@link #showRest} is asked for.
  *
  * <p>Caveat: it ends only by itself, by its user, or by {@link #kill}.
  */

@@ -29,19 +29,19 @@ import steward.bot.isolation.ProcessTree;
 import steward.bot.isolation.SandboxLevel;
 
 /**
- * A bot program: reads its frames from its input and writes its answers to its output, line by line.
+ * Player that is a bot program: sends frames to its input and reads answers from its output, line by line.
  *
  * <p>The process starts with the first {@link #ask}. The asking thread itself writes and reads with blocking calls; one
- * watchdog for all bots kills the process group at the deadline, which ends the blocked call. A call that has not
- * returned {@value #ABANDON_AFTER_MS} ms after that, because a process outside the group holds the pipe, is abandoned,
- * see {@link Player#onAbandoned}. An abandoned thread stays behind, so call {@code ask} on daemon threads.
+ * watchdog for all bots kills the process group at the deadline, which ends the blocked call. If a call has not
+ * returned {@value #ABANDON_AFTER_MS} ms later, because a process outside the group holds the pipe, it is abandoned
+ * (see {@link Player#onAbandoned}). An abandoned thread stays behind, so call {@code ask} on daemon threads.
  *
  * <p>The bot is its first process: when that has exited, output of its remaining descendants is ignored. A bot that
  * closes its input may still answer. After a fault the bot is killed at once.
  *
- * <p>Caveats: without a sandbox processes that leave the group on purpose, and whose parents have exited, survive. An
- * answer that was written before it was asked for counts as given at once. The file is long because both sides of the
- * race between answer and deadline are in it, which read the same fields.
+ * <p>Caveats: without a sandbox, processes survive that leave the group on purpose and whose parents have exited. An
+ * answer that was written before the question counts as given at once. The file is long because both sides of the race
+ * between answer and deadline are in it and read the same fields.
  */
 public final class BotProcess implements Player {
 

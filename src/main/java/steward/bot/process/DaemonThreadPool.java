@@ -4,9 +4,8 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 
 /**
- * Daemon threads for work that may block for ever. Idle threads are kept for some time and reused: a match needs
- * several, and starting them is a good part of its start and end. Blocked work keeps its thread; other work gets new
- * ones.
+ * Daemon threads for work that may block for ever. Idle threads are kept for a while and reused: a match needs several,
+ * and starting them is a good part of its start and end. Blocked work keeps its thread; other work gets new ones.
  */
 public final class DaemonThreadPool {
 

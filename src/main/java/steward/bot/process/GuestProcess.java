@@ -8,7 +8,7 @@ import steward.bot.FaultMessages;
 import steward.bot.isolation.Launch;
 
 /**
- * A program that is kept apart, bounded and ended as a bot is, but talks in a format of its own: a referee. Its reader
+ * Process with the isolation and limits of a bot but a format of its own: the referee program of a guest. Its reader
  * has the streams; a blocked read or write ends when the process is closed.
  */
 public final class GuestProcess {

@@ -8,8 +8,8 @@ import java.util.concurrent.ThreadLocalRandom;
 import steward.bot.hold.HoldSocket;
 
 /**
- * The folder of the sockets by which bots are held: one for this JVM, which its user alone can enter and no bot can
- * see. The {@link Sentinel} removes it when this JVM has ended.
+ * Private folder of this JVM for the sockets through which bots are held. Only its user can enter it, and no bot can
+ * see it. The {@link Sentinel} removes it when this JVM has ended.
  */
 final class HoldFolder {
 

@@ -8,8 +8,8 @@ import java.lang.ProcessBuilder.Redirect;
 import java.util.List;
 
 /**
- * A program that is sent lines and answers each with a line, over bare pipes: no deadline, no limit, no group, no
- * stderr. The baseline that {@link BotProcess} is compared with.
+ * Baseline for measuring {@link BotProcess}: a program that answers each line with a line over bare pipes, without
+ * deadline, limit, group or stderr.
  */
 public final class PipeRoundTrip implements AutoCloseable {
 

@@ -11,10 +11,9 @@ import steward.bot.isolation.Launch;
 import steward.bot.isolation.ProcessTree;
 
 /**
- * A bot's process and its descendants: a session and process group of its own, made by {@code setsid}, so that one
- * signal reaches a wrapper script together with its children. Without {@code setsid}, the process and its descendants.
- * In a sandbox the group holds the processes that wait outside and the first of the bot's PID namespace, with which
- * everything in it ends.
+ * Process group of a bot, made by {@code setsid}, so that one signal reaches a wrapper script together with its
+ * children. Without {@code setsid}, it is the process and its descendants. In a sandbox the group holds the processes
+ * that wait outside and the first process of the bot's PID namespace, whose end ends everything in it.
  *
  * <p>Caveat: without a sandbox a process that leaves the group on purpose is found only while its parents are alive.
  */

@@ -6,7 +6,7 @@ import java.util.OptionalInt;
 import java.util.concurrent.TimeUnit;
 import steward.bot.isolation.Launch;
 
-/** A program that runs once without input, and writes to files. */
+/** Runs a program once, without input and with its output in files. */
 public final class ProgramRun {
 
     private ProgramRun() { }

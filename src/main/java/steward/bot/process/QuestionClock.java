@@ -10,23 +10,23 @@ import steward.bot.accounting.TreeSample;
 import steward.bot.accounting.TreeSampler;
 
 /**
- * The clock of a player's current question. The asking thread starts it; the watchdog looks at it for the first time
- * after a quarter of the limit, then every eighth, and decides when the time is up. At the first look it samples the
- * bot's processes, and once more before the end, so that a turn that is answered soon costs nothing. Times are passed
+ * Clock of a player's current question, which decides when its time is up. The asking thread starts it; the watchdog
+ * looks at it for the first time after a quarter of the limit, then every eighth. At the first look, and once more
+ * before the end, it samples the bot's processes, so that a turn that is answered soon costs nothing. Times are passed
  * in, on the clock of {@link Watchdog#now}.
  *
- * <p>Time in which the referee itself did not run is not charged: what the watchdog slept longer than it was to, by
- * {@value #PAUSE} ns or more. That covers a stopped or suspended referee, a collection of garbage, and a processor that
- * was not free. When the time is up, the watchdog looks once more whether the asking thread still sleeps in its read.
- * If it does not, something has come, and it first gets the processor to see what. So an answer that is in the pipe at
- * the verdict counts. Computing is charged in any case, as if the bot had had all processors.
+ * <p>Time in which the referee itself did not run is not charged: any oversleeping of the watchdog by {@value #PAUSE}
+ * ns or more. That covers a stopped or suspended referee, garbage collection, and a processor that was not free. When
+ * the time is up, the watchdog checks once more whether the asking thread still sleeps in its read. If it does not,
+ * data has arrived, and the thread first gets the processor to read it. So an answer that is in the pipe at the verdict
+ * counts. Computing is charged in any case, as if the bot had had all processors.
  *
- * <p>On the basis {@link TimeBasis#UNSTARVED} the processes are sampled at each look, and where they waited for a
- * processor is not charged either. Both may be the same time: the longer of the two is left out.
+ * <p>On the basis {@link TimeBasis#UNSTARVED} the processes are sampled at each look, and their waiting for a processor
+ * is not charged either. Both may be the same time: the longer of the two is left out.
  *
- * <p>Caveat: the fields of the asking thread are read by the watchdog without a lock, at worst while the next question
- * begins. Its note is then one on the next question and true of it: it never decides, since the decision is a
- * compare-and-set in {@link Deadline} that fails then.
+ * <p>Caveat: the watchdog reads the fields of the asking thread without a lock, at worst while the next question
+ * begins. Its note is then about the next question, and true of it. It never decides wrongly, since the compare-and-set
+ * in {@link Deadline} then fails.
  */
 final class QuestionClock {
 

@@ -13,19 +13,19 @@ import java.util.concurrent.locks.LockSupport;
 import steward.bot.isolation.Launch;
 
 /**
- * A small process beside this JVM that kills the remaining bots when the JVM has ended for any reason: it reads orders
- * from a pipe and kills all targets on its list at the end of the pipe. It also kills on demand, which avoids starting
- * a program: Java itself cannot signal a process group.
+ * Small process beside this JVM that kills remaining bots after the JVM has ended for any reason. It reads orders from
+ * a pipe, and at the end of the pipe it kills all targets on its list. It also kills on demand, which saves starting a
+ * program: Java itself cannot signal a process group.
  *
- * <p>It is a shell that uses only built-in commands, in a session of its own so that a Ctrl-C at the terminal does not
- * reach it, and ignores every signal that can be ignored. Its list holds only the running bots and stays small.
+ * <p>It is a shell that uses only built-in commands. It has a session of its own, so that a Ctrl-C at the terminal does
+ * not reach it, and ignores every signal that can be ignored. Its list holds only the running bots and stays small.
  *
- * <p>It also removes the folder of {@link HoldFolder} and the files for stderr that have their names still at that
- * end, and kills what has one of them for its own stderr: a process that has left its group, and would fill a file
- * without a name for ever.
+ * <p>At the end it also removes the folder of {@link HoldFolder} and any files for stderr that still have names. It
+ * kills every process that has one of these files as its own stderr: such a process has left its group, and would fill
+ * a file without a name for ever.
  *
- * <p>A target is what the {@code kill} command takes: a process number, or minus the number of a group. When the
- * sentinel has died, a new one is given the whole list; where there is no shell, an external {@code kill} is used.
+ * <p>A target is an argument of the {@code kill} command: a process number, or minus the number of a group. If the
+ * sentinel has died, a new one is given the whole list; without a shell, an external {@code kill} is used.
  */
 final class Sentinel {
 

@@ -5,7 +5,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * The system's refusal to start a program.
+ * Refusal of the operating system to start a program.
  *
  * @param status with which a shell would end; 0 if the refusal is not the program's doing, such as when this machine
  *               has no more processes, memory or descriptors

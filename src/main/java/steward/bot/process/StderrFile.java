@@ -17,12 +17,12 @@ import steward.bot.ErrorLine;
 import steward.bot.Utf8;
 
 /**
- * A bot's stderr: a file without a name, open in this process and in the bot. A bot can never block on it, no thread
- * has to drain it, and whatever a bot wrote before its answer is in the file when the answer is read.
+ * A bot's stderr: an unnamed file, open in this process and in the bot. A bot can never block on it, no thread has to
+ * drain it, and everything that a bot wrote before its answer is in the file when the answer is read.
  *
  * <p>The bot appends, so the file may be truncated at any time, which bounds it. A bot that opens {@code /dev/stderr}
- * anew, without appending, truncates the file itself; what it wrote since the last read is then found only if the
- * length of the file has changed.
+ * again without appending truncates the file itself; its output since the last read is then found only if the length of
+ * the file has changed.
  */
 final class StderrFile {
 

@@ -4,11 +4,11 @@ import java.util.Arrays;
 import java.util.concurrent.locks.LockSupport;
 
 /**
- * The one thread of this JVM that checks all deadlines. The threads that play are blocked in reads and writes in the
- * meantime; arming a deadline costs them a volatile store, and a wake-up of this thread only if it would otherwise
+ * The one thread of this JVM that checks all deadlines. The threads that play are blocked in reads and writes
+ * meanwhile; setting a deadline costs them a volatile store, and a wake-up of this thread only if it would otherwise
  * sleep beyond the deadline.
  *
- * <p>No deadline is missed: the arming thread stores the deadline first and reads {@link #planned} second; this thread
+ * <p>No deadline is missed: the setting thread stores the deadline first and reads {@link #planned} second; this thread
  * stores {@link #planned} first and checks the deadlines again second. One of the two sees the other's store.
  */
 final class Watchdog implements Runnable {

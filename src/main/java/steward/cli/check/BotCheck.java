@@ -18,9 +18,8 @@ import steward.match.TimeControl;
 import steward.text.TextFormat;
 
 /**
- * One bot tried: a whole game against the weakest bundled bot of the game, and one against players that never answer. A
- * bot that is late, or nearly, is tried again, at last without charging it for what other programs use of the
- * processors.
+ * Checks one bot by a whole game against the weakest bundled bot and a game against players that never answer. If the
+ * bot is late, or nearly, it is tried again, at last without charging it for the processor time of other programs.
  *
  * @param contest with the bot as its only entrant
  * @param games   as far as they were played; the second is not after a failure in the first

@@ -27,7 +27,7 @@ import steward.game.GameSetup;
 import steward.json.JsonObject;
 import steward.text.TextFormat;
 
-/** {@code steward check}: is this bot ready to play? */
+/** {@code steward check}: checks whether a bot is ready to play. */
 @Command(name = "check", description = "Tries a bot: whether it starts, answers in time and plays a whole game, and if "
     + "not, what to do.",
     footer = {"",

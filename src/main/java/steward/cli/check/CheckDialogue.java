@@ -8,7 +8,7 @@ import steward.bot.Answer;
 import steward.bot.Player;
 import steward.bot.TimeBasis;
 
-/** A player with a copy of what it is sent and what it answers: all of the first turns and of the last ones. */
+/** Dialogue that keeps a copy of the lines sent and answered: all of the first turns and of the last ones. */
 public final class CheckDialogue implements Player {
 
     private static final int FIRST = 20;

@@ -1,2 +1,2 @@
-/** {@code steward check}: one bot tried alone, with the reason where it fails and what to do about it. */
+/** {@code steward check}: one bot is tried alone; if it fails, the reason and advice are printed. */
 package steward.cli.check;

@@ -10,7 +10,7 @@ import steward.scene.Part;
 import steward.scene.Scene;
 import tools.jackson.core.JsonGenerator;
 
-/** A scene explained to programs: one JSON object on one line. */
+/** Explanation of a scene for programs: one JSON object on one line. */
 final class ExplainJson {
 
     static void print(Streams streams, GameSetup setup) {

@@ -25,7 +25,7 @@ import steward.league.LeagueReader;
 import steward.league.LeagueSettings;
 import steward.match.OwnLimits;
 
-/** {@code steward league add}: one bot more. */
+/** {@code steward league add}: adds a bot to a league. */
 @Command(name = "add", description = "Adds a bot to a league, also while it is played.",
     footer = {"",
         "A bot is written [NAME=][builtin:|json:|codingame:]COMMAND, as in 'steward",

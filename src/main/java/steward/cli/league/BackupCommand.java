@@ -16,7 +16,7 @@ import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.text.TextFormat;
 
-/** {@code steward league backup}: a copy of the games. */
+/** {@code steward league backup}: copies a league's database of games. */
 @Command(name = "backup", description = "Copies the games of a league into a file, also while it is played.",
     footer = {"",
         "Copying league.db by other means is not safe while it is played. The copy is a",

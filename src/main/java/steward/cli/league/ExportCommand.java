@@ -20,7 +20,7 @@ import steward.cli.streams.StandardFiles;
 import steward.files.OutputFiles;
 import steward.league.store.GameStore.Version;
 
-/** {@code steward league export}: the games for other programs. */
+/** {@code steward league export}: writes the games for other programs. */
 @Command(name = "export", description = "Writes the games of a league as CSV or JSON Lines.",
     footer = {"",
         "CSV has a line for each seat, JSON Lines one for each game. 'league import'",

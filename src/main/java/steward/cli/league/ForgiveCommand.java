@@ -19,7 +19,7 @@ import steward.league.store.GameStore;
 import steward.text.NearestName;
 import steward.text.TextFormat;
 
-/** {@code steward league forgive}: games that do not count, since something outside of the game spoilt them. */
+/** {@code steward league forgive}: takes games out of the count that something outside the game spoilt. */
 @Command(name = "forgive", description = "Sets games of a bot aside that something outside of them spoilt: a "
     + "full disk, a missing file.",
     footer = {"",

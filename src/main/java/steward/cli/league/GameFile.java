@@ -24,7 +24,10 @@ import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.ObjectWriteContext;
 import tools.jackson.core.json.JsonFactory;
 
-/** Games as CSV, a line for each seat, or as JSON Lines, a line for each game; all values are texts. */
+/**
+ * Format of exported games: CSV with a line for each seat, or JSON Lines with a line for each game; all values are
+ * texts.
+ */
 final class GameFile {
 
     private static final JsonFactory JSON = new JsonFactory();

@@ -28,7 +28,7 @@ import steward.league.store.SeasonOpening;
 import steward.text.TextFormat;
 import steward.text.Utf8Text;
 
-/** {@code steward league import}: games of another league. */
+/** {@code steward league import}: takes over games of another league. */
 @Command(name = "import", description = "Reads games that 'league export' wrote, of the same scene, limits and rules.",
     footer = {"",
         "A game that the league has already is passed over. All of them are checked",

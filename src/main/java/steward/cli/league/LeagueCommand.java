@@ -13,7 +13,7 @@ import steward.cli.league.view.TableCommand;
 import steward.cli.league.view.WhyCommand;
 import steward.cli.options.ProgramCommand;
 
-/** {@code steward league}: bots that play each other for as long as one likes, every game kept. */
+/** {@code steward league}: groups the commands of a league, in which bots play each other and every game is kept. */
 @Command(name = "league", synopsisSubcommandLabel = "COMMAND",
     description = "Lets bots play each other for as long as you like, keeps every game, and says who is better.",
     footer = {"",

@@ -20,7 +20,7 @@ import steward.league.store.GameStore;
 import steward.match.OwnLimits;
 import steward.text.TextFormat;
 
-/** {@code steward league list}: the bots and their versions. */
+/** {@code steward league list}: lists the bots and their versions. */
 @Command(name = "list", description = "Prints the bots of a league, their versions and how many games each has.",
     footer = {"", "--json: scene, pairing, bots (name, command, listed, retired, random, timeLimit,",
         "platforms (platform, command), versions (name, games, program, timeLimit, paused)).",

@@ -16,7 +16,7 @@ import steward.league.LeagueReader;
 import steward.league.LeagueSettings;
 import steward.league.store.GameStore;
 
-/** {@code steward league rename}: another name for a bot. */
+/** {@code steward league rename}: gives a bot another name. */
 @Command(name = "rename", description = "Gives a bot another name; its games are under that name then.",
     footer = {"", "Example:", "  steward league rename night mine careful"})
 final class RenameCommand extends ProgramCommand {

@@ -12,7 +12,7 @@ import steward.league.LeagueBot;
 import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
 
-/** {@code steward league resume}: a bot that was paused plays again. */
+/** {@code steward league resume}: lets a paused bot play again. */
 @Command(name = "resume", description = "Lets a bot play again that failed in many games in a row and was paused.",
     footer = {"",
         "Its failures so far do not pause it again; later ones do. A bot whose program has",

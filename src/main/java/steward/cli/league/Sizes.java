@@ -2,7 +2,7 @@ package steward.cli.league;
 
 import steward.text.TextFormat;
 
-/** Sizes of files for people. */
+/** File sizes as text for people. */
 final class Sizes {
 
     private static final double KILO = 1000;

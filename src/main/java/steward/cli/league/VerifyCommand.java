@@ -19,7 +19,7 @@ import steward.league.store.BadRow;
 import steward.league.store.GameStore;
 import steward.text.TextFormat;
 
-/** {@code steward league verify}: rows of the database that cannot be used. */
+/** {@code steward league verify}: finds rows of the database that cannot be used. */
 @Command(name = "verify", description = "Lists the rows of a league's database that cannot be used.",
     footer = {"",
         "Other commands refuse a database with such a row. --drop takes these rows out,",

@@ -26,7 +26,7 @@ import steward.machines.token.Invitation;
 import steward.machines.token.WorkerList;
 import steward.text.TextFormat;
 
-/** {@code steward league worker}: who may play for a league. */
+/** {@code steward league worker}: manages which machines may play for a league. */
 @Command(name = "worker", description = "Says which workers may play for a league: add, invite, revoke, pardon, list; "
     + "renew the broker's certificate.",
     footer = {"",

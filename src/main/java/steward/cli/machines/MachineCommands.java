@@ -4,7 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import steward.cli.league.run.LeagueRunCommand;
 
-/** Commands of a league that are about several machines. */
+/** List of the league commands that are about several machines. */
 public final class MachineCommands {
 
     private MachineCommands() { }

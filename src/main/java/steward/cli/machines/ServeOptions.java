@@ -16,7 +16,7 @@ import steward.league.LeagueSettings;
 import steward.league.Season;
 import steward.machines.serve.RemoteGames;
 
-/** The options of {@code league run} that let workers play. */
+/** Options of {@code league run} that let workers play. */
 @OptionSection("Workers")
 final class ServeOptions implements Serving {
 

@@ -20,7 +20,7 @@ import steward.machines.check.WorkerBook;
 import steward.machines.serve.RemoteGames;
 import steward.machines.serve.WorkerSeen;
 
-/** Workers of a run, and what is shown of them. */
+/** Lets workers play games of a run, and reports on the workers. */
 final class ServedGames implements Serving.Service {
 
     private final RemoteGames games;

@@ -30,7 +30,7 @@ import steward.machines.token.WorkerToken;
 import steward.machines.worker.Worker;
 import steward.text.TextFormat;
 
-/** {@code steward worker}: plays games of a league that is on another machine. */
+/** {@code steward worker}: plays games of a league that runs on another machine. */
 @Command(name = "worker", description = "Plays games of a league that runs elsewhere with 'league run --serve'.",
     footer = {"",
         "The token comes from 'steward league worker add' or 'invite'; without a",

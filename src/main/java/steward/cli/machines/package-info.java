@@ -1,2 +1,2 @@
-/** The commands that play a league on several machines. */
+/** Commands that play a league on several machines. */
 package steward.cli.machines;

@@ -9,7 +9,7 @@ import steward.cli.streams.Streams;
 import steward.game.GameSetup;
 import steward.scene.Accuracy;
 
-/** The option that takes another rung of accuracy than the scene's. */
+/** Option that replaces the scene's rung of accuracy by another. */
 public final class AccuracyOption {
 
     @Option(names = "--accuracy", paramLabel = "RUNG", converter = Rung.class,

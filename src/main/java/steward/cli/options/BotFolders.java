@@ -10,8 +10,8 @@ import picocli.CommandLine.Spec;
 import steward.files.OutputFiles;
 
 /**
- * The option that gives a bot a folder: it stands after the option that names the bot, and is for that one. In commands
- * whose bots are no options it is for all of them.
+ * Option that gives a bot a working folder. It stands after the option that names the bot and applies to that bot. In
+ * commands whose bots are not options it applies to all of them.
  */
 public final class BotFolders {
 

@@ -3,7 +3,7 @@ package steward.cli.options;
 import java.util.Iterator;
 import steward.bot.command.BuiltinBots;
 
-/** The bots that come with the program, as {@code --bot} takes them. */
+/** Names of the bots that come with the program, as {@code --bot} takes them, for help and completion. */
 public final class BuiltinBotWords implements Iterable<String> {
 
     @Override

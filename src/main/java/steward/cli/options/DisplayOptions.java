@@ -3,7 +3,7 @@ package steward.cli.options;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
-/** The options of a match by which people see it. */
+/** Options for how people see a match: on the terminal, in a browser, as a page. */
 @OptionSection("Watching")
 public final class DisplayOptions {
 

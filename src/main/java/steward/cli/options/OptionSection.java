@@ -5,7 +5,7 @@ import java.lang.annotation.Retention;
 import java.lang.annotation.RetentionPolicy;
 import java.lang.annotation.Target;
 
-/** Heading of an option, or of all options of a class, in the help of a command. */
+/** Annotation with the heading in a command's help under which an option, or all options of a class, are listed. */
 @Retention(RetentionPolicy.RUNTIME)
 @Target({ElementType.TYPE, ElementType.FIELD})
 public @interface OptionSection {

@@ -4,7 +4,7 @@ import java.util.concurrent.Callable;
 import picocli.CommandLine;
 import steward.cli.streams.Streams;
 
-/** Command of the program: a call that is checked, and prints to the streams that the program gives it. */
+/** Base class of the program's commands: a call that is checked, and the streams to which it prints. */
 public abstract class ProgramCommand implements Callable<Integer> {
 
     /** Refuses options that do not go together; its refusals name the command's help. */

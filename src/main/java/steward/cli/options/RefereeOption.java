@@ -4,7 +4,7 @@ import picocli.CommandLine.Option;
 import steward.cli.shared.Games;
 import steward.game.GameTypes;
 
-/** The option that lets a replay's own referee be run: a replay may name any program of this machine. */
+/** Option that permits a replay's own referee to be run, since a replay may name any program of this machine. */
 public final class RefereeOption {
 
     @Option(names = "--run-referee", description = "Runs the program that the replay names as its referee, where "

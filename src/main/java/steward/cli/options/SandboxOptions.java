@@ -25,7 +25,7 @@ import steward.cli.streams.Streams;
 import steward.files.InputException;
 import steward.text.NearestName;
 
-/** The options that say how far bots are kept from this machine and from each other. */
+/** Options for the isolation of bots from this machine and from each other. */
 @OptionSection(value = "Isolation", elsewhere = "sandbox")
 public final class SandboxOptions {
 

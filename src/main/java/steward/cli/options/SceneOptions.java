@@ -6,7 +6,7 @@ import steward.cli.streams.StandardFiles;
 import steward.cli.streams.Streams;
 import steward.game.GameSetup;
 
-/** The options that say which scene is played, and on which rung of accuracy. */
+/** Options for the scene that is played and its rung of accuracy. */
 public final class SceneOptions {
 
     /** The scene that is played unless another is called for. */

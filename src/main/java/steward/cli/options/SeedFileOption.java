@@ -14,7 +14,7 @@ import steward.league.ChosenSeeds;
 import steward.league.LeagueFolder;
 import steward.text.TextFormat;
 
-/** The option for a list of seeds, and what is refused of bots by whose games it was chosen. */
+/** Option for a list of seeds. It refuses a test of a bot whose own games were used to choose the seeds. */
 public final class SeedFileOption {
 
     /** The option's name. */

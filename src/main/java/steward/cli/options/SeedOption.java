@@ -3,7 +3,7 @@ package steward.cli.options;
 import java.util.SplittableRandom;
 import picocli.CommandLine.Option;
 
-/** The option for the seed of a match's random draws. */
+/** Option for the seed of a match's random draws. */
 public final class SeedOption {
 
     /** Seeds that are drawn stay below this: people can type them again, and some tools keep 31 bits. */

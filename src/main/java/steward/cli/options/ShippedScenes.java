@@ -3,7 +3,7 @@ package steward.cli.options;
 import java.util.Iterator;
 import steward.scene.SceneFiles;
 
-/** The names of the scenes that come with the program, for help and completion. */
+/** Names of the scenes that come with the program, for help and completion. */
 public final class ShippedScenes implements Iterable<String> {
 
     @Override

@@ -8,7 +8,7 @@ import picocli.CommandLine.Option;
 import steward.files.InputException;
 import steward.files.OutputFiles;
 
-/** The folder that a measuring command writes its tables into; a mixin with the option to replace older ones. */
+/** Options of a measuring command for the folder of its tables, and for replacing older ones. */
 public final class TableFolder {
 
     private final CallCheck check = CallCheck.brief();

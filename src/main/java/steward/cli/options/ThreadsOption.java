@@ -7,7 +7,7 @@ import java.util.List;
 import picocli.CommandLine.Option;
 import steward.cli.streams.Streams;
 
-/** The option that says how many games are played at the same time. */
+/** Option for the number of games that are played at the same time. */
 public final class ThreadsOption {
 
     /** The word that {@code --threads} takes beside numbers. */

@@ -16,7 +16,7 @@ import steward.files.InputException;
 import steward.match.OwnLimits;
 import steward.text.NearestName;
 
-/** The options that change a scene's time limits. */
+/** Options that change a scene's time limits. */
 @OptionSection("Time limits")
 public final class TimeLimitOptions {
 

@@ -6,7 +6,7 @@ import picocli.CommandLine.Option;
 import steward.files.InputException;
 import steward.live.LiveServer;
 
-/** The options of a page that follows what is played. */
+/** Options for a live page that follows the games that are played. */
 @OptionSection("Watching")
 public final class WatchOptions {
 

@@ -1,4 +1,2 @@
-/**
- * Options that several commands have, with the checks and the words that refuse a wrong call: each stands here once.
- */
+/** Options that several commands have, with their checks and error messages. */
 package steward.cli.options;

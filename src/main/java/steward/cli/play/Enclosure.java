@@ -9,7 +9,7 @@ import steward.scene.Bumper;
 import steward.scene.Field;
 
 /**
- * The room of a scene's bodies, for their pressure.
+ * Length of the walls around a scene's bodies and the area between them, for the bodies' pressure.
  *
  * @param length of all that holds bodies, in u: sides of the field that are walls, arenas, both sides of segments,
  *               bumpers; NaN if a straight wall without end is none of the field's sides

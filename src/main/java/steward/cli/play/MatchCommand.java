@@ -29,7 +29,7 @@ import steward.game.GameSetup;
 import steward.replay.sign.SigningKey;
 import steward.text.TextFormat;
 
-/** {@code steward match}: one match, or many. */
+/** {@code steward match}: plays one match, or a series of many. */
 @Command(name = "match", description = "Plays a match between bots, or many matches.",
     footer = {"",
         "A bot is written [NAME=][builtin:|json:|codingame:]COMMAND, its words quoted as",

@@ -23,8 +23,8 @@ import steward.live.LiveServer;
 import steward.replay.page.PageExtras;
 
 /**
- * The display of a match: a page in a file, a page that follows the match while it is played, or both. Bytes written
- * here are kept in memory until it has been shown.
+ * Display of a match: a page in a file, a page that follows the match while it is played, or both. Bytes written here
+ * are kept in memory until the match has been shown.
  */
 final class MatchDisplay implements AutoCloseable {
 

@@ -19,7 +19,7 @@ import steward.match.MatchResult.PlayerResult;
 import steward.text.TextFormat;
 import tools.jackson.core.JsonGenerator;
 
-/** The result of a match for programs: one JSON object on one line. */
+/** Result of a match for programs: one JSON object on one line. */
 final class MatchJson {
 
     private static final double NANOS_PER_MS = 1e6;

@@ -10,8 +10,7 @@ import steward.files.InputException;
 import steward.text.TextFormat;
 
 /**
- * The arguments that callers of other referees pass: players as {@code -p1} to {@code -p8}, a seed in one of three
- * ways.
+ * Arguments that callers of other referees pass: players as {@code -p1} to {@code -p8}, a seed in one of three ways.
  *
  * @param spec the options of the players are there
  */

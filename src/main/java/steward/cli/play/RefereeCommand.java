@@ -24,7 +24,7 @@ import steward.scene.json.SceneException;
 import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.ObjectNode;
 
-/** {@code steward referee}: takes the place of another referee in the community's arena tools. */
+/** {@code steward referee}: stands in for another referee in the community's arena tools. */
 @Command(name = "referee", description = "Plays one match as the referee of cg-brutaltester and tools like it: prints "
     + "one whole number per player, in order; higher is better, negative for a bot that failed.",
     footer = {"",

@@ -11,8 +11,8 @@ import steward.files.InputException;
 import steward.replay.ReplayHeader;
 
 /**
- * Says which files an arena tool's call may replace: empty ones, which tools make beforehand, and those that an earlier
- * call has written, since tools name the same files again. Any other file of that name is kept.
+ * Decides which existing files an arena tool's call may replace. They are empty files, which tools make beforehand, and
+ * files that an earlier call has written, since tools use the same names again. Other files are kept.
  */
 final class RefereeFiles {
 

@@ -27,7 +27,7 @@ import steward.files.OutputFiles;
 import steward.game.GameSetup;
 import steward.match.MatchResult;
 
-/** {@code steward run}: a scene without players. */
+/** {@code steward run}: runs a scene without players. */
 @Command(name = "run", description = "Plays a scene without players, such as one of bodies, and prints energy, "
     + "momenta, temperature, pressure and impacts by turn.",
     footer = {"",

@@ -28,9 +28,9 @@ import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.io.NumberOutput;
 
 /**
- * Energy, momenta, temperature, pressure and impacts of every turn, for people and as CSV; with every state and every
- * impact as CSV. A table of states is what the field {@code csv} of a scene takes. Rows are written turn by turn, so
- * that all files end with the same turn whenever they are closed, by any thread.
+ * Tables of a run without players, turn by turn: energy, momenta, temperature, pressure and impacts. They are text for
+ * people and CSV; all states and impacts can be added as CSV. The field {@code csv} of a scene reads such a table of
+ * states. Rows are written turn by turn, so that all files end with the same turn whenever any thread closes them.
  */
 final class RunTables implements MatchListener, AutoCloseable {
 

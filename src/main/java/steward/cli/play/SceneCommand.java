@@ -18,7 +18,7 @@ import steward.scene.Scene;
 import steward.scene.SceneFiles;
 import steward.text.TextFormat;
 
-/** {@code steward scene}: the scenes that come with the program, to read and to copy. */
+/** {@code steward scene}: lists and prints the scenes that come with the program. */
 @Command(name = "scene", description = "Prints a scene that comes with the program; without a name, all names.",
     footer = {"", "Examples:", "  steward scene", "  steward scene walled-race > my-scene.json",
         "  steward scene --schema > scene.schema.json",

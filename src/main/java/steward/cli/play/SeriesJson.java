@@ -20,8 +20,8 @@ import steward.match.OwnLimits;
 import tools.jackson.core.JsonGenerator;
 
 /**
- * The result of a series for programs: one JSON object on one line, the same however many threads played it, but for
- * its last field, {@code times}, and what was measured of late and held bots.
+ * Result of a series for programs: one JSON object on one line. It is the same for any number of threads, except for
+ * its last field, {@code times}, and for measurements of late and held bots.
  */
 final class SeriesJson {
 

@@ -14,7 +14,7 @@ import steward.contest.Hiccups;
 import steward.contest.KeptReplays;
 import steward.text.NearestName;
 
-/** The options of many matches. */
+/** Options of a series of matches. */
 @OptionSection("Many games")
 final class SeriesOptions {
 

@@ -14,7 +14,7 @@ import steward.league.sequential.ScoreCounts;
 import steward.league.sequential.ScoreRange;
 import steward.text.TextFormat;
 
-/** The result of a series for people. */
+/** Result of a series as text for people. */
 final class SeriesText {
 
     private static final int KINDS_SHOWN = 10;

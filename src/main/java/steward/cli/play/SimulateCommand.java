@@ -14,7 +14,7 @@ import steward.cli.streams.StandardFiles;
 import steward.files.InputException;
 import steward.game.GameSetup;
 
-/** {@code steward simulate}: answers the community's tests of simulators. */
+/** {@code steward simulate}: answers the community's test cases for simulators. */
 @Command(name = "simulate", description = "Reads states and commands of a game from the standard input, plays one "
     + "turn of each by the rules of the scene, and prints the states after it.",
     footer = {"", "Input, until its end, any number of games, each",

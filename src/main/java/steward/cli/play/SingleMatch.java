@@ -27,8 +27,8 @@ import steward.replay.page.UnclosedOutputStream;
 import steward.text.TextFormat;
 
 /**
- * Plays one match and reports its result. One that a bot lost on time because others used the processors is played
- * again, unless it has been shown already: while it was watched, on the standard output, or in a pipe.
+ * Plays one match and reports its result. If a bot lost on time because others used the processors, the match is played
+ * again, unless it has been shown already: watched live, on the standard output, or in a pipe.
  *
  * @param report  how much is said
  * @param strict  whether a bot that fails makes the exit status 1

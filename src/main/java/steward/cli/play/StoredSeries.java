@@ -40,7 +40,9 @@ import steward.match.MatchResult;
 import steward.match.OwnLimits;
 import steward.text.TextFormat;
 
-/** Stores games between the bots of a contest in a league ({@code --into}), each when it is over, and finds them. */
+/**
+ * Stores games between the bots of a contest in a league ({@code --into}), each when it is over, and finds them again.
+ */
 public final class StoredSeries implements AutoCloseable {
 
     private final GameStore store;

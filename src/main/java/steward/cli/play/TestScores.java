@@ -11,7 +11,7 @@ import steward.game.GameSetup;
 import steward.match.GuestSetup;
 import steward.text.TextFormat;
 
-/** Scores by test in a game for one: a row for each test that was played, and their sum. */
+/** Table of scores by test in a game for one player: a row for each test that was played, and their sum. */
 final class TestScores {
 
     private static final int WIDTH = 14;

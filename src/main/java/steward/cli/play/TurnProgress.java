@@ -11,7 +11,7 @@ import steward.match.MatchListener;
 import steward.match.Turn;
 import steward.text.TextFormat;
 
-/** Prints to a terminal what happens while a match is played: a line per headline, lead change and fault. */
+/** Prints news of a running match to a terminal: a line per headline, change of the lead and fault. */
 final class TurnProgress implements MatchListener {
 
     private static final int NOBODY = -1;

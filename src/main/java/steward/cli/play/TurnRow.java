@@ -4,8 +4,8 @@ import steward.json.JsonNumbers;
 import tools.jackson.core.JsonGenerator;
 
 /**
- * Sums over the bodies of finite mass at the end of a turn, and over what happened in it; masses in m, lengths in u,
- * times in turns. NaN is what a scene or turn does not have.
+ * Sums over all bodies of finite mass at the end of a turn, such as energy and momentum, and over the turn's impacts.
+ * Masses in m, lengths in u, times in turns. NaN stands for a sum that the scene or turn does not have.
  *
  * @param energy          kinetic energy; with forces a, of the speed v + a/2
  * @param momentumX       to the right

@@ -26,7 +26,7 @@ import steward.replay.RecordedMatch;
 import steward.replay.ReplayReader;
 import steward.replay.verify.Resimulation;
 
-/** {@code steward feed}: sends a bot what one player of a recorded match was sent. */
+/** {@code steward feed}: sends a bot the lines that one player of a recorded match was sent. */
 @Command(name = "feed", description = "Sends a bot, without any deadline, what one player of a recorded match was "
     + "sent, and compares its answers with the recorded ones; or lets it play on from some turn.",
     footer = {"",

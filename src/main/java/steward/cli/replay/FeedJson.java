@@ -7,7 +7,7 @@ import steward.replay.feed.FedTurn;
 import steward.replay.feed.Takeover;
 import tools.jackson.core.JsonGenerator;
 
-/** A bot's behaviour in a recorded match, for programs: one JSON object. */
+/** Result of {@code steward feed} for programs: one JSON object. */
 final class FeedJson {
 
     /**

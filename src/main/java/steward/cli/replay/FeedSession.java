@@ -25,7 +25,7 @@ import steward.replay.page.UnclosedOutputStream;
 import steward.text.TextFormat;
 
 /**
- * A recorded match, a player of it, and a bot that is started to be sent what that player was sent.
+ * Session of {@code steward feed}: a recorded match, one player of it, and a bot that is sent that player's lines.
  *
  * @param bot      as it was called
  * @param program  what is started, and where

@@ -3,7 +3,7 @@ package steward.cli.replay;
 import steward.cli.streams.Json;
 import steward.text.TextFormat;
 
-/** Headings for people: a replay has them in radians, plus any number of whole turns; these are degrees in [0, 360). */
+/** Headings as text: a replay has radians plus any number of whole turns; people see degrees in [0, 360). */
 final class HeadingText {
 
     private static final String FIELD = "heading";

@@ -15,7 +15,7 @@ import steward.replay.sign.SignerKey;
 import steward.replay.sign.SigningKey;
 import steward.text.NearestName;
 
-/** {@code steward key}: makes and shows the keys that replays are signed with. */
+/** {@code steward key}: makes and shows the keys with which replays are signed. */
 @Command(name = "key", description = "Makes or shows a key that replays are signed with.",
     footer = {"",
         "new   writes a private key to FILE, for you alone, and the public one to",

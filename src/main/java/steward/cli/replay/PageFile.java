@@ -16,7 +16,7 @@ import steward.replay.ReplayReader;
 import steward.replay.page.PageExtras;
 
 /**
- * The page of a recorded match, and the files it becomes.
+ * Page of a recorded match, and the files that are written from it.
  *
  * @param replay or {@code null} if it came on the standard input
  * @param turns  how many turns the match has

@@ -29,7 +29,7 @@ import steward.replay.sign.SignerKey;
 import steward.replay.verify.Verification;
 import steward.text.NearestName;
 
-/** {@code steward replay}: looks at a recorded match, or plays it again and compares. */
+/** {@code steward replay}: shows a recorded match, or plays it again and compares. */
 @Command(name = "replay", description = "Prints a recorded match turn by turn, or plays it again and compares.",
     footer = {"", "A file that was cut off is read up to the cut.",
         "", "--verify plays the match again and compares every line: that proves that the",

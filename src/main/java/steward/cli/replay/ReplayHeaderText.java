@@ -7,8 +7,8 @@ import steward.replay.ReplayHeader;
 import steward.text.TextFormat;
 
 /**
- * Header of a replay as it is shown to people: the beginning of each text, made safe for a terminal. The file may come
- * from anywhere, and a name in it may have a million letters.
+ * Text of a replay's header for people: the beginning of each value, escaped for a terminal. The file may come from
+ * anywhere, and a name in it may have a million letters.
  */
 final class ReplayHeaderText {
 

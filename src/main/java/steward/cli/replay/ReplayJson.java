@@ -22,7 +22,7 @@ import steward.replay.verify.Verification;
 import steward.text.TextFormat;
 import tools.jackson.core.JsonGenerator;
 
-/** Facts of {@code steward replay} about a match, for programs: one JSON object. */
+/** Output of {@code steward replay} for programs: one JSON object with facts of the match. */
 record ReplayJson(Streams streams, ReplayReader replay) {
 
     /** The match and its result. */

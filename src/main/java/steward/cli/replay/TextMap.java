@@ -11,9 +11,9 @@ import steward.replay.RecordedTurn;
 import steward.replay.ReplayReader;
 
 /**
- * Draws the end of a recorded match with characters: the field, its zones with their labels, where every body of a
- * player was in the last turns, a letter per body, and where the others are in the end. It draws what the game
- * described and knows no game.
+ * Draws the end of a recorded match with characters. It shows the field, its zones with their labels, the last
+ * positions of each player's bodies, a letter per body, and the final positions of the others. It draws from the game's
+ * own description and knows no game.
  */
 public final class TextMap {
 

@@ -1,5 +1,5 @@
 /**
- * Commands about recorded matches: {@code replay}, {@code feed}, {@code import}; and {@code key}, which makes
- * the keys they are signed with.
+ * Commands about recorded matches: {@code replay}, {@code feed}, {@code import}; and {@code key}, which makes the keys
+ * that sign them.
  */
 package steward.cli.replay;

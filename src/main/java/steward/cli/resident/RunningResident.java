@@ -10,7 +10,7 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * A resident of this user that runs, as {@code /proc} tells.
+ * Finds this user's running resident referee through {@code /proc}.
  *
  * @param folder    the folder whose matches it plays
  * @param megabytes its memory

@@ -24,8 +24,8 @@ import steward.cli.streams.EndHooks;
 import steward.cli.streams.Streams;
 
 /**
- * One client, and the command that it called, which runs on a thread of its own with the client's streams. The command
- * is broken off when the client sends a signal or has gone. The frames between both are described in {@code client.c}.
+ * One client's call to a resident, whose command runs on a thread of its own with the client's streams. The command is
+ * broken off if the client sends a signal or is gone. {@code client.c} describes the frames between both.
  */
 final class Session {
 

@@ -1,2 +1,2 @@
-/** The resident referee: matches of many calls in one JVM, for clients that are no JVMs ({@code client.c}). */
+/** The resident referee: one JVM that plays the matches of many calls, for native clients ({@code client.c}). */
 package steward.cli.resident;

@@ -18,7 +18,7 @@ import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
 import steward.match.Protocol;
 
-/** Finder of a test's opponents: the bots that play in a league, the programs of a folder, or bots by their names. */
+/** Finds the opponents of a test: bots of a league, programs of a folder, or bots by their names. */
 final class Pool {
 
     private static final String RUN = "run";

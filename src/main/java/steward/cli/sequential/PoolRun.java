@@ -30,8 +30,8 @@ import steward.league.sequential.Gsprt;
 import steward.text.TextFormat;
 
 /**
- * A test of two bots against a pool while it is played. Each seed draws one opponent, in a game for more than two
- * players of as many as there are other seats; the new bot and the base both play it from all seats.
+ * Running test of a new bot and its base against a pool of opponents. Each seed draws one opponent, or as many as there
+ * are other seats; both the new bot and the base play it from all seats.
  */
 final class PoolRun implements PairedPlay.Tables {
 

@@ -10,12 +10,12 @@ import steward.league.sequential.ScoreCounts;
 import steward.numerics.SplitMix64;
 
 /**
- * Points of two bots against the same opponents on the same seeds. The new bot and the base have played a seed against
- * an opponent from each seat; the value of a seat is the difference of their points there, -1..1, and an observation is
- * the mean d of the seats of a seed, which belong together, as the score (1 + d) / 2. The seed draws the opponent, so
- * that observations are independent and of one distribution, whatever the order and the number of opponents are. Games
- * that repeat those of an earlier seed count, too: without them an opponent that plays alike on all seeds would weigh
- * less than the others. Not thread-safe.
+ * Scores of two bots against the same opponents on the same seeds. The new bot and the base have played a seed against
+ * an opponent from each seat. The value of a seat is the difference of their points there, -1..1; an observation is the
+ * mean d of all seats of a seed, as the score (1 + d) / 2. The seed draws the opponent, so that observations are
+ * independent and of one distribution, whatever the order and number of opponents. Games that repeat those of an
+ * earlier seed count too: without them an opponent that plays alike on all seeds would weigh less than the others. Not
+ * thread-safe.
  */
 final class PoolScores {
 

@@ -14,7 +14,7 @@ import steward.text.TextFormat;
 import tools.jackson.core.JsonGenerator;
 
 /**
- * Text on the state of a test against a pool.
+ * Text about the state of a test against a pool.
  *
  * @param points0  points a game that the new bot is ahead by H0
  * @param points1  by H1

@@ -9,11 +9,11 @@ import steward.contest.repeat.Repeats;
 import steward.text.TextFormat;
 
 /**
- * Choice of seeds that tell two bots apart and are fair to all seats. On each both have played from all seats; with d
- * the difference of their mean points, -1..1, and s the greatest distance of a seat's mean points from 1/2, a seed is
- * worth |d| - 2 s. Of two players it is 1 where one bot won from both sides, 0 or less where the side decided. Seeds
- * worth more than 0 are chosen, the worthiest first, of equal ones the earlier. A seed with a game in which one of the
- * two failed is passed over: the failure is a merit of the program, not of the seed.
+ * Chooses seeds that tell two bots apart and are fair to all seats. Both bots have played each seed from all seats.
+ * With d the difference of their mean points, -1..1, and s the greatest distance of a seat's mean points from 1/2, a
+ * seed is worth |d| - 2 s. For two players that is 1 if one bot won from both sides, and 0 or less if the side decided.
+ * Seeds worth more than 0 are chosen, the best first, equal ones in their order. A seed with a game in which one of the
+ * two failed is skipped: a failure says something about the program, not about the seed.
  */
 final class SeedChoice {
 

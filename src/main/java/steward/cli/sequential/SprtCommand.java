@@ -34,7 +34,7 @@ import steward.league.sequential.ScoreCounts;
 import steward.match.Protocol;
 import steward.text.TextFormat;
 
-/** {@code steward sprt}: is the new bot better than the old one? */
+/** {@code steward sprt}: tests sequentially whether the new bot is better than the old one. */
 @Command(name = "sprt", description = "Plays two bots until it is clear whether the first is better.",
     footer = {"",
         "A sequential test (GSPRT) of two hypotheses: the first bot is stronger by elo0",

@@ -28,7 +28,7 @@ import steward.league.sequential.Gsprt;
 import steward.league.sequential.ScoreCounts;
 import steward.text.TextFormat;
 
-/** A sequential test while it is played. The first bot of the contest is tested against the second. */
+/** Running sequential test of the first bot of a contest against the second. */
 public final class SprtRun {
 
     /** So many seeds belong to a test. */

@@ -13,7 +13,7 @@ import steward.league.sequential.StoppedRange;
 import steward.text.TextFormat;
 import tools.jackson.core.JsonGenerator;
 
-/** Text on the state of a test, for people and for programs. */
+/** Text and JSON about the state of a sequential test. */
 record SprtText(Gsprt test, String one, String other) {
 
     /** Width of a range of scores that says nothing: a bot that has won all may be the worse one. */

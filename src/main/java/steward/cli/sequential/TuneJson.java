@@ -6,7 +6,7 @@ import steward.league.tune.Spsa;
 import steward.league.tune.TunedCommand;
 import tools.jackson.core.JsonGenerator;
 
-/** The result of a search for parameters, as the fields of one object; values are as in the command. */
+/** Result of a search for parameters, as fields of one JSON object; values are as in the command. */
 final class TuneJson {
 
     /**

@@ -1,2 +1,2 @@
-/** Tests that stop, and tuning: one small class per command, and what they have in common. */
+/** Commands of sequential tests and of tuning, with their shared parts. */
 package steward.cli.sequential;

@@ -22,7 +22,7 @@ import steward.guest.Adoption;
 import steward.guest.RefereeFault;
 import steward.guest.project.SdkProject;
 
-/** {@code steward adopt}: a scene of a published referee. */
+/** {@code steward adopt}: writes a scene for a published referee. */
 @Command(name = "adopt", description = "Makes a scene of a referee that its author has published as a project on "
     + "CodinGame's SDK, builds it with its Maven if need be, and plays trial games with idle bots.",
     footer = {"", "Examples:", "  steward adopt SpringChallenge2021",

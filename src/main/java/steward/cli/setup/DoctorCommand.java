@@ -11,7 +11,7 @@ import steward.cli.streams.Json;
 import steward.json.JsonObject;
 import steward.text.TextFormat;
 
-/** {@code steward doctor}: what works on this machine. */
+/** {@code steward doctor}: reports what works on this machine. */
 @Command(name = "doctor", description = "Prints what works on this machine and what does not, and why: Java, the "
     + "isolation of bots, compilers and interpreters, the browser, the temporary folder.",
     footer = {"", "--json: works, and items (about, name, works, detail).",

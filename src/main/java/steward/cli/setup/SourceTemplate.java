@@ -8,10 +8,10 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * Text with places for values, in the notation of Mustache: {@code {{name}}} is a value; what stands between {@code
- * {{#name}}} and {@code {{/name}}} is written for each map of a list, or once if the value is true or a text;
- * {@code {{^name}}} writes it if there is no such value. A section's mark alone on its line leaves no line. In a list,
- * {@code last} marks the last one. Blanks at the end of lines are left out.
+ * Template of a source file in the notation of Mustache. {@code {{name}}} is a value. The text between {@code
+ * {{#name}}} and {@code {{/name}}} is written for each map of a list, or once if the value is true or a text; {@code
+ * {{^name}}} writes its text if there is no such value. A section's mark alone on its line leaves no line. In a list,
+ * {@code last} marks the last element. Blanks at the end of lines are left out.
  */
 final class SourceTemplate {
 

@@ -6,7 +6,9 @@ import java.util.Locale;
 import java.util.regex.Pattern;
 import steward.match.Protocol;
 
-/** Languages of starters, each with a template; how a program is made ready and run, and how expressions look. */
+/**
+ * Programming languages of starter bots: the template, how a program is built and run, and how expressions are written.
+ */
 enum StarterLanguage {
 
     PYTHON("bot.py", List.of(), "python3 bot.py", Protocol.JSON),

@@ -1,6 +1,9 @@
 package steward.cli.shared;
 
-/** Error of a call: its options do not go together, or one is out of range. A pointer to help follows the message. */
+/**
+ * Thrown for a wrong call: options that exclude each other, or a value out of range. A pointer to help follows the
+ * message.
+ */
 public final class CallException extends RuntimeException {
 
     public CallException(String message) {

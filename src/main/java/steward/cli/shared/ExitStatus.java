@@ -1,6 +1,6 @@
 package steward.cli.shared;
 
-/** The exit statuses of the program. */
+/** Exit statuses of the program. */
 public final class ExitStatus {
 
     /** Done: a match has its result, also if a bot failed; a replay is verified. */

@@ -7,7 +7,7 @@ import steward.json.JsonNumbers;
 import steward.json.JsonObject;
 import tools.jackson.core.JsonGenerator;
 
-/** Reason of a bot's failure, for programs. */
+/** Reason of a bot's failure as JSON, for programs. */
 public final class FailureJson {
 
     private static final double NANOS_PER_MS = 1e6;

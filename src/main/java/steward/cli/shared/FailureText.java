@@ -5,7 +5,7 @@ import java.util.List;
 import steward.contest.Failure;
 import steward.text.TextFormat;
 
-/** Reason of a bot's failure, for people. */
+/** Reason of a bot's failure as text, for people. */
 public final class FailureText {
 
     private static final int LONGEST = 120;

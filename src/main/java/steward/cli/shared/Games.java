@@ -15,7 +15,7 @@ import steward.scene.SceneReader;
 import steward.scene.SceneText;
 import steward.scene.json.SceneException;
 
-/** The games that the program knows, and their scenes. */
+/** List of the games that the program knows, with the scenes that come with them; reads scenes. */
 public final class Games {
 
     /** The game that commands play unless another is called for. */

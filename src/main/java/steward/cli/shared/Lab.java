@@ -8,7 +8,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Unmatched;
 import steward.files.InputException;
 
-/** Commands that the lab's jar offers; the program works without that jar. */
+/** Service through which the lab's jar offers its commands; the program works without that jar. */
 public interface Lab {
 
     /** Creates one of the lab's commands: stability, tradeoff or bench. */

@@ -4,7 +4,9 @@ import picocli.CommandLine;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
 
-/** Converts numbers of a call; the library's own converters name {@code int} and {@code long} in their messages. */
+/**
+ * Converts numbers of a call, with readable errors: the library's own converters name {@code int} and {@code long}.
+ */
 public enum NumberConverter implements ITypeConverter<Number> {
 
     /** 32 bits. */

@@ -3,7 +3,7 @@ package steward.cli.shared;
 import java.util.Locale;
 import steward.cli.streams.Streams;
 
-/** The report of a JVM that ran out of memory: one line with advice, from whichever thread. */
+/** Report of a JVM that ran out of memory: one line with advice, from whichever thread. */
 public final class OutOfMemory {
 
     private static final double MEGABYTE = 1 << 20;

@@ -1,6 +1,6 @@
 package steward.cli.shared;
 
-/** The version of this program, for those it plays with and for what it has measured. */
+/** Version of this program, for programs that it plays with and for its measurements. */
 public final class ProgramVersion {
 
     private ProgramVersion() { }

@@ -7,7 +7,7 @@ import picocli.CommandLine;
 import picocli.CommandLine.Model.CommandSpec;
 import steward.text.NearestName;
 
-/** The error messages for unknown words of a call. */
+/** Error messages for unknown words of a call, with the nearest known word. */
 public final class UnknownWord {
 
     private UnknownWord() { }

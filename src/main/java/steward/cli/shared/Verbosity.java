@@ -1,6 +1,6 @@
 package steward.cli.shared;
 
-/** Amount of printing about matches. */
+/** Amount of output about matches. */
 public enum Verbosity {
     /** Events during a match on a terminal, and the whole result. */
     FULL,

@@ -1,2 +1,2 @@
-/** Common parts of several commands: messages of errors and their exit status, pages, the list of games. */
+/** Shared parts of several commands: error messages and exit statuses, pages, the list of games. */
 package steward.cli.shared;

@@ -1,9 +1,9 @@
 package steward.cli.streams;
 
 /**
- * Colours for a terminal, by the escape sequences of ECMA-48 (select graphic rendition); plain text elsewhere, and
- * where the environment variable {@code NO_COLOR} is set and not empty (no-color.org) or the
- * terminal is a {@code dumb} one.
+ * Colours for a terminal, by the escape sequences of ECMA-48 (select graphic rendition). Text stays plain elsewhere, if
+ * the environment variable {@code NO_COLOR} is set and not empty (no-color.org), or if the terminal is a {@code dumb}
+ * one.
  */
 public final class Colour {
 

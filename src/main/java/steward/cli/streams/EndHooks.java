@@ -1,6 +1,6 @@
 package steward.cli.streams;
 
-/** Threads that are started when a command is ended from outside, with its process or by its client. */
+/** Hooks that run when a command is ended from outside, with its process or by its client. */
 public interface EndHooks {
 
     /** Hooks of this process. */

@@ -3,7 +3,7 @@ package steward.cli.streams;
 import java.io.IOException;
 import java.util.concurrent.CompletableFuture;
 
-/** Waits for Enter at the terminal. */
+/** Waits until Enter is pressed at the terminal. */
 public final class EnterKey {
 
     private EnterKey() { }

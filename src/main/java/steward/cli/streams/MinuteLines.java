@@ -5,7 +5,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.LongSupplier;
 import steward.text.TextFormat;
 
-/** Lines about the progress of a long run where there is no terminal: one a minute, when something is done. */
+/** Progress of a long run without a terminal: at most one line a minute, when something is done. */
 final class MinuteLines {
 
     private static final long MINUTE = TimeUnit.MINUTES.toNanos(1);

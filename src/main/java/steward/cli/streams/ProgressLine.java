@@ -9,8 +9,8 @@ import me.tongfei.progressbar.ProgressBarStyle;
 import steward.text.TextFormat;
 
 /**
- * Progress of games or other steps, and the time that the rest will take: on one line of a terminal, erased at the end,
- * or on a line a minute where there is no terminal.
+ * Progress of games or other steps, with the remaining time. On a terminal it is one line, erased at the end; otherwise
+ * a line a minute.
  */
 public final class ProgressLine implements AutoCloseable {
 

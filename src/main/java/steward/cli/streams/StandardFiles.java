@@ -10,7 +10,7 @@ import steward.replay.ReplayReader;
 import steward.scene.SceneFiles;
 import steward.scene.SceneText;
 
-/** The word {@code -} where a file is expected: the standard input, or the standard output. */
+/** Meaning of the word {@code -} in place of a file: the standard input, or the standard output. */
 public final class StandardFiles {
 
     /** Name of the standard input in errors. */

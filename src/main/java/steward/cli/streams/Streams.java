@@ -20,9 +20,9 @@ import steward.text.TerminalOutputStream;
 import steward.text.TextFormat;
 
 /**
- * The input and outputs of a command, and its hooks: all that it takes from its process besides environment and folder,
- * so that a client can stand in for the process. UTF-8 in every locale, because frames are printed byte for byte. The
- * standard output is buffered; {@link PrintStream#flush} writes it out.
+ * Input, outputs and hooks of a command. A command takes nothing else from its process but environment and folder, so
+ * that a client can stand in for the process. The encoding is UTF-8 in every locale, because frames are printed byte
+ * for byte. The standard output is buffered; {@link PrintStream#flush} writes it out.
  */
 public final class Streams {
 

@@ -3,7 +3,7 @@ package steward.cli.streams;
 import java.io.IOException;
 import java.io.OutputStream;
 
-/** Writes everything to two places; closes neither. */
+/** Output stream that writes everything to two others and closes neither. */
 public final class TeeOutputStream extends OutputStream {
 
     private final OutputStream first;

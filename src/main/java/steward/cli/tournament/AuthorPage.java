@@ -25,9 +25,9 @@ import steward.replay.page.ReplayPage;
 import steward.text.TextFormat;
 
 /**
- * The page of one author: what the check of the program found, the compiler's error, its games with the replays of
- * those that it lost or failed in, and what it was sent and answered in the check. Of other programs it has names,
- * results and moves, never their stderr or source.
+ * Page of one author after a tournament. It has the result of the program's check, with the lines sent and answered,
+ * the compiler's error, and the program's games with replays of those that it lost or failed in. Of other programs it
+ * has names, results and moves, never stderr or source.
  *
  * @param entry   the program
  * @param version that plays, or -1 before that is known

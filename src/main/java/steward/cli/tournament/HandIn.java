@@ -25,8 +25,8 @@ import steward.files.OutputFiles;
 import steward.text.TextFormat;
 
 /**
- * Data that somebody who is not trusted hands in: a file or a folder. Only regular files are opened, and no link is
- * followed; what else there is, is left out and named. Size and number are looked at before anything is copied.
+ * Copies a file or folder that somebody who is not trusted hands in. Only regular files are opened, and no link is
+ * followed; everything else is left out and named. Size and number are checked before anything is copied.
  *
  * @param source  a file or a folder
  * @param files   the regular files by their path below the source, with their stamps; of a file itself one, unnamed

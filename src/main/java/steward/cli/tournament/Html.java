@@ -4,7 +4,7 @@ import steward.files.Resources;
 import steward.replay.page.PageTemplate;
 import steward.replay.page.ReplayPage;
 
-/** Parts that the pages of a tournament have in common. They fetch nothing. */
+/** Shared parts of a tournament's HTML pages, which load nothing from elsewhere. */
 final class Html {
 
     static final String END = "</main></body></html>\n";

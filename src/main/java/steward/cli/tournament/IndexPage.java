@@ -11,8 +11,8 @@ import java.util.Set;
 import steward.text.TextFormat;
 
 /**
- * First page of a tournament: the programs by place, each with a link to the page of its author; below them those that
- * did not play.
+ * First page of a tournament: the programs by place, each with a link to its author's page. Below them are programs
+ * that did not play.
  *
  * @param entries the programs
  * @param scores  the table, or {@code null} before the games are over

@@ -13,8 +13,8 @@ import steward.league.rating.RatingPath;
 import steward.league.rating.Results;
 
 /**
- * The games between the programs that play now. Table and pages are made from these and nothing else: games of older
- * versions and of programs that are gone stay in the league and are in none of them.
+ * Stored games between the programs that play now. The table and the pages are made from these alone: games of older
+ * versions and of programs that are gone stay in the league but are not shown.
  *
  * @param entries the versions that play, by the names of their programs
  * @param games   in the order in which they were stored, those that do not count among them

@@ -20,7 +20,7 @@ import steward.league.LeagueFolder;
 import steward.text.TextFormat;
 
 /**
- * The programs of a folder.
+ * The programs in a tournament's folder: their names, sources, languages and authors.
  *
  * @param programs in the order of their file names
  * @param others   names of files and folders that are no programs

@@ -30,9 +30,9 @@ import steward.replay.page.ReplayPage;
 import steward.text.TextFormat;
 
 /**
- * A page for a projector while a tournament is played: the table as it grows, and one game after the other, the newest
- * whose replay is kept, at a speed that one can watch. It shows nobody's stderr. When the tournament is over it shows
- * the last table and begins no game more.
+ * Page for a projector while a tournament is played. It shows the growing table and, at a speed that one can watch, one
+ * game after the other, the newest with a kept replay. It shows nobody's stderr. When the tournament is over, it shows
+ * the last table and begins no further game.
  */
 final class ProjectorWall implements AutoCloseable {
 

@@ -20,8 +20,8 @@ import steward.text.TextFormat;
 import tools.jackson.core.JsonGenerator;
 
 /**
- * The table of a tournament: every game that counts gives 1 point to its winner, 1/2 for a draw; among several players,
- * the share of the others that are ranked below. Where each plays alone, the results on one map are a game of all.
+ * Table of a tournament, by points. A game gives 1 point to its winner and 1/2 for a draw; among several players, the
+ * share of the others that are ranked below. In a game for one player, the results on one map are a game of all.
  *
  * @param rows best first
  * @param rule how ties are broken, in words

@@ -56,7 +56,7 @@ import steward.scene.Scene;
 import steward.scene.SceneFiles;
 import steward.text.TextFormat;
 
-/** {@code steward tournament}: everybody in a folder against everybody. */
+/** {@code steward tournament}: plays all programs in a folder against each other. */
 @Command(name = "tournament", description = "Compiles and checks the programs of a folder, lets everybody meet "
     + "everybody, and writes a table and a page for each author.",
     footer = {"",

@@ -25,7 +25,10 @@ import steward.league.store.GameStore;
 import steward.league.store.SeasonOpening;
 import steward.text.TextFormat;
 
-/** The games of a tournament between the versions that were found at its start: what is to be played, and the table. */
+/**
+ * Plays the games of a tournament between the versions that were found at its start: what is left to play, and the
+ * table.
+ */
 final class TournamentRun {
 
     static final String ROUNDS = "rounds.json";

@@ -31,9 +31,8 @@ import steward.text.Utf8Text;
 import steward.text.Utf8Text.NotUtf8Exception;
 
 /**
- * Makes programs ready to run: each gets a folder of its own with a copy of its source; what has to be compiled is
- * compiled once, in the sandbox. A compiler writes what it makes to its standard output, so that it needs to write
- * nowhere else but to temporary files.
+ * Makes programs ready to run: copies each source into a folder of its own and compiles it once, in the sandbox. A
+ * compiler writes its result to the standard output, so that it needs no place to write but temporary files.
  *
  * @param folder    of all of them
  * @param isolation of compilers

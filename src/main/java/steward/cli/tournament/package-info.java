@@ -1,2 +1,4 @@
-/** {@code steward tournament}: a class's evening, from a folder of source files to a table; a league underneath. */
+/**
+ * {@code steward tournament}: a tournament of a class, from a folder of source files to a table, played as a league.
+ */
 package steward.cli.tournament;

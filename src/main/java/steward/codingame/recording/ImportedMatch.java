@@ -22,9 +22,9 @@ import steward.replay.ReplayWriter;
 import steward.replay.ServerRecording;
 
 /**
- * Makes a replay of ours of a recorded match: the recorded lines are played by our referee as if bots had just said
- * them, and the frames of the server are kept beside, so that verifying the replay compares our rules and physics with
- * the server's.
+ * Converts a recorded match of CodinGame's server to a replay of ours. Our referee plays the recorded lines as if bots
+ * had just said them. The server's frames are kept beside, so that verifying the replay compares our rules and physics
+ * with the server's.
  */
 final class ImportedMatch {
 

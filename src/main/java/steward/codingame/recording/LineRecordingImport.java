@@ -19,9 +19,9 @@ import steward.replay.ReplayWriter;
 import tools.jackson.databind.JsonNode;
 
 /**
- * A game for one player, recorded as the lines it was sent and the lines it has answered: {@code {"stdin":[..],
- * "stdout":[..]}}. The answers are played by our referee, and every line that the server has sent is compared with ours
- * while the replay is written. Which game it is, and on which map, its first lines say to the games that are known.
+ * Imports a game for one player that was recorded as lines sent and lines answered: {@code {"stdin":[..],
+ * "stdout":[..]}}. Our referee plays the answers, and every line that the server sent is compared with ours while the
+ * replay is written. The known games recognise their game and map by the first lines.
  */
 record LineRecordingImport(List<String> sent, List<String> answers, GameSetup setup, String source)
     implements RecordingImport {

@@ -6,7 +6,7 @@ import steward.bot.Answer;
 import steward.bot.Player;
 import steward.game.ServerView;
 
-/** A player that gives the recorded answers of a player, in CodinGame's protocol. */
+/** Player that gives the recorded answers of a player, in CodinGame's protocol. */
 final class RecordedPlayer implements Player {
 
     private final String name;

@@ -7,7 +7,7 @@ import java.util.TreeMap;
 import tools.jackson.databind.JsonNode;
 
 /**
- * Facts of a game beside its frames in the site's JSON.
+ * Facts about a game in the site's JSON besides its frames: names and numbers of the players, number of the game.
  *
  * @param names   per player who it was: {@code agents[].codingamer.pseudo}, of a boss its nickname; {@code player N}
  *                where that is not recorded

@@ -7,7 +7,7 @@ import tools.jackson.core.JacksonException;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
-/** A recording of a game that CodinGame's server has played, from which a replay of ours can be made. */
+/** Importer of a game that CodinGame's server has played; makes a replay of ours from its recording. */
 @FunctionalInterface
 public interface RecordingImport {
 

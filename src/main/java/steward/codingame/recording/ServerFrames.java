@@ -10,9 +10,9 @@ import steward.text.ViewLines;
 import tools.jackson.databind.JsonNode;
 
 /**
- * Reader of the frames of CodinGame's JSON, alike in all games: frame 0 is the start; from then on, each frame is one
- * player's answer, in the order of their numbers, and the key frame ends the turn. A player without a frame was not
- * asked. A frame of the referee that ends no turn is left out. Where a source leaves out whose frame it is, or whether
+ * Reader of the frames in CodinGame's JSON, which all games share. Frame 0 is the start; from then on, each frame is
+ * one player's answer, in the order of their numbers, and the key frame ends the turn. A player without a frame was not
+ * asked. A frame of the referee that ends no turn is skipped. If a source does not tell whose frame it is, or whether
  * it ends the turn, all players answer in each turn. Errors name the frame.
  */
 final class ServerFrames {

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import steward.game.Game;
 
-/** Log of who led in a game: by player, the last turn after which none was ahead of it. Not thread-safe. */
+/** Log of who led in a game: for each player, the last turn after which no other was ahead of it. Not thread-safe. */
 public final class LeadLog {
 
     /** Stands for a game of which it is not known. */

@@ -11,9 +11,9 @@ import steward.text.TextFormat;
 import tools.jackson.core.JsonGenerator;
 
 /**
- * Account of the games that one bot lost: how they ended, from which turn on the bot was behind to the end, the worst
- * of each kind, and the bot's values in won and lost games side by side. The worst game of a kind is the one with the
- * greatest distance to the winner's score, of equal ones the shortest. Not thread-safe.
+ * Account of the games that one bot lost. It has how they ended, from which turn the bot was behind to the end, the
+ * worst game of each kind, and the bot's values in won and lost games side by side. The worst game has the greatest
+ * distance to the winner's score; among equals, the shortest. Not thread-safe.
  */
 public final class Losses {
 

@@ -10,7 +10,7 @@ import steward.game.Game;
 import steward.replay.TranscriptDigest;
 
 /**
- * Facts of one game that its result does not contain.
+ * Facts of one game that its result does not contain: how it went rather than how it ended.
  *
  * @param transcript digest of all commands and states, see {@link TranscriptDigest}; 0 if it is not known
  * @param values     the game's own values by player, see {@link Game#ownValues}; empty if they are not known

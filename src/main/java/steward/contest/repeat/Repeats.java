@@ -5,8 +5,8 @@ import java.util.Set;
 import steward.numerics.StateHash;
 
 /**
- * Games that were seen, so that equal ones count once: games of the same players in the same seats with the same
- * transcript are one observation, whatever their seeds were. Not thread-safe.
+ * Detects games that repeat an earlier one, so that equal games count once. Games of the same players in the same seats
+ * with the same transcript are one observation, whatever their seeds were. Not thread-safe.
  */
 public final class Repeats {
 

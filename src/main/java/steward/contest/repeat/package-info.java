@@ -1,2 +1,2 @@
-/** Games that only repeat earlier ones: bots that play alike whatever the seed is tell nothing more by them. */
+/** Games that only repeat earlier ones: if bots play alike whatever the seed is, more games give no information. */
 package steward.contest.repeat;

@@ -17,8 +17,8 @@ import steward.text.Utf8Text;
 import steward.text.Utf8Text.NotUtf8Exception;
 
 /**
- * Seeds that a file lists, one a line; behind {@code #} stands a comment. A comment {@code # chosen by IDENTITY NAME}
- * names a bot by whose games the seeds were chosen.
+ * File that lists seeds, one a line; a comment begins with {@code #}. A comment {@code # chosen by IDENTITY NAME} names
+ * a bot whose games were used to choose the seeds.
  *
  * @param source   the file
  * @param text     all of it, so that a copy needs no second reading, which a pipe does not allow

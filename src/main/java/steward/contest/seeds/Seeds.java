@@ -3,7 +3,7 @@ package steward.contest.seeds;
 import java.util.List;
 import java.util.Set;
 
-/** Seeds of a series of games, by their places from 0 on: numbers in a row, or a list that has an end. */
+/** Seeds of a series of games by position, counted from 0: consecutive numbers, or a finite list. */
 public final class Seeds {
 
     private final long first;

@@ -1,2 +1,2 @@
-/** Seeds of a series of games: numbers in a row, or those that a file lists. */
+/** Seeds of a series of games: consecutive numbers, or a list from a file. */
 package steward.contest.seeds;

@@ -7,7 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Constants and methods with code of a class file (The Java Virtual Machine Specification, chapter 4).
+ * Parser of a class file's constants and methods with code (The Java Virtual Machine Specification, chapter 4).
  *
  * @param constants by index: an Integer, a String for texts, the names of classes and {@link Member}s, or {@code null}
  * @param methods   those with code

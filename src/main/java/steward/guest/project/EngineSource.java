@@ -20,9 +20,9 @@ import steward.files.InputException;
 import steward.files.UserFolders;
 
 /**
- * Engine built from a clone of its repository, for projects that name a version which no Maven repository has. It is
- * installed under the version that the project names, in a Maven repository of its own in Steward's cache, once for
- * each tag and commit; the clone is only read.
+ * Builds CodinGame's engine from a clone of its repository, for projects that name a version which no Maven repository
+ * has. It is installed under the version that the project names, in a Maven repository of its own in Steward's cache,
+ * once for each tag and commit. The clone is only read.
  *
  * @param repository Maven repository that has it
  * @param text       the version built, for people

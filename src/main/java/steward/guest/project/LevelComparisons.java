@@ -19,8 +19,8 @@ import steward.guest.project.ClassFile.Member;
 import steward.guest.project.ClassFile.Method;
 
 /**
- * Numbers with which the class files of a contest compare the league level. The level is followed from the calls that
- * return it through variables, fields, parameters and results; where its way is not plain it is lost, so that a
+ * Finds the numbers with which a contest's class files compare the league level. The level is followed from the calls
+ * that return it through variables, fields, parameters and results. If its way is not plain, it is lost, so that a
  * comparison may be missed, but hardly one is invented.
  *
  * <p>An order such as {@code level > 4} or {@code level >= 5} changes at 5 and singles 5 out. An equality with 4, or a

@@ -19,8 +19,8 @@ import tools.jackson.core.JacksonException;
 import tools.jackson.databind.json.JsonMapper;
 
 /**
- * A project on the SDK as its author has published it: what has been compiled, or what its Maven makes of it, and what
- * its {@code config} says.
+ * Project of a referee on CodinGame's SDK as its author has published it. It has compiled classes, or its Maven makes
+ * them, and its {@code config} has the settings.
  *
  * @param classPath     the project first, absolute
  * @param engine        engine that was built from source for it, for people; or {@code null}

@@ -1,5 +1,5 @@
 /**
- * Projects on CodinGame's SDK as their authors publish them: building them, with an engine from its own repository if
- * need be, and reading their configuration and class files. Nothing is played here.
+ * Published referee projects on CodinGame's SDK: building them, and reading their configuration and class files. If
+ * need be, the engine is built from its own repository. Nothing is played here.
  */
 package steward.guest.project;

@@ -15,7 +15,7 @@ import steward.replay.page.ReplayPage;
 import tools.jackson.core.JsonGenerator;
 
 /**
- * Kept replays that a page of games holds, by game: the page puts together the page of a match by itself.
+ * Kept replays that a league's page contains, by game; the page builds the page of a match from them.
  *
  * @param replays as they stand in a page
  * @param errors  lines of stderr that the page shows

@@ -11,7 +11,7 @@ import steward.contest.RecordedFailures;
 import steward.game.GameTypes;
 import steward.league.StoredGame;
 
-/** Lines of stderr that say why bots failed, in games whose replays are kept. Each replay is read once. */
+/** Lines of stderr that explain failures of bots, read from kept replays. Each replay is read once. */
 public final class ErrorLines {
 
     /** Games of which lines are kept; a page lists fewer. */

@@ -17,8 +17,8 @@ import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.ObjectWriteContext;
 
 /**
- * A league as one HTML page that opens from disk and asks no network for anything, with the latest kept replays in it;
- * or as the page of a league that is being played, which follows server-sent events.
+ * HTML page of a league, in one file that opens from disk without a network and contains the latest kept replays. While
+ * the league is played, the page follows server-sent events.
  */
 public final class LeaguePage {
 

@@ -8,7 +8,7 @@ import steward.league.rating.LeagueTable;
 import steward.league.rating.RatingPath;
 
 /**
- * View of a league at one moment: all that its page shows.
+ * Snapshot of a league: all data that its page shows.
  *
  * @param season  what all its games have in common
  * @param path    how the ratings went

@@ -28,8 +28,9 @@ import steward.replay.verify.Resimulation;
 import steward.scene.json.SceneException;
 
 /**
- * Games of a league as the account of what one bot lost takes them. How a game ended and who led when, the replay says:
- * it is played again. Of games without a replay that is not known, but for failures.
+ * Converts stored games of a league for {@link steward.contest.loss.Losses}, the account of the games that one bot
+ * lost. How a game ended and who led when is found by playing its replay again. Without a replay only failures are
+ * known.
  */
 public final class StoredLosses {
 

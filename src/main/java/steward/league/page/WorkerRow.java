@@ -7,7 +7,7 @@ import java.util.concurrent.TimeUnit;
 import steward.text.TextFormat;
 
 /**
- * A worker that plays games of a league on another machine, for people.
+ * Row of the workers' table: a machine that plays games of a league, in readable form.
  *
  * @param state    such as {@code away}, {@code caught} or {@code suspended}; empty where the league is not being played
  * @param games    that count

@@ -1,2 +1,2 @@
-/** A league as one page, as JSON and as plots. */
+/** Output of a league: one page, JSON and plots. */
 package steward.league.page;

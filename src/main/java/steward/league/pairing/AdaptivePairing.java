@@ -13,10 +13,10 @@ import steward.league.RoundOrder;
 import steward.league.rating.Ratings;
 
 /**
- * Chooses the group of bots whose next games most reduce the doubt about the order of the table. A pair is in doubt
- * while the rule neither orders it nor calls it equal; its doubt is the variance of the difference of its two ratings.
- * That variance is a sum over groups, each part inverse to the group's number of clusters: one cluster more than n
- * takes the share 1/(n + 1) of the group's part away. Such reductions, each as a share of its pair's variance, are
+ * Pairing that chooses the group of bots whose next games most reduce the doubt about the order of the table. A pair is
+ * in doubt while the rule neither orders it nor calls it equal; its doubt is the variance of the difference of its two
+ * ratings. That variance is a sum over groups, each term inverse to the group's number of clusters: one cluster more
+ * than n reduces the group's term by the share 1/(n + 1). Such reductions, each as a share of its pair's variance, are
  * added up over all doubtful pairs, and the group with the largest sum is chosen.
  *
  * <p>Every undecided pair counts, not only neighbours in the table. Who is a neighbour depends on luck; if luck decided

@@ -7,9 +7,9 @@ import steward.league.rating.RatingFit;
 import steward.league.rating.Ratings;
 
 /**
- * Games that a bot needs until the anytime bar of its rating is narrow enough. A bar shrinks as the root of the games.
- * A bot that has won or lost all or nearly everything has a bound in place of a bar; once it has as many games as an
- * even bot needs, nobody waits for it.
+ * Estimate of the games that a bot needs until the anytime bar of its rating is narrow enough. A bar shrinks with the
+ * square root of the number of games. A bot that has won or lost nearly everything has a bound instead of a bar; once
+ * it has as many games as an even bot needs, nobody waits for it.
  *
  * @param bar    half the width of its anytime bar in Elo; NaN for a bot that has none
  * @param games  that it has played

@@ -7,8 +7,8 @@ import steward.league.Season;
 import steward.league.rating.Results;
 
 /**
- * The results of a schedule's games by decision, so that what is decided uses those of decisions below a number and no
- * others, whatever has been played meanwhile. Not thread-safe.
+ * Results of a schedule's games by decision. A decision uses only results of decisions below a given number, whatever
+ * has been played meanwhile. Not thread-safe.
  */
 public final class KnownResults {
 

@@ -1,8 +1,8 @@
 package steward.league.pairing;
 
 /**
- * Schedule of looks at results: before every decision at first, later whenever there are about 2% more. Which decisions
- * these are follows from their numbers alone, so that an interrupted league looks at the same ones.
+ * Tells at which decisions results are looked at anew: at first before every decision, later whenever there are about
+ * 2% more. These decisions depend on their numbers alone, so that an interrupted league looks at the same ones.
  */
 public final class Looks {
 

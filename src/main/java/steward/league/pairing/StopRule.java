@@ -8,7 +8,7 @@ import steward.league.rating.Difference;
 import steward.league.rating.Ratings;
 
 /**
- * Rule by which enough is known. All by bars that hold at any time.
+ * Rule by which a league knows enough to end. It compares ratings by bars that hold at any time.
  *
  * @param bars   ends when the rating of each bot that can have such a bar has one of at most so many Elo, see {@link
  *               BarNeed}; NaN for no such end

@@ -10,7 +10,7 @@ import steward.bot.command.Platform;
 import steward.league.play.Roster.Member;
 
 /**
- * Watch over games that nobody plays: it says that they wait for a machine, and why they will never be played. Not
+ * Watches for games that nobody plays, and reports that they wait for a machine or why they can never be played. Not
  * thread-safe.
  */
 final class IdleWatch {

@@ -19,7 +19,7 @@ import steward.match.MatchListener;
 import steward.match.MatchResult;
 
 /**
- * The replays that a league keeps: which, and where.
+ * Stores those replays of a league's games that its settings keep, in the league's folder.
  *
  * @param folder the league's
  */

@@ -28,8 +28,8 @@ import steward.league.store.GameWriter;
 import steward.text.TextFormat;
 
 /**
- * A league while it is played: threads that take games from the schedule, play them, and hand them over to be stored.
- * Between games league.json is read anew ({@link RosterWatch}).
+ * One run of a league: its threads take games from the schedule, play them, and pass them on to be stored. Between
+ * games league.json is read anew ({@link RosterWatch}).
  *
  * <p>Over 400 lines, because the threads and what ends them read the same fields.
  */

@@ -6,7 +6,7 @@ import steward.league.store.GameQueries;
 import steward.league.store.GameStore;
 
 /**
- * The season of a league that is played.
+ * The season that a run plays, with its database and its number there.
  *
  * @param number its number in the store
  * @param season what all of its games have in common

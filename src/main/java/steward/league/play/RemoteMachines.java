@@ -6,7 +6,7 @@ import steward.league.Schedule;
 import steward.league.StoredGame;
 import steward.league.play.Roster.Member;
 
-/** Other machines that play games of a run. All methods are called by any thread. */
+/** Interface to other machines that play games of a run. Any thread may call its methods. */
 public interface RemoteMachines {
 
     /**

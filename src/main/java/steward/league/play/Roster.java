@@ -16,7 +16,7 @@ import steward.league.store.GameStore.Version;
 import steward.text.TextFormat;
 
 /**
- * The bots that play at the moment.
+ * The bots that play in a league at the moment.
  *
  * @param settings where they are named
  * @param members  in the order of the file

@@ -17,8 +17,8 @@ import steward.scene.json.SceneException;
 import steward.text.TextFormat;
 
 /**
- * Watches league.json and the files of the bots while a league is played. An edit that cannot be used is told, and the
- * settings as they were stay in force. Not thread-safe.
+ * Watches league.json and the files of the bots while a league is played. If an edit cannot be used, that is reported
+ * and the earlier settings stay in force. Not thread-safe.
  */
 final class RosterWatch {
 

@@ -10,8 +10,8 @@ import steward.league.play.Roster.Member;
 import steward.league.store.GameQueries;
 
 /**
- * Results that a run learns from, of earlier runs and of its own: which groups of bots only repeat games, and, where a
- * pairing or an end asks for it, how strong each bot is. Not thread-safe.
+ * Results that a run's decisions use, from earlier runs and its own. They tell which groups of bots only repeat games
+ * and, if the pairing or the end of the league needs it, how strong each bot is. Not thread-safe.
  */
 final class RunResults {
 

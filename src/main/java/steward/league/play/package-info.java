@@ -1,5 +1,5 @@
 /**
- * A league while it is played: which program each bot is at the moment, the games on their threads, and what is told
- * of them. It knows games only through contests, and does not use the terminal.
+ * Playing a league: which program each bot is at the moment, games on threads, and reports on them. It knows games only
+ * through contests, and does not use the terminal.
  */
 package steward.league.play;

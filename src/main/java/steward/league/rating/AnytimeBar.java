@@ -1,20 +1,20 @@
 package steward.league.rating;
 
 /**
- * Bars that hold at every moment at once, so that one may look as often as one likes and stop when one likes.
+ * Confidence bars that hold at all moments together, so that one may look at them, and stop, at any time.
  *
- * <p>An estimate whose variance is V has collected the information I = 1/V. Estimates at different moments have the
- * covariance of the later variance, so that I times the error is a Brownian motion in the time I (C. Jennison and
- * B. W. Turnbull, "Group-sequential analysis incorporating covariate information", Journal of the American Statistical
+ * <p>An estimate with variance V has collected the information I = 1/V. Estimates at different moments have the
+ * covariance of the later variance, so that I times the error is a Brownian motion in the time I (C. Jennison and B. W.
+ * Turnbull, "Group-sequential analysis incorporating covariate information", Journal of the American Statistical
  * Association 92, 1997). A Brownian motion W stays for all times within
  *
  * <pre>|W(I)| &lt;= sqrt((I + r) log((I + r) / (r alpha^2)))</pre>
  *
  * with probability 1 - alpha, for any r &gt; 0 (H. Robbins, "Statistical methods related to the law of the iterated
  * logarithm", Annals of Mathematical Statistics 41, 1970: a mixture of likelihood ratios over a normal drift of
- * variance 1/r). Divided by I it is the bar. That the variance is estimated makes it an asymptotic confidence sequence
- * (I. Waudby-Smith, D. Arbour, R. Sinha, E. H. Kennedy and A. Ramdas, "Time-uniform central limit theory and asymptotic
- * confidence sequences", Annals of Statistics 52, 2024); so that it holds from the first look on, the bar is widened as
+ * variance 1/r). Divided by I it is the bar. Since the variance is estimated, the bar is an asymptotic confidence
+ * sequence (I. Waudby-Smith, D. Arbour, R. Sinha, E. H. Kennedy and A. Ramdas, "Time-uniform central limit theory and
+ * asymptotic confidence sequences", Annals of Statistics 52, 2024). To hold from the first look on, it is widened as
  * Student's t is against the normal distribution.
  */
 public final class AnytimeBar {

@@ -2,7 +2,7 @@ package steward.league.rating;
 
 import steward.league.StoredGame.StoredSeat;
 
-/** Sums over the games of one version of a bot. */
+/** Sums over all games of one version of a bot: games, scores, failures, answer times. */
 public final class BotSums {
 
     private long games;

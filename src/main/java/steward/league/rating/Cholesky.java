@@ -1,6 +1,6 @@
 package steward.league.rating;
 
-/** Symmetric positive definite systems. */
+/** Solver of linear systems with a symmetric positive definite matrix, by Cholesky's decomposition. */
 final class Cholesky {
 
     private final double[][] lower;

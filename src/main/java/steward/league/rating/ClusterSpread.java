@@ -4,24 +4,23 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * Middle matrix B of the sandwich A^-1 B A^-1, the covariance of a fit at which the scores of all clusters add up to
- * zero (P. J. Huber, "The behavior of maximum likelihood estimates under nonstandard conditions", Berkeley Symposium 5,
- * 1967). It is derived in five steps.
+ * Middle matrix B of the sandwich A^-1 B A^-1, the covariance matrix of fitted ratings (P. J. Huber, "The behavior of
+ * maximum likelihood estimates under nonstandard conditions", Berkeley Symposium 5, 1967). B is the covariance of the
+ * scores of all clusters, whose sum is zero at the fit. It is derived in five steps.
  *
  * <ol>
- * <li>The score u of a cluster, its push on the ratings, is for each of its pairs the weight times points - expected
- * points, up for one bot and down for the other. Clusters are independent, so B is the
- * sum of their covariances. Games within a cluster may depend on each other: the square of their sum contains
- * that.</li>
+ * <li>The score u of a cluster is its push on the ratings: for each of its pairs the weight times points - expected
+ * points, up for one bot and down for the other. Clusters are independent, so B is the sum of their covariances. Games
+ * within a cluster may depend on each other; the square of their sum contains that.</li>
  * <li>The n clusters of a stratum have one distribution. Their covariance is n/(n - 1) times the sum of (u - m)(u -
- * m)', m their own mean; this is right even where the model is wrong. It has n - 1 degrees of freedom.</li>
+ * m)', with m their own mean; this is right even if the model is wrong. It has n - 1 degrees of freedom.</li>
  * <li>With fewer than {@link RatingFit#WHOLE} clusters the own mean takes too much of the spread away. There m is the
- * model's. The fit has drawn that towards the clusters by their leverage h, which the factor 1/(1 - h) corrects (CR2:
+ * model's. The fit has drawn m towards the clusters by their leverage h, which the factor 1/(1 - h) corrects (CR2:
  * R. M. Bell and D. F. McCaffrey, "Bias reduction in standard errors for linear regression with multi-stage samples",
  * Survey Methodology 28, 2002). It has n(1 - h) degrees of freedom.</li>
  * <li>A few clusters that happen to be alike would seem certain. So the model's covariance is a second estimate, with
  * half a degree of freedom, and both are averaged by their degrees of freedom.</li>
- * <li>Where one bot of a pair has fewer than two points, the clusters show hardly any spread. Their variance is raised
+ * <li>If one bot of a pair has fewer than two points, the clusters show hardly any spread. Their variance is raised
  * to the model's variance of points.</li>
  * </ol>
  */

@@ -12,8 +12,8 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
 /**
- * Games of two and more, put together by seed: those whose bots they connect are one cluster. It counts as far as it
- * has come. Nothing depends on the order in which games come.
+ * Groups games of two and more players by seed: games of one seed whose bots are connected form one cluster. A cluster
+ * counts even if some of its games are missing. The order in which games are added does not matter.
  */
 final class Clusters {
 

@@ -10,10 +10,10 @@ import java.util.Map;
 import java.util.stream.IntStream;
 
 /**
- * Bots whose ratings can be compared: the components of the bots that are strongly connected by "took points from".
- * Within one the equations of {@link RatingFit} have exactly one solution; across two, which have never met or of which
- * one took every point, any distance beyond some bound fits the games (L. R. Ford, "Solution of a ranking problem from
- * binary comparisons", American Mathematical Monthly 64, 1957).
+ * Groups of bots whose ratings can be compared: the strongly connected components of the relation "took points from".
+ * Within a component the equations of {@link RatingFit} have exactly one solution. Two components have never met, or
+ * one took every point from the other; then any difference beyond some bound fits the games (L. R. Ford, "Solution of a
+ * ranking problem from binary comparisons", American Mathematical Monthly 64, 1957).
  */
 public final class Components {
 

@@ -5,8 +5,8 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * The sandwich A^-1 B A^-1 as a matrix: variances of all differences of n ratings with n^3 operations. One difference
- * alone takes one for each pairing, all of them n^4.
+ * Covariance matrix A^-1 B A^-1 (sandwich) of all ratings: variances of all differences of n ratings with n^3
+ * operations. Computed one by one, each difference would take a sum over all pairings, n^4 in all.
  */
 final class Covariance {
 

@@ -1,7 +1,7 @@
 package steward.league.rating;
 
 /**
- * A difference of ratings and how sure it is.
+ * Estimated difference of two ratings with its variance and degrees of freedom.
  *
  * @param value   in natural units: the logarithm of wins per loss
  * @param freedom degrees of freedom of the variance

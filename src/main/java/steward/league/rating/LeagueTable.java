@@ -9,7 +9,7 @@ import java.util.Set;
 import java.util.stream.Collectors;
 
 /**
- * The table of a season: one row for each version of a bot, best first, and who beat whom.
+ * The table of a season: one row for each version of a bot, best first, and the crosstable of results.
  *
  * @param rows      by component, see {@link Components}, and rating
  * @param results   what they are computed from

@@ -1,6 +1,6 @@
 package steward.league.rating;
 
-/** The standard normal distribution, and Student's by way of it. */
+/** The standard normal distribution, and Student's t distribution approximated through it. */
 public final class Normal {
 
     private static final double ROOT_OF_TWO_PI = 2.5066282746310002;

@@ -6,9 +6,9 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Weights of games in the fit: pairings with {@link RatingFit#WHOLE} clusters or more all have the same total weight,
- * those with fewer a part of it, and all weights add up to the number of games. Then games between bots whose ratings
- * cannot be compared have none.
+ * Weights of games in the fit. All pairings with {@link RatingFit#WHOLE} clusters or more have the same total weight;
+ * pairings with fewer have a part of it; all weights add up to the number of games. Games between bots whose ratings
+ * cannot be compared have weight 0.
  */
 final class PairingWeights {
 

@@ -3,7 +3,7 @@ package steward.league.rating;
 import java.util.stream.IntStream;
 
 /**
- * The ranks that the games leave a bot, with 95%: the bars of its differences to all others hold together (Bonferroni).
+ * Range of ranks that a bot may have, at 95%: all bars of its differences to other bots hold together (Bonferroni).
  *
  * @param best the best of them, from 1
  */

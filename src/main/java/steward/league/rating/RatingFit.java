@@ -4,22 +4,23 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * Elo ratings from all clusters together: with a bot's expected points of a game {@code 1/(1 + exp(-d))}, d its rating
- * less the other's in natural units, the surplus of points over expected ones, summed up over each bot's weighted
- * games, is 0. A draw is half a point, however often games are drawn. Ratings are told within {@link Components}, where
- * these equations have one solution; games between two of them tell a bound, see {@link Sweeps}. docs/rating.md has the
+ * Elo ratings fitted jointly to all clusters. The expected points of a bot in a game are {@code 1/(1 + exp(-d))}, with
+ * d its rating less the other's in natural units. At the fit, each bot's weighted sum of points less expected points is
+ * 0. A draw is half a point, however often games are drawn. Ratings are given within {@link Components}, where these
+ * equations have one solution; games between two components give a bound (see {@link Sweeps}). docs/rating.md has the
  * formulas.
  *
- * <p><b>Weights.</b> Where results are not transitive no rating tells all of them, and a fit that weighs games depends
- * on who was paired how often. Here a pairing's games weigh what they would if all were played equally often: ratings
- * estimate the fit under uniform pairing. A pairing with n clusters, fewer than {@link #WHOLE},
- * has the n/8th part of a weight. In games of three and more the group is what is paired.
+ * <p><b>Weights.</b> If results are not transitive, no rating reproduces all of them, and a fit that weighs every game
+ * alike depends on who was paired how often. Here a pairing's games weigh as if all pairings were played equally often:
+ * ratings estimate the fit under uniform pairing. A pairing with n clusters, fewer than {@link #WHOLE}, has n/8 of a
+ * weight. In games of three and more players, pairing means the group.
  *
- * <p><b>Zero.</b> That of a component is the mean of its ratings, each weighing the sum of p (1 - p) over its games, p
- * the expected points: a bot that has just come, or loses nearly always, does not widen the bars of the others.
+ * <p><b>Zero.</b> The zero of a component is the weighted mean of its ratings. A rating's weight is the sum of p (1 -
+ * p) over its games, p the expected points; so a newcomer, or a bot that nearly always loses, does not widen the bars
+ * of the others.
  *
- * <p><b>Covariance.</b> That of an M-estimate over clusters, the sandwich A^-1 B A^-1; {@link ClusterSpread} is B.
- * Degrees of freedom after Satterthwaite (Biometrics Bulletin 2, 1946).
+ * <p><b>Covariance.</b> The covariance is that of an M-estimate over clusters, the sandwich A^-1 B A^-1; {@link
+ * ClusterSpread} is B. Degrees of freedom after Satterthwaite (Biometrics Bulletin 2, 1946).
  */
 public final class RatingFit {
 

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Path of the ratings while games were played: the table after each of some numbers of games.
+ * History of the ratings: the table after each of several numbers of games.
  *
  * @param points in the order of time
  */

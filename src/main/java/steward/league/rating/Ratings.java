@@ -9,7 +9,7 @@ import java.util.Map;
 import java.util.stream.IntStream;
 
 /**
- * The ratings of some versions of bots, from all games between them.
+ * Ratings of several versions of bots, computed from all games between them.
  *
  * @param versions ascending
  * @param fit      in which they have the numbers 0, 1, ...

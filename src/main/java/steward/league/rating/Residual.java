@@ -1,7 +1,7 @@
 package steward.league.rating;
 
 /**
- * Residual of the games between two bots beside their ratings.
+ * Deviation of two bots' results from what their ratings predict.
  *
  * @param share    of the points of the first; NaN without games
  * @param expected as the ratings tell; NaN where they cannot be compared

@@ -5,7 +5,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 
-/** Residuals of a fit: how much more the games of a pair say than its ratings do. */
+/** Residuals of a fit: for each pair of bots, how far their results deviate from what the ratings predict. */
 final class Residuals {
 
     private final RatingFit fit;

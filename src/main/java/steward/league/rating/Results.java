@@ -13,8 +13,8 @@ import steward.numerics.StateHash;
 /**
  * Results of a season's games: points between any two versions, and sums for each. Games are added one by one or many
  * at once; the order does not matter. A game of n players counts as its n (n - 1) / 2 pairs, each with the weight 2 /
- * n, so that it tells as much as n - 1 games of two. Where each plays alone, the results of two bots on one map count
- * as a game between them. Games of one seed between the same bots are one cluster.
+ * n, so that it has the weight of n - 1 games of two. In a game for one player, the results of two bots on one map
+ * count as a game between them. Games of one seed between the same bots are one cluster.
  *
  * <p>Not thread-safe.
  */

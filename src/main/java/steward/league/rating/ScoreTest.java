@@ -5,11 +5,12 @@ import java.util.List;
 import java.util.stream.IntStream;
 
 /**
- * Tests of a difference of ratings by what the games ask for at the best fit in which it has a value (score tests, with
- * the sandwich: D. D. Boos, "On generalized score tests", American Statistician 46, 1992). Where a bot has won or lost
- * nearly everything the top is far out and flat, and its curvature says nothing for hundreds of games; here n wins are
- * some root of n standard deviations. The clusters' squares about what is tested grow with their distance, so that a
- * few that are alike do not seem sure: degrees of freedom are not needed.
+ * Score test of a rating difference: fits the ratings under that difference, and tests what the games still ask for (D.
+ * D. Boos, "On generalized score tests", American Statistician 46, 1992; with the sandwich). If a bot has won or lost
+ * nearly everything, the likelihood is flat and its top far out, so that its curvature is useless for hundreds of
+ * games; this test works there, since n wins are about the root of n standard deviations. The clusters' squares around
+ * the tested value grow with their distance, so that a few clusters that are alike do not seem certain; degrees of
+ * freedom are not needed.
  */
 public final class ScoreTest {
 

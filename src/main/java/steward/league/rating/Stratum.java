@@ -5,12 +5,12 @@ import java.util.List;
 import java.util.stream.Stream;
 
 /**
- * The clusters in which the same groups of bots have played. A cluster is all games of one seed between bots that these
- * games connect: they share the seed, and do not count as independent. Most are games of one group. Clusters that went
- * alike are kept once with their number, a pattern.
+ * Clusters in which the same groups of bots have played. A cluster is all games of one seed between bots that these
+ * games connect: they share the seed and are not independent. Most clusters are games of one group. Clusters with the
+ * same results are kept once with their number, as a pattern.
  *
- * <p>A pattern has three numbers for each pair of bots of each group, pairs in the order (0,1), (0,2), ..., (1,2), ...:
- * games, points of the first in them, ties among them, all in whole games of two.
+ * <p>A pattern has three numbers for each pair of bots of each group: games, points of the first bot, ties, all in
+ * units of a game of two. Pairs are in the order (0,1), (0,2), ..., (1,2), ...
  */
 public final class Stratum {
 

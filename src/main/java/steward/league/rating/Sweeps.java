@@ -7,15 +7,16 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Bounds between bots of two {@link Components} of which the upper one took every point. A seed in which it did so is
- * one observation, of at most the chance that its least favourite bot wins a game. If the other bot was as strong, or
- * ahead by some difference, the product of these chances is the likelihood of all the games; divided into 1, that of a
- * component that always wins, it is a test martingale. So it falls below a with a probability of at most a, however
- * often one looks (J. Ville, "Étude critique de la notion de collectif", 1939).
+ * Bounds on the rating difference between two {@link Components} if the upper one took every point. A seed in which it
+ * did so is one observation, with a probability of at most the chance that its least favourite bot wins a game. If the
+ * other bot was as strong, or ahead by some difference, the product of these chances is the likelihood of all the
+ * games. Its inverse is the likelihood ratio against a component that always wins, a test martingale. So the product
+ * falls below a with a probability of at most a, however often one looks (J. Ville, "Étude critique de la notion de
+ * collectif", 1939).
  *
- * <p>The seeds in which both bots met need no other rating. If they never met, those between other bots of their
- * components count, and differences within a component are taken at the end of their anytime bars that says least;
- * these bars have half of the permitted errors.
+ * <p>The seeds in which both bots met need no other rating. If they never met, seeds between other bots of their
+ * components count; differences within a component are then taken at the least favourable end of their anytime bars,
+ * which have half of the permitted errors.
  */
 final class Sweeps {
 

@@ -1,2 +1,2 @@
-/** Ratings of bots, from the games that were stored and nothing else: sums, a joint fit of all games, tables. */
+/** Ratings of bots, computed from stored games alone: sums, a joint fit of all games, tables. */
 package steward.league.rating;

@@ -3,17 +3,17 @@ package steward.league.sequential;
 import steward.league.rating.Normal;
 
 /**
- * Brownian motion with unit variance a unit of time, a drift, and two barriers at which it ends: where it is after a
- * time. The path begins at 0.
+ * Distribution of a Brownian motion with drift that ends at two barriers: its place after a time. The path begins at 0
+ * and has unit variance per unit of time.
  *
  * <p>By the method of images (D. R. Cox and H. D. Miller, "The Theory of Stochastic Processes", 1965, chapter 5) the
- * time at which it reaches the upper barrier b before the lower one a has, with w = b - a, the density
+ * time at which the path reaches the upper barrier b before the lower one a has, with w = b - a, the density
  *
  * <pre>sum over all whole k of c / sqrt(2 pi t^3) exp(m b - m^2 t/2 - c^2/(2 t)),  c = b + 2 k w, m the drift;</pre>
  *
- * each term is that of an inverse Gaussian distribution, whose integral is known. Its place x at the time t has the
- * density exp(m x - m^2 t/2) times the sum of f(x - 2 k w) - f(x - 2 b + 2 k w), f that of the normal distribution with
- * the variance t.
+ * each term is that of an inverse Gaussian distribution, whose integral is known. The place x at the time t has the
+ * density exp(m x - m^2 t/2) times the sum of f(x - 2 k w) - f(x - 2 b + 2 k w), with f the density of the normal
+ * distribution with variance t.
  *
  * @param lower below 0
  * @param upper above 0

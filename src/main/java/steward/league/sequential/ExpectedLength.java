@@ -1,10 +1,10 @@
 package steward.league.sequential;
 
 /**
- * Expected length of a test that goes on as it went. The logarithm of the ratio goes nearly as a Brownian motion
- * between two barriers, which overshoots them by 0.583 times the deviation of a step on average (D. Siegmund,
+ * Expected number of further observations until a sequential test ends. The logarithm of the ratio is nearly a Brownian
+ * motion between two barriers, which it overshoots by 0.583 times the deviation of a step on average (D. Siegmund,
  * "Sequential Analysis", 1985, chapter 10: the barriers are moved out by so much). A step is log(p1/p0) of the cell
- * that came: its mean is the drift.
+ * that occurred: its mean is the drift.
  *
  * @param chance       that H1 is accepted
  * @param observations until it ends, expected

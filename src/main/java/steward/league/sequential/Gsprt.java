@@ -3,11 +3,11 @@ package steward.league.sequential;
 import java.util.Arrays;
 
 /**
- * The generalized sequential probability ratio test (M. Van den Bergh, "A practical introduction to the GSPRT" and
- * "Comments on normalized Elo", https://www.cantate.be/Fishtest, as fastchess and the Stockfish testing project use
- * it): is the difference {@code elo0} (H0) or {@code elo1} (H1)? Each score that an observation can have is a cell;
- * with n[i] observations in cell i, an empty cell counted as {@value #EMPTY} observations, the logarithm of the ratio
- * is
+ * Generalized sequential probability ratio test: decides between a difference {@code elo0} (H0) and {@code elo1} (H1).
+ * It follows M. Van den Bergh, "A practical introduction to the GSPRT" and "Comments on normalized Elo",
+ * https://www.cantate.be/Fishtest, as fastchess and the Stockfish testing project use it. Each score that an
+ * observation can have is a cell; with n[i] observations in cell i, an empty cell counted as {@value #EMPTY}
+ * observations, the logarithm of the ratio is
  *
  * <pre>
  *   LLR = sum of n[i] log(p1[i] / p0[i])

@@ -6,9 +6,9 @@ import java.util.TreeMap;
 import java.util.stream.IntStream;
 
 /**
- * Scores of one bot against another, one for each seed that both have played from all seats: (1 + d) / 2, with d the
- * difference of their points averaged over the games, so that 1/2 is even. For two players it is 0, 1/4, 1/2, 3/4 or 1,
- * and the counts are a pentanomial.
+ * Counts of the scores of one bot against another, one score for each seed that both have played from all seats. A
+ * score is (1 + d) / 2, with d the difference of their points averaged over the games, so that 1/2 is even. For two
+ * players it is 0, 1/4, 1/2, 3/4 or 1, and the counts are a pentanomial.
  */
 public final class ScoreCounts {
 

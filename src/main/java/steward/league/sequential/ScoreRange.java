@@ -4,8 +4,8 @@ import java.util.function.DoublePredicate;
 import steward.league.rating.Normal;
 
 /**
- * 95% range of a bot's mean score at a number of seeds that was fixed before, by the likelihood ratio. With n[i] of n
- * seeds and the share f[i] in cell i, and p the most likely chances with a mean, it has all means with
+ * 95% confidence range of a bot's mean score, by the likelihood ratio, if the number of seeds was fixed before. With
+ * n[i] of n seeds and the share f[i] in cell i, and p the most likely chances with a mean, it contains all means with
  *
  * <pre>sum of n[i] log(f[i] / p[i]) &lt;= t^2 / 2,</pre>
  *

@@ -5,16 +5,17 @@ import java.util.function.DoubleUnaryOperator;
 import steward.league.rating.Normal;
 
 /**
- * Range of the true difference after a test, corrected for its stopping: the outcomes are ordered by stages, from a
- * quick H0 over slow ones to a quick H1, and the range has all differences at which neither this outcome or a better
- * one comes with less than alpha nor this or a worse one with less than beta (D. Siegmund, "Estimation following
- * sequential tests", Biometrika 65, 1978; fishtest does so). Its level is 1 - alpha - beta. At elo0 H1 is accepted with
- * the probability alpha, so that the range is above elo0 exactly if it was; likewise it is below elo1 exactly if H0
- * was. While the test is open, the range is that of a test that ends here, and has elo0 and elo1: neither was decided.
+ * Confidence range of the true difference after a sequential test, corrected for its stopping. Outcomes are ordered by
+ * stages, from a quick H0 over slow ones to a quick H1. The range contains a difference unless an outcome as good as
+ * this or better has there a probability below alpha, or one as bad or worse a probability below beta (D. Siegmund,
+ * "Estimation following sequential tests", Biometrika 65, 1978; fishtest does so). Its level is 1 - alpha - beta. At
+ * elo0 H1 is accepted with the probability alpha, so that the range is above elo0 exactly if H1 was accepted; likewise
+ * it is below elo1 exactly if H0 was. While the test is open, the range is that of a test that ends here, and contains
+ * elo0 and elo1.
  *
- * <p>At a difference the logarithm of the ratio is taken for a Brownian motion without overshoot, see {@link Motion}. A
- * ratio that is farther beyond its bound than one observation or a small batch takes it did not stop the test: then the
- * number of observations was fixed, and the range is the normal one.
+ * <p>At each difference the logarithm of the ratio is treated as a Brownian motion without overshoot (see {@link
+ * Motion}). A ratio farther beyond its bound than one observation or a small batch takes it did not stop the test: then
+ * the number of observations was fixed, and the range is the normal one.
  *
  * @param low         in the test's Elo; -infinity where any is possible
  * @param elo         the estimate that is as probably too low as too high

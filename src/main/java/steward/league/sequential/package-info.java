@@ -1,2 +1,2 @@
-/** Tests that stop: the generalized sequential probability ratio test, and what it is to be expected to cost. */
+/** Sequential tests: the generalized sequential probability ratio test, and its expected length. */
 package steward.league.sequential;

@@ -7,9 +7,9 @@ import java.util.List;
 import steward.league.StoredGame;
 
 /**
- * Games that do not count, whatever they came to; {@code problem} says why. Those of a worker that was caught are set
- * aside for good. Others can count again: those of a worker are suspended until somebody decides; those of a bot are
- * forgiven by an operator. Thread-safe.
+ * Games that are set aside: they are stored but do not count; {@code problem} gives the reason. Games of a worker that
+ * was caught cheating are set aside for good. Others can count again: games of a worker under suspicion wait for an
+ * operator's decision, and an operator can forgive games of a bot. Thread-safe.
  */
 public final class AsideGames {
 

@@ -1,7 +1,7 @@
 package steward.league.store;
 
 /**
- * A row of a league's database that cannot be used.
+ * Unusable row of a league's database, with the reason.
  *
  * @param key      a condition of SQL that selects it
  * @param column   the first of its columns that is wrong

@@ -10,8 +10,8 @@ import java.util.Set;
 import steward.league.rating.Results;
 
 /**
- * Puts games together by seed and group of bots while they are read. A cluster in which every bot has been on every
- * seat is only counted, by how its games went, so that a million of them takes little room and time.
+ * Groups games by seed and group of bots while they are read from the database. A cluster in which every bot has been
+ * on every seat is only counted by its results, so that a million clusters take little memory and time.
  *
  * <p>Not thread-safe.
  */

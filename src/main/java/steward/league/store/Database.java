@@ -18,7 +18,7 @@ import steward.files.OutputFiles;
 import steward.league.LeagueFolder;
 
 /**
- * A connection to the database of a league, and what its errors mean to a person. Its users take turns by synchronising
+ * Connection to a league's SQLite database, which translates its errors for a person. Users take turns by synchronising
  * on it.
  */
 final class Database implements AutoCloseable {

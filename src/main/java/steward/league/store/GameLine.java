@@ -21,8 +21,8 @@ import steward.numerics.StateHash;
 import steward.text.TextFormat;
 
 /**
- * One game as a line of text fields, for other programs and other leagues: what it was, and each seat with the identity
- * of its bot. Replays are not part of it.
+ * One game as a line of text fields, for other programs and other leagues. It has the conditions and the result, and
+ * each seat with the identity of its bot. Replays are not part of it.
  */
 public final class GameLine {
 

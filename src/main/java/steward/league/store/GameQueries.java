@@ -22,8 +22,8 @@ import steward.league.rating.RatingPath;
 import steward.league.rating.Results;
 
 /**
- * Queries on the games of one season: sums, decisions, lists. Over 400 lines, because each query stands beside the
- * method that reads its rows.
+ * Queries on the stored games of one season: sums, decisions, lists. Over 400 lines, because each query stands beside
+ * the method that reads its rows.
  */
 public final class GameQueries {
 

@@ -14,8 +14,8 @@ import steward.league.Season;
 import steward.league.StoredGame;
 
 /**
- * The games of a league: seasons, versions of bots, games. Every method is one transaction; all may be called by any
- * thread. Each throws {@link InputException} if the database cannot be used.
+ * Storage of a league: seasons, versions of bots, games. Every method is one transaction, and any thread may call it.
+ * Each throws {@link InputException} if the database cannot be used.
  *
  * <p>Over 400 lines, because each statement stands beside the method that runs it.
  */

@@ -10,8 +10,8 @@ import steward.league.Decision;
 import steward.league.StoredGame;
 
 /**
- * Stores decisions and games in the order in which they come, on a thread of its own. What comes while a transaction is
- * under way shares the next one: at a few games a second each has its own, at thousands many go together.
+ * Stores decisions and games in the order in which they arrive, on a thread of its own. Whatever arrives during a
+ * transaction shares the next one: at a few games a second each game has its own, at thousands many share one.
  */
 public final class GameWriter implements AutoCloseable {
 

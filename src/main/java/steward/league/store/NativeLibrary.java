@@ -11,8 +11,8 @@ import org.sqlite.util.OSInfo;
 import steward.files.UserFolders;
 
 /**
- * Puts SQLite's machine code where it stays: once into the user's cache folder. Left to itself, the library would
- * unpack it into the temporary folder at every start, and a process that is killed would leave it there.
+ * Unpacks SQLite's native library once into the user's cache folder. By default, the library would unpack itself into
+ * the temporary folder at every start, and a killed process would leave it there.
  */
 final class NativeLibrary {
 

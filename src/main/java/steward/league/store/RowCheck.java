@@ -16,8 +16,8 @@ import steward.league.StoredGame.StoredSeat;
 import steward.text.TextFormat;
 
 /**
- * Finds rows of a league's database that no version of the program writes: those that break a rule of their table, as
- * rows of form 4 may, rows that others need and that are not there, and those whose {@link RowDigest} is another one.
+ * Finds corrupt rows of a league's database, which no version of the program writes. Such a row breaks a rule of its
+ * table (as rows of form 4 may), refers to a missing row, or differs from its {@link RowDigest}.
  */
 final class RowCheck {
 

@@ -14,10 +14,10 @@ import java.util.stream.Collectors;
 import steward.numerics.StateHash;
 
 /**
- * Digests of rows, in their column {@code digest}: of all other columns in their order, plus those of the rows of
- * another table that belong to the row, such as the seats of a game. A row that is changed by anything but this program
- * no longer has its digest. That is meant against accidents, a bit of the disk or a statement by hand; whoever wants
- * to forge a row can compute its digest, too. Who writes or changes a row seals it in the same transaction.
+ * Digests of rows, stored in their column {@code digest}, which reveal accidental changes. A digest covers all other
+ * columns in their order, and the rows of another table that belong to the row, such as the seats of a game. It
+ * protects against accidents, such as a bad bit of the disk or a statement by hand, not against forgery: anyone can
+ * compute it. Code that writes or changes a row seals it in the same transaction.
  */
 final class RowDigest {
 

@@ -14,8 +14,8 @@ import steward.files.InputException;
 import steward.files.OutputFiles;
 
 /**
- * The form of the database, with its number in {@code PRAGMA user_version}; docs/tables/league-database.md says what
- * each table has. Form 4, that of Steward 0.2.0, is copied, then brought up to date in one transaction; others are
+ * Version of the database's form, stored as {@code PRAGMA user_version}; docs/tables/league-database.md describes each
+ * table. A database of form 4 (Steward 0.2.0) is copied, then brought up to date in one transaction; others are
  * refused.
  */
 final class SchemaVersion {

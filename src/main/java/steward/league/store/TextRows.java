@@ -5,8 +5,8 @@ import java.util.HashMap;
 import java.util.Map;
 
 /**
- * A table of texts, each with a number, written within a transaction that has begun. The numbers are kept, so that they
- * are not looked up for every game. Not thread-safe.
+ * Table of numbered texts, written within a running transaction. Numbers are cached, so that they are not looked up for
+ * every game. Not thread-safe.
  */
 final class TextRows {
 

@@ -1,5 +1,5 @@
 /**
- * The games of a league in an SQLite file: its schema and how it is brought up to date, writing in the order of
- * arrival, reading sums and lists, files for other programs. Nothing else in the program uses SQLite.
+ * Storage of a league's games in an SQLite file. It holds the schema and its upgrade, writing in the order of arrival,
+ * reading of sums and lists, and files for other programs. Nothing else in the program uses SQLite.
  */
 package steward.league.store;

@@ -5,9 +5,10 @@ import java.util.List;
 import steward.text.TextFormat;
 
 /**
- * A parameter of a command, written {@code {name:low..high}}, with decimal points if it is a real number and without if
- * it is a whole one, or {@code {name:one|other|third}} for a choice; {@code @start} before the closing brace says where
- * tuning begins, otherwise it is the middle or the first. It is moved on a scale from 0 to 1.
+ * A tunable parameter in a bot's command, such as {@code {depth:1..9}}. {@code {name:low..high}} is a real number if
+ * the bounds have decimal points, otherwise a whole one; {@code {name:one|other|third}} is a choice. {@code @start}
+ * before the closing brace gives the start of tuning, by default the middle or the first choice. All are moved on a
+ * scale from 0 to 1.
  *
  * @param low     the lowest value; of a choice 0
  * @param high    the highest; of a choice the number of the last

@@ -6,7 +6,7 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
 /**
- * A command with parameters in it.
+ * A bot's command that contains parameters to be tuned.
  *
  * @param parts      what stands between them; one more than parameters
  * @param parameters in their order

@@ -1,2 +1,2 @@
-/** Tuning: parameters in a bot's command, and how they climb. */
+/** Tuning: parameters in a bot's command, and the algorithm that improves them. */
 package steward.league.tune;

@@ -1,6 +1,9 @@
 package steward.machines.broker;
 
-/** Admission of workers: who connects, and who is handed jobs. Called by the broker's threads, which must not wait. */
+/**
+ * Interface that decides which workers may connect and which are handed jobs. The broker's threads call it, so it must
+ * not block.
+ */
 public interface Admission {
 
     /** True if a worker of a name has this secret and may play. */

@@ -23,7 +23,7 @@ import org.apache.activemq.artemis.core.remoting.impl.netty.TransportConstants;
 import steward.machines.token.WorkerToken;
 import steward.machines.wire.WireMessage;
 
-/** A worker's connection to a league's broker. It is not repaired when it breaks: another one is made. */
+/** A worker's connection to a league's broker. A broken connection is not repaired: the worker makes another one. */
 public final class BrokerClient implements AutoCloseable {
 
     /** How the error begins that says that the broker has another key. */

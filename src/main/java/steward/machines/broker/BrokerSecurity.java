@@ -11,8 +11,8 @@ import org.apache.activemq.artemis.spi.core.security.jaas.NoCacheLoginException;
 import org.apache.activemq.artemis.spi.core.security.jaas.UserPrincipal;
 
 /**
- * Permissions at the broker: the league itself, from within its process, may do everything; a worker may take jobs,
- * send reports and read what it is told, and nothing else.
+ * Permissions at the broker. The league itself, in the same process, may do everything. A worker may take jobs, send
+ * reports and read messages to it, and nothing else.
  */
 final class BrokerSecurity implements ActiveMQSecurityManager5 {
 

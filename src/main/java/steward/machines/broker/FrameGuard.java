@@ -13,13 +13,13 @@ import org.apache.activemq.artemis.core.protocol.core.impl.PacketImpl;
 import steward.machines.wire.WireMessage;
 
 /**
- * First reader of the bytes of a worker's connection, between TLS and Artemis. It closes a connection that begins with
- * another protocol (Artemis would collect a request of HTTP of any length), that has not logged in within
- * {@value #LOGIN_SECONDS} seconds, or that sends a frame which is longer than a worker's longest message or of a type
- * that a worker does not need: a large message, for one, which Artemis collects without a bound.
+ * Network filter between TLS and Artemis that closes harmful connections of workers. It closes a connection that begins
+ * with another protocol (Artemis would collect an HTTP request of any length) or has not logged in within {@value
+ * #LOGIN_SECONDS} seconds. It also refuses a frame that is longer than a worker's longest message, or of a type that a
+ * worker does not need, such as a large message, which Artemis collects without a bound.
  *
- * <p>A frame of Artemis has four bytes with the length of what follows, a byte with its type, and its fields. The bytes
- * themselves are passed on as they come.
+ * <p>A frame of Artemis has four bytes with the length of the rest, a byte with its type, and its fields. The bytes
+ * themselves are passed on unchanged.
  */
 final class FrameGuard extends ChannelInboundHandlerAdapter {
 

@@ -20,8 +20,8 @@ import org.apache.activemq.artemis.spi.core.remoting.ServerConnectionLifeCycleLi
 import org.apache.activemq.artemis.utils.actors.OrderedExecutor;
 
 /**
- * Acceptor of TLS connections that have a {@link FrameGuard} and are closed when they are silent. Made by Artemis, by
- * the name of this class.
+ * Factory of TLS acceptors whose connections have a {@link FrameGuard} and are closed if they are silent. Artemis
+ * creates it by the name of this class.
  */
 public final class GuardedAcceptorFactory implements AcceptorFactory {
 

@@ -41,9 +41,10 @@ import steward.machines.token.BrokerKey;
 import steward.machines.wire.WireMessage;
 
 /**
- * The broker in a league's process. It keeps nothing on disk: the league's database is the truth, and what is not
- * stored there is offered again. Only TLS 1.3 is spoken, and the broker, not a message, says who sent it. Who sends or
- * asks for more than can wait gets an error; nobody waits for room, which one worker could take for ever.
+ * Message broker in a league's process. It keeps nothing on disk: the league's database is the truth, and games that
+ * are not stored there are offered again. Only TLS 1.3 is spoken. The sender of a message is set by the broker, never
+ * by the message. A client that sends or requests more than fits gets an error; nobody waits for room, since one worker
+ * could occupy it for ever.
  */
 public final class LeagueBroker implements AutoCloseable {
 

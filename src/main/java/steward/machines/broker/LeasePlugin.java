@@ -10,7 +10,7 @@ import org.apache.activemq.artemis.core.server.ServerSession;
 import org.apache.activemq.artemis.core.server.impl.AckReason;
 import org.apache.activemq.artemis.core.server.plugin.ActiveMQServerPlugin;
 
-/** Decides which workers may be handed jobs, and notes which worker each job was handed to last. */
+/** Plugin of Artemis that decides which workers may be handed jobs, and records which worker got each job last. */
 final class LeasePlugin implements ActiveMQServerPlugin {
 
     private final Admission admission;

@@ -15,9 +15,9 @@ import org.apache.activemq.artemis.spi.core.remoting.ssl.SSLContextConfig;
 import steward.machines.token.BrokerKey;
 
 /**
- * Makes the TLS contexts of Artemis. A connection that names a fingerprint trusts exactly the key of that fingerprint,
- * in whatever certificate: neither names nor dates matter, clocks differ. That the other side has the private key is
- * shown by the handshake itself. Found by Artemis as a service.
+ * Factory of Artemis's TLS contexts. A connection with a fingerprint trusts exactly the key of that fingerprint, in any
+ * certificate: names and dates are ignored, since clocks differ. The handshake proves that the other side has the
+ * private key. Artemis finds it as a service.
  */
 public final class PinnedContextFactory extends DefaultSSLContextFactory {
 

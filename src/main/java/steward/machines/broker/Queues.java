@@ -1,6 +1,6 @@
 package steward.machines.broker;
 
-/** The names of the broker's queues, and properties of messages. */
+/** Names of the broker's queues and of message properties. */
 final class Queues {
 
     /** Games to be played; whoever is free takes one. */

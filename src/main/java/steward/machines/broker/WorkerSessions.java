@@ -24,10 +24,10 @@ import steward.machines.wire.WireMessage;
 import steward.machines.wire.WorkerWord;
 
 /**
- * Rules for the sessions of workers. A token has one connection, the newest: after a break the broker may hold the
- * old one for seconds, and it must not keep its own worker out. A process that another one has replaced is refused as
- * long as the other is there. A report is a plain message: Artemis acts on many properties, among them one that lets a
- * message wait for years in the queue. No worker may fill the queue of reports for the others.
+ * Plugin of Artemis with rules for the sessions of workers. A token has one connection, the newest: after a break the
+ * broker may hold the old one for seconds, which must not keep its own worker out. A process that another one has
+ * replaced is refused while the other is connected. A report must be a plain message: Artemis obeys many properties,
+ * one of which lets a message wait for years in the queue. No worker may fill the queue of reports for the others.
  */
 final class WorkerSessions implements ActiveMQServerPlugin {
 

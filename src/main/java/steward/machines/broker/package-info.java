@@ -1,5 +1,5 @@
 /**
- * Apache ActiveMQ Artemis, embedded: the broker in a league's process, and a worker's connection to it. Nothing else
- * knows Artemis, and it is loaded by nothing but the commands that play on several machines.
+ * Apache ActiveMQ Artemis, embedded: the broker in a league's process, and a worker's connection to it. No other
+ * package uses Artemis, and only the commands that play on several machines load it.
  */
 package steward.machines.broker;

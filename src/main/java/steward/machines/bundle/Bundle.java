@@ -25,8 +25,9 @@ import steward.machines.wire.HeaderText;
 import steward.match.GuestSetup;
 
 /**
- * A bot's files, packed: a ZIP archive whose first entry, {@value #LIST}, has the command and says which of its words
- * are files; of a bot with commands for several platforms all of them. Symbolic links are packed as what they lead to.
+ * Packed files of a bot: a ZIP archive for transfer to another machine. Its first entry, {@value #LIST}, has the
+ * command and tells which of its words are files; a bot with commands for several platforms has all of them there. A
+ * symbolic link is packed as the file that it leads to.
  *
  * @param hash  SHA-256 of the bytes, 64 hexadecimal digits
  * @param bytes the archive; not copied

@@ -8,7 +8,10 @@ import steward.machines.check.GzipText;
 import steward.machines.wire.WireMessage;
 import steward.scene.json.JsonLimits;
 
-/** A scene too long for the welcome of a worker, such as one with a CSV file: fetched piece by piece, as bots are. */
+/**
+ * A scene that is too long for the first message to a worker, such as one with a CSV file. It is fetched in pieces, as
+ * bots are.
+ */
 public final class LongScene {
 
     /** Most bytes of a scene: lines of the longest CSV file, each character escaped, and the scene around them. */

@@ -26,8 +26,7 @@ import steward.scene.json.JsonTree;
 import steward.scene.json.SceneException;
 
 /**
- * A bundle's files on this machine, in a folder that is called like its hash, and the command with the words that name
- * them there.
+ * Bundle unpacked on this machine, in a folder named by its hash, and the command whose words name the files there.
  *
  * @param root    that holds all of it
  * @param folder  in which the bot is started

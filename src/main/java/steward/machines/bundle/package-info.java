@@ -1,2 +1,2 @@
-/** Bots on their way to another machine: their files under the hash of all of them. */
+/** Transfer of bots to other machines: their files packed into bundles, each named by a hash of its contents. */
 package steward.machines.bundle;

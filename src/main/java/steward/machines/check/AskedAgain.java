@@ -12,11 +12,11 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 
 /**
- * Counts what became of bots that were asked again, by bot and worker. A bot that answers otherwise each time plays by
- * the clock, and one that fails here fails here: both are facts about the bot, which is not asked again. A bot that
- * gives one answer here, twice, and another on a worker may depend on the machine, or the machine answers for it. That
- * is evidence for the operator, once it is too frequent for chance: the worker is suspected, and nobody convicted by
- * it. Thread-safe.
+ * Statistics of bots that were asked again, by bot and worker, which raise suspicion of a worker. If a bot answers
+ * differently each time, it depends on the clock; if it fails here, it fails here. Both are facts about the bot, which
+ * is not asked again. If a bot gives one answer here, twice, and another on a worker, either the bot depends on the
+ * machine or the worker made the answer up. When that is too frequent for chance, the worker is suspected and an
+ * operator decides. Thread-safe.
  */
 public final class AskedAgain {
 

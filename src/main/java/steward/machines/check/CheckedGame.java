@@ -4,7 +4,7 @@ import java.util.List;
 import steward.contest.repeat.GameFacts;
 
 /**
- * Result of a game, computed anew from its transcript.
+ * Result of a remote game, computed anew from its transcript.
  *
  * @param turns how many were played
  * @param facts what a result does not contain

@@ -1,6 +1,6 @@
 package steward.machines.check;
 
-/** A game that did not happen as it is said. The message says what was found and what was expected. */
+/** Thrown when a reported game cannot have happened. The message gives what was found and what was expected. */
 public final class DisprovedException extends Exception {
 
     private final boolean computed;

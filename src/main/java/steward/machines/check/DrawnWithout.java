@@ -1,10 +1,11 @@
 package steward.machines.check;
 
 /**
- * An exact test: of {@code all} games {@code marked} have a mark; {@code own} of them are a worker's, {@code hits} with
- * the mark. If the games had been dealt out blindly, the number of hits would have the hypergeometric distribution (R.
- * A. Fisher, "The Logic of Inductive Inference", 1935). Groups of games that are not alike are added one by one: their
- * numbers of hits are independent, so the distribution of the sum is the convolution.
+ * Fisher's exact test of whether one worker's games have a mark too often. Of {@code all} games {@code marked} have the
+ * mark; {@code own} of them are the worker's, {@code hits} with the mark. If games were dealt out blindly, the number
+ * of hits would have the hypergeometric distribution (R. A. Fisher, "The Logic of Inductive Inference", 1935). Groups
+ * of games that are not alike are added one by one: their numbers of hits are independent, so the sum's distribution is
+ * the convolution.
  */
 final class DrawnWithout {
 

@@ -6,7 +6,7 @@ import steward.match.Protocol;
 import steward.scene.Time;
 
 /**
- * A game that has to have been played.
+ * A game that a worker was told to play, for comparison with its report.
  *
  * @param names     that the players go by
  * @param protocols that they speak

@@ -5,7 +5,10 @@ import steward.game.GameSetup;
 import steward.game.GameTypes;
 import steward.scene.json.SceneException;
 
-/** The jar of a league's game on a worker. No message brings a jar, so the worker's owner has to install it. */
+/**
+ * Digest of the installed jar that has a league's game, compared between league and worker. No message brings a jar, so
+ * the worker's owner has to install it.
+ */
 public final class GameJar {
 
     private static final String NONE = "none";

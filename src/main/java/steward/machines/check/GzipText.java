@@ -12,7 +12,7 @@ import java.util.zip.Deflater;
 import java.util.zip.GZIPInputStream;
 import java.util.zip.GZIPOutputStream;
 
-/** Texts compressed by gzip, and what is in them up to a size: a small text may stand for an endless one. */
+/** Gzip compression of texts, with a bound on the unpacked size: a small archive may stand for an endless text. */
 public final class GzipText {
 
     /** How long a replay may be, in bytes: some hundred times that of a long match. */

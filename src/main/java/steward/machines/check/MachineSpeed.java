@@ -4,8 +4,8 @@ import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
 
 /**
- * Speed of one processor of this machine, in rounds of a fixed computation per second of CPU time, so that a busy
- * machine is not taken for a slow one. The computation mixes what bots do: multiplications of doubles, integer
+ * Benchmark of one processor of this machine: rounds of a fixed computation per second of CPU time. Through CPU time a
+ * busy machine is not taken for a slow one. The computation mixes what bots do: multiplications of doubles, integer
  * arithmetic, and reads from a table that fits into a cache. Two machines are compared by the ratio of their speeds.
  */
 public final class MachineSpeed {

@@ -11,9 +11,9 @@ import steward.numerics.SplitMix64;
 import steward.numerics.StateHash;
 
 /**
- * Fingerprint of a program's rules in a scene: a hash of all states of some short games, by pilots of all kinds. Two
- * programs whose rules of the game, physics or starts differ have another one, where these games show it; and so have
- * two that send games in another form. Of a guest it is the form alone: its rules are its files.
+ * Fingerprint of a program's rules in a scene: a hash of all states of a few short games, played by built-in pilots of
+ * all kinds. It differs between two programs if these games show a difference of rules, physics or starts, or if the
+ * programs send games in different forms. For a guest it covers the form alone: its rules are its files.
  */
 public final class RulesFingerprint {
 

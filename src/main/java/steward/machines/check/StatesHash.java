@@ -4,9 +4,9 @@ import steward.game.Game;
 import steward.numerics.StateHash;
 
 /**
- * A hash of states by which two machines see that they have computed the same game: of the start, of every 16th turn
- * and of the last one. A state that differs in between changes those after it, so that it is seen at the next of these
- * turns; unless the rules let the difference vanish before, as they do where they round.
+ * Hash of a game's states by which two machines see that they have computed the same game. It covers the start, every
+ * 16th turn and the last one. A state that differs in between changes later ones and is noticed at the next of these
+ * turns, unless the rules round the difference away before.
  */
 final class StatesHash {
 

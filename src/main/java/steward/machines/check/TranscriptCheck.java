@@ -36,10 +36,9 @@ import tools.jackson.core.JsonToken;
 import tools.jackson.core.ObjectReadContext;
 
 /**
- * Reads what a game came to from its transcript, see {@link TranscriptWriter}: it is played again, so that states,
- * events and result follow from the commands and cannot be anything else. The hash of states says whether the other
- * machine computed the same. How long answers took is believed, and what bots wrote besides: messages, standard error,
- * data. Thread-safe.
+ * Replays a game from its transcript (see {@link TranscriptWriter}), so that states, events and result follow from the
+ * commands alone. The hash of states tells whether the other machine computed the same. Answer times are believed, and
+ * so are other outputs of the bots: messages, standard error, data. Thread-safe.
  */
 public final class TranscriptCheck {
 

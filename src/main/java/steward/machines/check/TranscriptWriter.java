@@ -18,12 +18,13 @@ import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.ObjectWriteContext;
 
 /**
- * Writes a game as it is sent to a league: a replay without all that follows from scene, seed and commands, which
- * {@link TranscriptCheck} computes anyway. It is several times shorter, and takes a fraction of the time on both sides.
+ * Writes a game as a worker sends it to its league: a replay without everything that follows from scene, seed and
+ * commands. {@link TranscriptCheck} computes the rest. A transcript is several times shorter than a replay, and takes a
+ * fraction of the time on both sides.
  *
- * <p>It has a line of JSON for the beginning, one for each turn, and one for the end. A turn in which nobody failed,
- * said or wrote anything is the array of its commands; others are objects. The last line has what was measured, and a
- * hash of states, see {@link StatesHash}.
+ * <p>It has a line of JSON for the beginning, one for each turn, and one for the end. A turn in which nobody failed or
+ * wrote anything is the array of its commands; others are objects. The last line has the measured times and a hash of
+ * states (see {@link StatesHash}).
  */
 public final class TranscriptWriter implements MatchListener {
 

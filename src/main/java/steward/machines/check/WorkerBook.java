@@ -14,15 +14,15 @@ import steward.league.StoredGame;
 import steward.league.StoredGame.StoredSeat;
 
 /**
- * The games of a league by who played them, and which workers are doubtful: those whose games differ from all others'
- * by more than chance. Where bots draw by lot, nothing else tells a forged game from a played one.
+ * Statistics of a league's games by worker, which tell whose games differ from all others' by more than chance. If bots
+ * use random numbers, nothing else distinguishes a forged game from a played one.
  *
- * <p>Compared are, for each bot in each seat, how often it failed, how often nobody was ahead of it, how often its
- * score is above the median, and how often its mean answer time is (then only if the medians are apart by a factor of
- * two: machines may differ). Games of one lineup are alike, and who plays them is decided before they begin; so {@link
- * DrawnWithout} is exact. It is applied when a worker has 20, 40, 80, ... games, at a level that halves each time,
- * divided by the number of comparisons: an honest worker whose machine is like the others is ever called doubtful with
- * a chance of at most {@value #LEVEL}. Thread-safe.
+ * <p>For each bot in each seat four frequencies are compared: how often it failed, how often nobody was ahead of it,
+ * how often its score is above the median, and how often its mean answer time is (only if the medians differ by a
+ * factor of two, since machines may differ). Games of one lineup are alike, and who plays them is decided before they
+ * begin; so {@link DrawnWithout} is exact. It is applied when a worker has 20, 40, 80, ... games, at a level that
+ * halves each time, divided by the number of comparisons. So an honest worker whose machine is like the others is ever
+ * called doubtful with a probability of at most {@value #LEVEL}. Thread-safe.
  */
 public final class WorkerBook {
 

@@ -1,5 +1,5 @@
 /**
- * Checks of a game that was played elsewhere before it is believed: its replay is played again, and its result is read
- * from that alone; and a share of the games is asked of the bots again, answer by answer.
+ * Checks of a remote game before it counts. Its commands are played again, and the result is computed from them alone;
+ * for a share of the games the bots are asked again, answer by answer.
  */
 package steward.machines.check;

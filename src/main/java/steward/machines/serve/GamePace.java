@@ -9,8 +9,9 @@ import steward.league.StoredGame.StoredSeat;
 import steward.league.play.RemoteMachines;
 
 /**
- * Time after which games go to others, from what their bots took before: a worker that keeps games must not stop the
- * schedule, which waits for its oldest games. Each time that a game is taken away it gets twice as long. Thread-safe.
+ * Estimates how long a game takes, and so when to give a worker's game to others. A worker that keeps games must not
+ * stop the schedule, which waits for its oldest games. Each time a game is taken away, its time is doubled.
+ * Thread-safe.
  */
 final class GamePace {
 

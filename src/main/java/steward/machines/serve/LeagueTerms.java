@@ -10,7 +10,7 @@ import steward.machines.check.RulesFingerprint;
 import steward.machines.wire.LeagueWord;
 import steward.machines.wire.WorkerWord;
 
-/** Terms on which workers play for a league: rules that they must share, its game's jar, the limits of time. */
+/** Conditions under which workers play for a league: the same rules, the same jar of the game, and time limits. */
 final class LeagueTerms {
 
     private static final int LONGEST_TEXT = 200;

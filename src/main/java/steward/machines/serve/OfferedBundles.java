@@ -16,7 +16,7 @@ import steward.machines.wire.WireMessage;
 import steward.machines.wire.WorkerWord;
 import steward.match.GuestSetup;
 
-/** Bundles of the bots that were offered to workers, and a long scene or the files of a guest. Thread-safe. */
+/** Bundles that workers may fetch: bots, a long scene, or the files of a guest. Thread-safe. */
 final class OfferedBundles {
 
     private final Map<String, Bundle> byHash = new ConcurrentHashMap<>();

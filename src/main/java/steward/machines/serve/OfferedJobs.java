@@ -23,7 +23,7 @@ import steward.machines.wire.GameJob;
 import steward.machines.wire.WireMessage;
 import steward.machines.wire.WorkerWord;
 
-/** Jobs that are offered to workers, and what comes of them. Thread-safe. */
+/** Jobs that are offered to workers, until their results arrive or they are given to others. Thread-safe. */
 final class OfferedJobs {
 
     /** Characters of a header that the bots of a job may take, as they may be written. */

@@ -35,13 +35,13 @@ import steward.scene.json.SceneException;
 import steward.text.TextFormat;
 
 /**
- * Games of a league that workers play. A result counts only for a job that the broker handed to the worker that sends
- * it. What a game came to follows from its commands, which are played again: a worker that says something else is
- * revoked, and its games are set aside. In a worker's first games, and in a share of the others, the bots are asked
- * again; what they answer is evidence, and convicts nobody: a worker whose answers are others too often for chance is
- * suspended until somebody decides.
+ * The league's side of remote play: gives games to workers and checks their results. A result counts only for a job
+ * that the broker handed to the worker that sends it. Each game is computed anew from its commands; if a worker reports
+ * something else, it is revoked and its games are set aside. In a worker's first games, and in a share of the others,
+ * the bots are asked again. Their answers are evidence only: a worker whose answers differ too often for chance is
+ * suspended until a person decides.
  *
- * <p>Over 400 lines: each word of a worker is answered here, and each game believed or not.
+ * <p>Over 400 lines, because every message of a worker is answered here, and each game accepted or refused.
  */
 public final class RemoteGames implements RemoteMachines, AutoCloseable {
 

@@ -31,7 +31,7 @@ import steward.machines.check.TranscriptCheck;
 import steward.machines.wire.WorkerWord;
 import steward.replay.RecordedMatch;
 
-/** Makes of a worker's transcripts what is stored of a game, or disproves them. Thread-safe. */
+/** Turns transcripts from workers into stored games, or disproves them. Thread-safe. */
 final class ReportedGames {
 
     /** Memory that one check may take, in bytes: the longest transcript, its last line, and what is read of it. */

@@ -1,6 +1,6 @@
 package steward.machines.serve;
 
-/** Decides whether the games of a machine count. */
+/** Callback that sets the games of a machine aside, suspends them, or lets them count again. */
 public interface SettingAside {
 
     /** What becomes of them. */

@@ -3,7 +3,7 @@ package steward.machines.serve;
 import java.util.List;
 
 /**
- * A worker, for people.
+ * State of a worker as it is shown to people.
  *
  * @param slots    games at the same time; 0 if it is not there
  * @param rate     games in a second that were believed, in this run

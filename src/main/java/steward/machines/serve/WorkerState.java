@@ -8,7 +8,7 @@ import java.util.Objects;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
 
-/** State of a worker, as the league knows it. Guarded by {@link RemoteGames}. */
+/** State of a worker as the league tracks it. Guarded by {@link RemoteGames}. */
 final class WorkerState {
 
     /** Number of workers whose reasons are told. */

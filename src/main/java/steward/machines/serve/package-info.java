@@ -1,2 +1,2 @@
-/** The league's side of games that are played elsewhere: jobs, workers, and what becomes of what they say. */
+/** The league's side of remote games: jobs, workers, and checks of what workers report. */
 package steward.machines.serve;

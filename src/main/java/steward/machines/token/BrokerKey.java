@@ -20,9 +20,9 @@ import steward.files.Sha256;
 import steward.league.LeagueFolder;
 
 /**
- * The key that a league's broker shows to its workers, with a certificate that it has signed itself. Workers know it by
- * its fingerprint, SHA-256 over the encoded public key (X.509 SubjectPublicKeyInfo), so that the certificate can be
- * renewed under the same key. Made by the JDK's {@code keytool}.
+ * Private key and self-signed certificate of a league's broker. Workers know the key by its fingerprint, SHA-256 over
+ * the encoded public key (X.509 SubjectPublicKeyInfo), so that the certificate can be renewed under the same key. The
+ * JDK's {@code keytool} makes both.
  */
 public final class BrokerKey {
 

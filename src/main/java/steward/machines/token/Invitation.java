@@ -12,7 +12,7 @@ import steward.scene.json.JsonTree;
 import steward.scene.json.SceneException;
 
 /**
- * Invitation to a league: a number of machines may make keys of their own with it, until a moment.
+ * Invitation to a league, with which a limited number of machines may make keys of their own until it expires.
  *
  * @param name    unlike those of workers and other invitations
  * @param hash    SHA-256 of its secret

@@ -18,7 +18,7 @@ import steward.scene.json.JsonLimits;
 import steward.text.Utf8Text;
 import steward.text.Utf8Text.NotUtf8Exception;
 
-/** Files and folders that their owner alone may read. */
+/** Files and folders that only their owner may read. */
 public final class PrivateFile {
 
     private static final Set<PosixFilePermission> OTHERS = PosixFilePermissions.fromString("---rwxrwx");

@@ -22,9 +22,9 @@ import steward.scene.json.JsonTree;
 import steward.scene.json.SceneException;
 
 /**
- * The workers of a league, in the private file {@code machines/workers.json}: of each its name, a hash of its secret,
- * and whether it is revoked or doubted, with the reason, and whether its games are to be set aside; and the invitations
- * with which machines become workers by themselves.
+ * List of a league's workers and invitations, in the private file {@code machines/workers.json}. A worker has a name, a
+ * hash of its secret, and marks: revoked or suspected, with the reason, and whether its games are to be set aside. With
+ * an invitation, machines become workers by themselves.
  *
  * @param workers     in the order in which they were added
  * @param invitations in the order in which they were made

@@ -18,9 +18,9 @@ import steward.scene.json.JsonTree;
 import steward.scene.json.SceneException;
 
 /**
- * Pauses of workers that cannot play: a second after the first failure, twice as long after each further one. When a
- * pause is over, one job is the worker's test; it plays on if that is believed. They are kept in the league's private
- * file {@code machines/pauses.json}: the next run goes on with them. Thread-safe.
+ * Pauses of workers that cannot play: a second after the first failure, twice as long after each further one. After a
+ * pause the worker gets one job as a test, and plays on if its result is accepted. Pauses are kept in the league's
+ * private file {@code machines/pauses.json}, so that the next run continues them. Thread-safe.
  */
 public final class WorkerPauses {
 

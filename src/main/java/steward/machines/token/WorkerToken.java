@@ -13,8 +13,7 @@ import steward.scene.json.JsonTree;
 import steward.scene.json.SceneException;
 
 /**
- * Token with which a worker joins a league: its name and secret, and the fingerprint of the key that the broker has to
- * have.
+ * Token with which a worker joins a league: its name, its secret, and the expected fingerprint of the broker's key.
  *
  * @param secret     43 characters of base64url: 256 bits by lot
  * @param broker     see {@link BrokerKey#fingerprint()}

@@ -8,8 +8,8 @@ import steward.match.OwnLimits;
 import steward.scene.json.Block;
 
 /**
- * Games that a worker is to play, one after the other. Short ones go in one message: a message costs as much as a short
- * game.
+ * Message with games for a worker to play one after the other. Short games are sent together, since a message costs as
+ * much as a short game.
  *
  * @param games in order, at least one
  */

@@ -8,7 +8,7 @@ import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.ObjectWriteContext;
 import tools.jackson.core.json.JsonFactory;
 
-/** Builder of a message's header: a JSON object, put together field by field. */
+/** Builder of a message's header, a JSON object, field by field. */
 public final class HeaderText {
 
     private static final JsonFactory JSON = new JsonFactory();

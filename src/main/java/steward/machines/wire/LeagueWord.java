@@ -6,7 +6,7 @@ import steward.bot.hold.HoldPolicy;
 import steward.contest.Hiccups;
 import steward.scene.json.Block;
 
-/** Message of a league to one worker, read strictly; a {@link GameJob} is offered to all. */
+/** Messages from a league to one worker, parsed strictly; a {@link GameJob} is offered to all workers. */
 public interface LeagueWord {
 
     /**

@@ -11,7 +11,7 @@ import steward.text.Utf8Text;
 import steward.text.Utf8Text.NotUtf8Exception;
 
 /**
- * A message: four bytes with the length of the header, the header, an object of JSON in UTF-8, and any bytes behind it.
+ * A message on the wire: the length of the header in four bytes, the header as a JSON object in UTF-8, then any bytes.
  *
  * @param header  to be read field by field, and {@link Block#done}
  * @param payload not copied

@@ -7,7 +7,7 @@ import java.util.stream.IntStream;
 import steward.contest.Attempts;
 import steward.scene.json.Block;
 
-/** Message of a worker to its league, read strictly. */
+/** Messages from a worker to its league, parsed strictly. */
 public interface WorkerWord {
 
     /** Most games that a worker may play at the same time. */

@@ -1,2 +1,2 @@
-/** Messages between a league and its workers: a header in JSON, read strictly, and bytes behind it. */
+/** Messages between a league and its workers: a JSON header, parsed strictly, and bytes behind it. */
 package steward.machines.wire;

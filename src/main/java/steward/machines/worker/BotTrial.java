@@ -12,7 +12,7 @@ import steward.contest.Contest.Entrant;
 import steward.match.MatchListener;
 import steward.match.Turn;
 
-/** Tries whether a bot runs on this machine: it is asked once, in the first turn of a game against itself. */
+/** Tests whether a bot runs on this machine, by asking it once in the first turn of a game against itself. */
 final class BotTrial {
 
     /** Returns why it does not run here, or {@code null}. A late answer says nothing: the machine may be busy. */

@@ -36,8 +36,8 @@ import steward.scene.SceneReader;
 import steward.scene.json.SceneException;
 
 /**
- * Plays games of a league on this machine until it is told to end. A broken connection is made anew; its games under
- * way are lost here and go to other workers.
+ * Main loop of a worker: plays games of a league on this machine until it is told to end. If the connection breaks, it
+ * connects again; games under way are then lost here and go to other workers.
  */
 public final class Worker {
 

@@ -1,2 +1,2 @@
-/** A worker: takes games of a league from its broker, plays them here, and sends what came of them. */
+/** A worker: takes games of a league from its broker, plays them on this machine, and sends the results. */
 package steward.machines.worker;

@@ -4,7 +4,7 @@ import java.util.List;
 import steward.replay.verify.ReplayDifference;
 
 /**
- * A bot's answer to a recorded turn, beside the recorded one.
+ * A bot's answer to a turn of a recorded match, beside the recorded answer.
  *
  * @param number        of the turn, counted from 1
  * @param replaced      whether its answer was played in place of the recorded one

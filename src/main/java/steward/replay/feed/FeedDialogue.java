@@ -19,8 +19,8 @@ import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.ObjectWriteContext;
 
 /**
- * A bot that is sent what a player of a recorded match was sent. The lines are not recorded: they follow from the game,
- * which is played again. There are no deadlines.
+ * Dialogue with a bot that is sent the lines of one player of a recorded match. The lines are not recorded: the game is
+ * played again and gives them. There are no deadlines.
  */
 final class FeedDialogue {
 

@@ -9,8 +9,8 @@ import steward.replay.ReplayReader;
 import steward.replay.verify.Resimulation;
 
 /**
- * Lines that bots were sent in a recorded match. They are not recorded: they follow from the game, which is played
- * again by {@link #match}; the referee of a guest says what is recorded. Buffers are valid until the next call.
+ * Lines that bots were sent in a recorded match. They are not recorded: the game is played again by {@link #match} and
+ * gives them; for a guest's referee, its recorded output is used. Buffers are valid until the next call.
  */
 public final class SentLines {
 

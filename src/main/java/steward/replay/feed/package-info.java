@@ -1,2 +1,2 @@
-/** Giving a bot again what it was sent, to see whether it answers the same, and letting it play on from any turn. */
+/** Sending a bot again what it was sent in a match: to compare its answers, or to let it play on from any turn. */
 package steward.replay.feed;

@@ -4,8 +4,8 @@ import java.nio.charset.StandardCharsets;
 import java.util.function.IntPredicate;
 
 /**
- * Replay for readers who may see what some of its bots wrote to stderr and not what the others did, nor their commands.
- * Hashes and signature stay as they were: it is to be looked at, not to be verified.
+ * Copy of a replay without the stderr and command lines of other players' bots, for readers who may see only their own.
+ * Hashes and signature stay unchanged: the copy is for watching, not for verifying.
  */
 final class OwnStderr {
 

@@ -12,9 +12,10 @@ import steward.replay.RecordedTurn;
 import steward.replay.ReplayReader;
 
 /**
- * Details of a match that its page has besides the replay, for who looks for a fault. Lines of UTF-8: the first is a
- * JSON array with a {@code [turn, player, line]} for each bot that failed and wrote to stderr in that turn which line
- * says why, counted from 0. The others are those of {@link SentFrames}; none if these are not known.
+ * Details of a match on its page besides the replay, for people who look for a fault. It is lines of UTF-8. The first
+ * is a JSON array with one {@code [turn, player, line]} for each bot that failed: {@code line}, counted from 0, is the
+ * line of stderr in that turn that tells why. The other lines are those of {@link SentFrames}; none if these are not
+ * known.
  */
 final class PageDetails {
 

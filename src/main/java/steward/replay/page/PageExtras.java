@@ -3,7 +3,7 @@ package steward.replay.page;
 import steward.game.GameTypes;
 
 /**
- * What a page of a replay may have besides the replay.
+ * Optional parts of a replay's page besides the replay.
  *
  * @param types       games with which the match is played again, so that the page has what bots were sent; {@code null}
  *                    if it shall not have it

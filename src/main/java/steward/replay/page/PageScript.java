@@ -9,9 +9,9 @@ import java.util.regex.Pattern;
 import steward.files.Resources;
 
 /**
- * The script of a page: modules, put one after the other in the order of their imports, in one scope. A browser
- * that opens a file from disk loads no modules, and one script has one hash. They are put together when a page is
- * written and not when Steward is built, since a jar with a game may bring a module that imports others.
+ * Combines the JavaScript modules of a page into one script, in the order of their imports. A browser that opens a file
+ * from disk loads no modules, and one script has one hash. They are combined when a page is written, not when Steward
+ * is built, since a jar with a game may bring a module that imports others.
  *
  * <p>Only two forms are read: a line that begins with {@code import ... from './name.js'} or
  * {@code import './name.js'}, and {@code export} before a declaration. Names at the top of

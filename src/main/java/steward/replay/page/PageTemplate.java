@@ -11,9 +11,9 @@ import steward.files.Resources;
 import steward.files.Sha256;
 
 /**
- * The page around a replay or other data: {@code page.html} with its places, written <code>{{name}}</code>, filled in.
- * All modules become one script; the content security policy names it, the library of charts and the style sheet by
- * their hashes, so that nothing else can run.
+ * Template of a page, {@code page.html}, whose places <code>{{name}}</code> are filled with a replay or other data. All
+ * modules become one script. The content security policy has the hashes of the script, the chart library and the style
+ * sheet, so that nothing else can run.
  */
 public final class PageTemplate {
 

@@ -25,9 +25,9 @@ import steward.text.TextFormat;
 import tools.jackson.core.JacksonException;
 
 /**
- * Writes a replay as one HTML page that shows the match: page, styles, script and replay in a single file that opens
- * from disk and asks no network for anything. The replay is embedded as gzip in base64, whose alphabet cannot end a
- * script element; the browser unpacks it.
+ * Writes a replay as one HTML page that shows the match and works offline. Page, styles, script and replay are in a
+ * single file. The replay is embedded as gzip in base64, whose alphabet cannot end a script element; the browser
+ * unpacks it.
  *
  * <p>A replay that was cut off is embedded up to the cut, and the page says so.
  */

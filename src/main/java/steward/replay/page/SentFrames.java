@@ -10,8 +10,8 @@ import steward.replay.feed.SentLines;
 import tools.jackson.core.io.JsonStringEncoder;
 
 /**
- * The frames that all bots of a match were sent, for its page. They are not recorded: they follow from the game, which
- * is played again, as far as it gives what was recorded.
+ * Frames that all bots of a match were sent, for its page. They are not recorded: the game is played again and gives
+ * them, as long as it agrees with the recording.
  */
 final class SentFrames {
 

@@ -4,7 +4,9 @@ import java.io.FilterOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 
-/** Flushes instead of closing the underlying stream, so that a writer can be closed and more can follow. */
+/**
+ * Output stream that flushes instead of closing the underlying one, so that a writer can be closed and more can follow.
+ */
 public final class UnclosedOutputStream extends FilterOutputStream {
 
     /** @param out is flushed, not closed */

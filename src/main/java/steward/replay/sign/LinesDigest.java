@@ -6,15 +6,15 @@ import java.util.HexFormat;
 import steward.files.Sha256;
 
 /**
- * The part of a replay that is signed: all its lines up to the result, each without its field {@code times}, with its
- * line end. Their SHA-256 is computed line by line, so nothing is kept in memory. The signature is Ed25519 over one
- * line of text that names its purpose, so that it is valid for nothing else (domain separation):
+ * Digest of the signed part of a replay: all its lines up to the result, each without its field {@code times}, with its
+ * line end. The SHA-256 is computed line by line, so nothing is kept in memory. The signature is Ed25519 over one line
+ * of text that names its purpose, so that it is valid for nothing else (domain separation):
  *
  * <pre>steward replay sha256:0123...64 hexadecimal digits...cdef</pre>
  *
- * <p>and a line feed. Where the line of the signature has a field {@code isolation}, a blank, {@code isolation sha256:}
- * and the digest of that field's text stand before the line feed. With the tools of any Unix, where {@code mine.pub} is
- * the public key:
+ * <p>and a line feed. If the line of the signature has a field {@code isolation}, a blank, {@code isolation sha256:}
+ * and the digest of that field's text stand before the line feed. With the tools of any Unix, with the public key in
+ * {@code mine.pub}:
  *
  * <pre>
  * sed -e '$d' match.jsonl | sed -e 's/,"times":{[^}]*}}$/}/' | sha256sum       (the digits of the text)
@@ -22,7 +22,7 @@ import steward.files.Sha256;
  * openssl pkeyutl -verify -rawin -pubin -inkey mine.pub -in text -sigfile signature
  * </pre>
  *
- * <p>The signer's public key stands in the header, and so is signed itself.
+ * <p>The signer's public key is in the header, and so is signed itself.
  */
 public final class LinesDigest {
 

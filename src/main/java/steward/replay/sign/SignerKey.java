@@ -11,7 +11,7 @@ import java.util.Base64;
 import steward.files.InputException;
 import steward.files.Sha256;
 
-/** The public key of a signer of replays: an Ed25519 key of the JDK, in X.509 form. */
+/** Public key of a replay's signer: an Ed25519 key of the JDK, in X.509 form. */
 public final class SignerKey {
 
     static final String ALGORITHM = "Ed25519";

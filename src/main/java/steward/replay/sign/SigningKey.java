@@ -15,7 +15,7 @@ import java.util.Arrays;
 import java.util.Base64;
 import steward.files.InputException;
 
-/** A private key that signs replays: an Ed25519 key of the JDK, in a file as PKCS#8. Thread-safe. */
+/** Private key that signs replays: an Ed25519 key of the JDK, in a file as PKCS#8. Thread-safe. */
 public final class SigningKey {
 
     private static final String PEM = "PRIVATE KEY";

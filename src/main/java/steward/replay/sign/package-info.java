@@ -1,5 +1,5 @@
 /**
- * Signatures: keys in files, what of a replay is signed, and Ed25519 over it. It knows lines of bytes, not what stands
- * in them.
+ * Signatures of replays: keys in files, the signed part of a replay, and Ed25519 over it. It knows lines of bytes, not
+ * their contents.
  */
 package steward.replay.sign;

@@ -19,9 +19,9 @@ import steward.replay.ReplayReader;
 import steward.replay.ServerRecording;
 
 /**
- * Comparison of recorded lines with a match that is played again. Every line is written again, from what is recorded of
- * the players and what follows from the game, and its bytes up to {@code times} are compared: nothing can be added,
- * left out, doubled, moved or spelled in another way. If they differ, the first difference is looked for.
+ * Compares recorded lines with a match that is played again. Every line is written again, from the recorded inputs and
+ * the recomputed outcome, and its bytes up to {@code times} are compared: nothing can be added, left out, doubled,
+ * moved or spelled differently. If they differ, the first difference is found.
  */
 final class LineCheck {
 

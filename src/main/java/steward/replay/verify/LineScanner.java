@@ -4,14 +4,14 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 
 /**
- * Finds the parts of an ordinary turn by their bytes: a turn without faults, messages and stderr.
+ * Finds the parts of an ordinary turn line by their bytes, without parsing: a turn without faults, messages and stderr.
  *
  * <pre>
  * {"type":"turn","turn":7,"commands":[...],"outcome":{...},"turnHash":"0123456789abcdef",
  *  "times":{"answerNanos":[1,2]}}                                                 (in one line)
  * </pre>
  *
- * <p>Every method returns -1 for a part that is not there, also when {@code from} is -1.
+ * <p>Every method returns -1 for a missing part, also if {@code from} is -1.
  */
 final class LineScanner {
 

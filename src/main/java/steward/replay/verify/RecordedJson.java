@@ -9,7 +9,7 @@ import steward.replay.ReplayLines;
 import steward.replay.ReplayReader;
 import tools.jackson.core.JsonGenerator;
 
-/** Parts of recorded lines beside the same parts as they are written today. */
+/** Parts of recorded lines beside the same parts as this version writes them. */
 final class RecordedJson {
 
     private static void raw(JsonGenerator out, String name, byte[] json) {

@@ -3,7 +3,7 @@ package steward.replay.verify;
 import steward.replay.sign.SignerKey;
 
 /**
- * The result of checking a replay's signature.
+ * Result of checking a replay's signature.
  *
  * @param signer    the key that the header names, or {@code null} if it names none
  * @param isolation how bots were kept apart, where the signer has signed that; the level is its first word

@@ -5,7 +5,7 @@ import steward.replay.ReplayException;
 import steward.replay.ReplayReader;
 
 /**
- * The result of playing a recorded match again and comparing every line.
+ * Result of playing a recorded match again and comparing every line.
  *
  * @param turns      how many turns agreed
  * @param states     in how many of these the full state was recorded, and so compared; of an imported match, in how

@@ -14,8 +14,8 @@ import steward.replay.ServerRecording;
 import steward.text.TextFormat;
 
 /**
- * The frames of a server beside those that it would have written of ours: line by line, word by word. Behind the first
- * difference nothing is compared, since the games differ from there on.
+ * Compares a server's frames, line by line and word by word, with the frames that it would have written for our game.
+ * The comparison stops at the first difference, since the games differ from there on.
  */
 final class ViewComparison {
 

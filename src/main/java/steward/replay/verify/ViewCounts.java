@@ -3,7 +3,8 @@ package steward.replay.verify;
 import java.util.List;
 
 /**
- * Comparison of an imported match, word by word, with what the server would have shown of ours.
+ * Counts of a comparison, word by word, of an imported match with the frames that the server would have written for
+ * ours.
  *
  * @param values      how many numbers and words agree
  * @param near        numbers that are only within 1e-9 of ours, each by its place; at most {@link #MOST_NEAR}

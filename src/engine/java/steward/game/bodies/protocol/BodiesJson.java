@@ -14,7 +14,7 @@ import steward.physics.Bodies;
 import steward.scene.Field;
 import tools.jackson.core.JsonGenerator;
 
-/** All JSON of bodies: frames, commands and states, and the drawing; answers are read by {@link BodiesAnswer}. */
+/** JSON of the game {@code bodies}: frames, commands, states and drawing; {@link BodiesAnswer} reads answers. */
 public final class BodiesJson extends CommandsJson<Thrust> {
 
     private final BodiesGame game;

@@ -14,7 +14,7 @@ import steward.scene.Field;
 import steward.scene.Scene;
 import steward.scene.json.Block;
 
-/** Reads the blocks {@code bodies} and {@code play} of a scene, and looks at the places of the listed discs. */
+/** Reads the blocks {@code bodies} and {@code play} of a scene, and checks the places of the listed discs. */
 final class BodiesReader {
 
     private static final int MOST_TURNS = 1_000_000;

@@ -5,7 +5,9 @@ import steward.game.BotStub;
 import steward.game.BotStub.Command;
 import steward.game.BotStub.Input;
 
-/** Inputs and answers of starters of bodies: each disc goes for the nearest zone, or the nearest disc of others. */
+/**
+ * Input and answers of starter bots for the game {@code bodies}: each disc goes for the nearest zone or foreign disc.
+ */
 final class BodiesStub {
 
     private static final String ZONE = "x:real y:real radius:real points:real";

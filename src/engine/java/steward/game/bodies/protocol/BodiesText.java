@@ -10,11 +10,11 @@ import steward.physics.Bodies;
 import tools.jackson.core.io.NumberOutput;
 
 /**
- * Lines of numbers. The setup is {@code PLAYER PLAYERS DISCS ZONES}, a line {@code OWNER RADIUS MASS} for each disc (-1
- * for nobody, and for an infinite mass), and a line {@code X Y RADIUS POINTS} for each zone. A turn is a line with the
- * scores, then {@code X Y VX VY} for each disc; one that a zone has taken out has that zone's centre and no speed. An
- * answer has a line {@code X Y} for each of the player's discs, with a
- * message behind it, if there is one.
+ * Line protocol of the game {@code bodies}. The setup is {@code PLAYER PLAYERS DISCS ZONES}, a line {@code OWNER RADIUS
+ * MASS} for each disc (-1 for nobody, and for an infinite mass), and a line {@code X Y RADIUS POINTS} for each zone. A
+ * turn is a line with the scores, then {@code X Y VX VY} for each disc; a disc that a zone has taken out has that
+ * zone's centre and no speed. An answer has a line {@code X Y} for each of the player's discs, with an optional message
+ * behind it.
  */
 final class BodiesText extends CommandLines {
 

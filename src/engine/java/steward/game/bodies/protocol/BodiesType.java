@@ -22,7 +22,7 @@ import steward.scene.Plan;
 import steward.scene.Scene;
 import steward.scene.json.Wording;
 
-/** Bodies as a {@link GameType}. */
+/** The game {@code bodies} as a {@link GameType}. */
 public final class BodiesType implements GameType {
 
     @Override

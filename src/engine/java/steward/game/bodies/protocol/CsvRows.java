@@ -19,10 +19,9 @@ import steward.scene.json.SceneException;
 import steward.scene.json.SourcePosition;
 
 /**
- * Rows of a CSV file as the blocks that a list of discs would have: the first line names the fields, with or without
- * their units, as in {@code x [u]}. Errors are located in the file, by line and column. Cells are split at commas and
- * have no quotes; an empty cell is an absent field. The columns {@code turn} and {@code id} of a table of states are
- * read over.
+ * Converts rows of a CSV file to the blocks of a list of discs. The first line names the fields, with or without their
+ * units, as in {@code x [u]}. Errors are located in the file, by line and column. Cells are split at commas and have no
+ * quotes; an empty cell is an absent field. The columns {@code turn} and {@code id} of a table of states are ignored.
  */
 final class CsvRows {
 

@@ -1,3 +1,3 @@
-/** Everything of the game {@code bodies} that reads or writes text: its scenes, frames, answers, states and drawing. */
+/** Reading and writing of text for the game {@code bodies}: its scenes, frames, answers, states and drawing. */
 package steward.game.bodies.protocol;
 

@@ -21,8 +21,9 @@ import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.io.SerializedString;
 
 /**
- * All JSON of Fantastic Bits; answers are read by {@link FantasticBitsAnswer}. A recorded command that the state does
- * not allow, since another bot has changed the course of the match, is read and does nothing.
+ * JSON of Fantastic Bits: frames, commands, states and drawing; {@link FantasticBitsAnswer} reads answers. A recorded
+ * command that the state does not allow, since another bot has changed the course of the match, is read and does
+ * nothing.
  */
 public final class FantasticBitsJson extends CommandsJson<WizardCommand> {
 

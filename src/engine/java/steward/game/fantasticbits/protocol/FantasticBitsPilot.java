@@ -12,8 +12,8 @@ import steward.numerics.SplitMix64;
 import steward.physics.Bodies;
 
 /**
- * Wizards by rule: each heads for the nearest snaffle and throws it at the goal; now and then a spell. Gathering
- * wizards head for the middle; mingling ones for anywhere on the pitch.
+ * Pilot of wizards by rule: each heads for the nearest snaffle and throws it at the goal; now and then a spell.
+ * Gathering wizards head for the middle; mingling ones for anywhere on the pitch.
  */
 record FantasticBitsPilot(Aim aim) implements Pilot {
 

@@ -5,7 +5,7 @@ import steward.game.BotStub;
 import steward.game.BotStub.Command;
 import steward.game.BotStub.Input;
 
-/** Inputs and answers of starters of Fantastic Bits: wizards take the nearest snaffle and throw it at the goal. */
+/** Input and answers of starter bots for Fantastic Bits: wizards take the nearest snaffle and throw it at the goal. */
 final class FantasticBitsStub {
 
     private static final List<String> NOTES = List.of(

@@ -15,11 +15,11 @@ import steward.physics.Bodies;
 import steward.physics.Motion;
 
 /**
- * The site's line protocol of Fantastic Bits. The setup is the player's index. A turn is, in the variant {@code puzzle}
- * only, {@code score magic} of the reader and of the other; the number of entities; and a line {@code id TYPE x y vx vy
- * state} for each: the reader's wizards, the other's, snaffles in play, bludgers. The answer is two lines, {@code MOVE
- * X Y THRUST}, {@code THROW X Y POWER} or a spell and the id of its target, each with an optional message. Lines
- * before a bad one take effect.
+ * Line protocol of the site for Fantastic Bits. The setup is the player's index. A turn is, in the variant {@code
+ * puzzle} only, {@code score magic} of the reader and of the other; the number of entities; and a line {@code id TYPE x
+ * y vx vy state} for each: the reader's wizards, the other's, snaffles in play, bludgers. The answer is two lines,
+ * {@code MOVE X Y THRUST}, {@code THROW X Y POWER} or a spell and the id of its target, each with an optional message.
+ * Lines before a bad one take effect.
  */
 final class FantasticBitsText extends CommandLines {
 

@@ -10,7 +10,7 @@ import steward.game.fantasticbits.EntityKind;
 import steward.physics.Bodies;
 import steward.physics.TurnSink;
 
-/** The lines of a view that tell who has met whom, or a wall, or what, collected while a turn is played. */
+/** Collects the lines of a view about meetings of two bodies, or of a body and a wall, while a turn is played. */
 final class MeetingLines implements TurnSink {
 
     private final Bodies bodies;

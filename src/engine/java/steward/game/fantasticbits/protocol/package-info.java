@@ -1,5 +1,5 @@
 /**
- * Protocol of Fantastic Bits: JSON frames and answers, the site's lines; replays and drawing; and {@link
- * steward.game.fantasticbits.protocol.FantasticBitsType}, the game as the other rooms see it.
+ * Protocol of Fantastic Bits: JSON frames and answers, the site's lines, replays and drawing. Other packages see the
+ * game as {@link steward.game.fantasticbits.protocol.FantasticBitsType}.
  */
 package steward.game.fantasticbits.protocol;

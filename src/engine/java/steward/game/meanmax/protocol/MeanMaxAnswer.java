@@ -9,8 +9,8 @@ import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.JsonParser;
 
 /**
- * The commands of a player's three looters as JSON, in answers and replays: {@code looters}, an array of reaper,
- * destroyer and doof, each
+ * Reads the commands of a player's three looters from JSON, in answers and replays: {@code looters}, an array of
+ * reaper, destroyer and doof, each
  * <pre>{"x":1,"y":2,"power":300}   {"x":1,"y":2,"skill":true}   {"wait":true}</pre>
  */
 final class MeanMaxAnswer extends CommandsAnswer<LooterCommand> {

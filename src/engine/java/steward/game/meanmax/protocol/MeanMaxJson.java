@@ -16,7 +16,7 @@ import steward.physics.Bodies;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.io.SerializedString;
 
-/** All JSON of Mean Max; answers are read by {@link MeanMaxAnswer}. */
+/** JSON of Mean Max: frames, commands, states and drawing; {@link MeanMaxAnswer} reads answers. */
 public final class MeanMaxJson extends CommandsJson<LooterCommand> {
 
     /** Around the arena tankers come and go. */

@@ -11,8 +11,8 @@ import steward.numerics.SplitMix64;
 import steward.physics.Bodies;
 
 /**
- * Looters by rule: destroyers head for tankers, reapers for wrecks, doofs for reapers of others; now and then a skill.
- * Gathering looters head for the centre; mingling ones for anywhere in the arena.
+ * Pilot of looters by rule: destroyers head for tankers, reapers for wrecks, doofs for reapers of others; now and then
+ * a skill. Gathering looters head for the centre; mingling ones for anywhere in the arena.
  */
 record MeanMaxPilot(Aim aim) implements Pilot {
 

@@ -5,7 +5,7 @@ import steward.game.BotStub;
 import steward.game.BotStub.Command;
 import steward.game.BotStub.Input;
 
-/** Inputs and answers of starters of Mean Max: each looter goes for the nearest thing that it is made for. */
+/** Input and answers of starter bots for Mean Max: each looter goes for the nearest thing that it is made for. */
 final class MeanMaxStub {
 
     private static final List<String> NOTES = List.of(

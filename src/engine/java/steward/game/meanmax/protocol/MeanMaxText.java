@@ -14,11 +14,11 @@ import steward.physics.Bodies;
 import steward.physics.Motion;
 
 /**
- * The site's line protocol of Mean Max. A turn is the scores and rages, the reader's own first, the number of units,
+ * Line protocol of the site for Mean Max. A turn is the scores and rages, the reader's own first, the number of units,
  * and a line {@code id type player mass radius x y vx vy extra extra2} for each unit, wreck and skill effect; there is
- * no setup. The answer is three lines, for reaper, destroyer and doof: {@code X Y POWER}, {@code SKILL X Y} or
- * {@code WAIT}, each with an optional message. Lines before a bad one take effect; lines for looters that the league
- * does not have are not read.
+ * no setup. The answer is three lines, for reaper, destroyer and doof: {@code X Y POWER}, {@code SKILL X Y} or {@code
+ * WAIT}, each with an optional message. Lines before a bad one take effect; lines for looters that the league does not
+ * have are not read.
  */
 final class MeanMaxText extends CommandLines {
 

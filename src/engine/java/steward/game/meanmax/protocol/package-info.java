@@ -1,5 +1,5 @@
 /**
- * Protocol of Mean Max: JSON frames and answers, the site's lines; replays and drawing; and {@link
- * steward.game.meanmax.protocol.MeanMaxType}, the game as the other rooms see it.
+ * Protocol of Mean Max: JSON frames and answers, the site's lines, replays and drawing. Other packages see the game as
+ * {@link steward.game.meanmax.protocol.MeanMaxType}.
  */
 package steward.game.meanmax.protocol;

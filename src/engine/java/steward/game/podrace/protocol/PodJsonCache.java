@@ -6,9 +6,9 @@ import steward.json.RawJson;
 import steward.physics.Bodies;
 
 /**
- * JSON of the pods and commands of a turn: pods as players see them (the owner also sees the shield and the boost),
- * pods in replays, and commands. Most of a pod's text is the same for all players and the replay, so its motion and its
- * views are written once and reused until they change.
+ * Cache of the JSON of pods and commands in a turn. It has pods as players see them (the owner also sees the shield and
+ * the boost), pods in replays, and commands. Most of a pod's text is the same for all players and the replay, so its
+ * motion and its views are written once and reused until they change.
  */
 final class PodJsonCache {
 

@@ -8,9 +8,8 @@ import steward.json.RawJson;
 import tools.jackson.core.JsonParser;
 
 /**
- * Reads one answer of a pod-race bot,
+ * Reads one answer of a pod-race bot, and its commands in a replay:
  * <pre>{"pods":[{"x":1,"y":2.5,"thrust":100},{"x":1,"y":2,"shield":true}],"message":"optional"}</pre>
- * and what a replay keeps of it.
  */
 public final class PodRaceAnswer extends CommandsAnswer<Void> {
 

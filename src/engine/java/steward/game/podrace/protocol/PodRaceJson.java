@@ -17,8 +17,8 @@ import tools.jackson.core.JsonParser;
 import tools.jackson.core.io.SerializedString;
 
 /**
- * All JSON of the pod race; answers are read by {@link PodRaceAnswer}, and the texts of pods and commands are those of
- * {@link PodJsonCache}.
+ * JSON of the pod race: frames, commands, states and drawing. {@link PodRaceAnswer} reads answers, and {@link
+ * PodJsonCache} has the texts of pods and commands.
  */
 public final class PodRaceJson implements GameJson {
 

@@ -6,7 +6,7 @@ import steward.game.podrace.PodRace;
 import steward.game.podrace.PodState;
 import steward.numerics.SplitMix64;
 
-/** Seeded commands for the pods of a player: those of races, of a brawl, and of a crowd in the middle. */
+/** Pilot of pods with seeded commands: a race, a brawl, or a crowd in the middle. */
 final class PodRacePilot {
 
     /** One of this many commands is a shield. */

@@ -10,12 +10,12 @@ import steward.game.podrace.PodRaceSettings;
 import steward.game.podrace.PodState;
 
 /**
- * The line protocol with which the community checks pod-race simulators. A test is
+ * Line protocol with which the community checks pod-race simulators. A test is
  * <pre>
  * x y vx vy angleDegrees nextCheckpointId shield boosted   4 times
  * targetX targetY thrust|SHIELD|BOOST                      4 times
  * </pre>
- * and its answer the four new states in the same form. {@code shield} is 3 after the turn a shield was raised and
+ * and its answer is the four new states in the same form. {@code shield} is 3 after the turn a shield was raised and
  * counts down; {@code boosted} is 1 once the boost is used up. Every state is complete: headings are set.
  */
 public final class PodRaceSimulation extends SimulationLines {

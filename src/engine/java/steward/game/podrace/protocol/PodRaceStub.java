@@ -5,7 +5,7 @@ import steward.game.BotStub;
 import steward.game.BotStub.Command;
 import steward.game.BotStub.Input;
 
-/** Inputs and answers of starters of the pod race: they aim against their drift. Lines are those of two pods each. */
+/** Input and answers of starter bots for the pod race: they aim against their drift. Lines are for two pods each. */
 final class PodRaceStub {
 
     private static final String PLACE = "x:int y:int";

@@ -10,17 +10,17 @@ import steward.game.podrace.PodRaceSettings;
 import steward.game.podrace.PodState;
 
 /**
- * CodinGame's line protocols of the pod race. Where each player has several pods (the upper leagues), the setup is
- * laps, number of checkpoints and their places, and a turn shows each pod, own ones first, as {@code x y vx vy angle
- * nextCheckPointId}. Where each has one (the lower leagues) there is no setup, and a turn is {@code x y nextX nextY
+ * Line protocols of CodinGame for the pod race. If each player has several pods (the upper leagues), the setup is laps,
+ * number of checkpoints and their places, and a turn shows each pod, own ones first, as {@code x y vx vy angle
+ * nextCheckPointId}. If each has one (the lower leagues), there is no setup, and a turn is {@code x y nextX nextY
  * nextDist nextAngle} and a line {@code x y} per opponent.
  *
- * <p>Answers are one line per pod, {@code X Y THRUST|SHIELD|BOOST message}. A scene whose {@code commands} are {@code
- * site} has them read by the pattern of the contest's published referee, with BOOST. Otherwise they are read as
+ * <p>Answers are one line per pod, {@code X Y THRUST|SHIELD|BOOST message}. If the {@code commands} of a scene are
+ * {@code site}, the pattern of the contest's published referee reads them, with BOOST. Otherwise they are read as
  * leniently as real bots need it: any number of blanks, a carriage return, decimals and a plus in X and Y, lower-case
  * words, blanks at the end, and no third word, which means full thrust; the published referee refuses all of these but
- * blanks between the words, and a blank behind Y. Where two blanks stand behind Y, what follows may be a message and
- * the thrust is full. Lines before a bad one take effect.
+ * blanks between the words, and a blank behind Y. If two blanks follow Y, the rest may be a message and the thrust is
+ * full. Lines before a bad one take effect.
  */
 public final class PodRaceText extends CommandLines {
 

@@ -11,7 +11,10 @@ import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.ObjectNode;
 
-/** Reader of the map of a pod race: the first view has its checkpoints, {@code refereeInput} perhaps too. */
+/**
+ * Reads the map of a pod race from a server's recording: its first view has the checkpoints, {@code refereeInput} may
+ * too.
+ */
 final class PodRaceView implements ServerView {
 
     static final String TITLE = "CodersStrikeBack";

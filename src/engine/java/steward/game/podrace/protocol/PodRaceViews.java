@@ -13,7 +13,7 @@ import steward.game.podrace.PodRaceSettings;
 import steward.physics.Impact;
 
 /**
- * View of the server of a race of two players with two pods each:
+ * Writes views of the server for a race of two players with two pods each:
  * <pre>
  * line 0      the number of the frame, perhaps with words around it
  * frame 0     CodersStrikeBack
@@ -27,8 +27,8 @@ import steward.physics.Impact;
  * </pre>
  * Places of impacts are rounded; their vx, vy are half the sum of both speeds before the impact, rounded. A view may
  * end before its pods or before its counters. Sources: games of 2025 and 2026, among them ten that ended by a fault, a
- * finish or an elimination; where they are silent the published referee: a pod that was told to aim at its own place
- * shows the thrust that it was given.
+ * finish or an elimination. If they do not show something, the published referee decides: a pod that was told to aim at
+ * its own place shows the thrust that it was given.
  */
 final class PodRaceViews implements ViewWriter {
 

@@ -1,6 +1,6 @@
 package steward.game.podrace.simulator;
 
-/** Test of pods in {@link PodTurn}'s array: whether their certified speeds decide every rounding of a turn's end. */
+/** Tests whether the certified speeds of pods in {@link PodTurn}'s array decide every rounding at a turn's end. */
 final class CertainRounding {
 
     /*

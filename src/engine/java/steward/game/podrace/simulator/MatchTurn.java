@@ -12,7 +12,9 @@ import steward.physics.event.OfficialAdvance;
 import steward.scene.Plan;
 import steward.scene.Scene;
 
-/** The official turn of a match by the kernel of {@link PodRaceSimulator}; impacts are recorded when asked for. */
+/**
+ * Plays the official turn of a match with the kernel of {@link PodRaceSimulator}; impacts are recorded if asked for.
+ */
 public final class MatchTurn implements TurnKernel {
 
     private static final List<Motion.Step> MOTION =

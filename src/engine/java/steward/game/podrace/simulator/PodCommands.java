@@ -5,9 +5,9 @@ import steward.game.podrace.PodRace;
 import steward.game.podrace.PodRaceSettings;
 
 /**
- * One command per pod, for a {@link PodRaceSimulator}; reused from turn to turn. A command stays until another is set.
- * A pod steers towards its target, as in a bot's answer ({@link #set}), or turns by an angle ({@link #turn}). If the
- * target is its own position, it neither turns nor thrusts.
+ * Reusable buffer with one command per pod for a {@link PodRaceSimulator}. A command stays until another is set. A pod
+ * steers towards its target, as in a bot's answer ({@link #set}), or turns by an angle ({@link #turn}). If the target
+ * is its own position, it neither turns nor thrusts.
  *
  * <p>A search that turns its pods as far as they can should use {@link #turn}: a target just 18 degrees aside leaves it
  * to the last digits whether the pod reaches that direction, and the exact heading has to be computed each time.

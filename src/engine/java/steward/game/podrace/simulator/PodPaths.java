@@ -7,7 +7,7 @@ import steward.physics.TurnLog;
 import steward.physics.TurnSink;
 import steward.physics.event.FarPairs;
 
-/** The corners of the pods' paths in a turn, for checkpoints; keeps whole impacts only if they are asked for. */
+/** Corners of the pods' paths in a turn, for checkpoints; whole impacts are kept only if they are asked for. */
 final class PodPaths implements TurnSink {
 
     private static final double CLEARANCE = 0.1;

@@ -12,9 +12,9 @@ import steward.physics.TurnLog;
 import steward.physics.event.OfficialAdvance;
 
 /**
- * The official pod race for search programs: states are set and copied, turns are played, nothing is allocated, and
- * every bit is that of {@link PodRace} on the scene {@code mad-pod-racing}: positions, speeds, headings, timers,
- * checkpoints and, if recorded, impacts. The rules are those of the live server unless others are asked for.
+ * Simulator of the official pod race for search programs: states are set and copied, turns are played, nothing is
+ * allocated. Every bit is that of {@link PodRace} on the scene {@code mad-pod-racing}: positions, speeds, headings,
+ * timers, checkpoints and, if recorded, impacts. The rules are those of the live server unless others are asked for.
  *
  * <pre>{@code
  * PodRaceSimulator now = new PodRaceSimulator(checkpoints), trial = new PodRaceSimulator(checkpoints);

@@ -9,11 +9,11 @@ import steward.physics.event.FarPairs;
 import steward.physics.event.OfficialAdvance;
 
 /**
- * The official turn, fast: the kernel of {@link PodRaceSimulator} and of matches. Pods are steered by
- * certified vectors ({@link Headings}); in a turn in which no pair can meet they fly straight to their rounded ends,
- * otherwise through certified impacts ({@link CertifiedImpacts}), unless impacts are recorded. Where a decision or a
- * rounding is in doubt, the game's own expressions are evaluated. States are in arrays of the caller; this class holds
- * the working memory of a turn. Allocates nothing. Not thread-safe.
+ * Fast kernel of the official turn, for {@link PodRaceSimulator} and for matches. Pods are steered by certified vectors
+ * ({@link Headings}). In a turn in which no pair can meet they fly straight to their rounded ends, otherwise through
+ * certified impacts ({@link CertifiedImpacts}), unless impacts are recorded. If a decision or a rounding is in doubt,
+ * the game's own expressions are evaluated. States are in arrays of the caller; this class holds the working memory of
+ * a turn. Allocates nothing. Not thread-safe.
  *
  * <p>A turn without impacts takes most of its time for steering, then for gliding; a turn with impacts takes longer.
  * Tried and rejected, because measured no faster: a box around the checkpoint before its quadratic; one sum instead of

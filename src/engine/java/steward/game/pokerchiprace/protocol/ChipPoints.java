@@ -10,10 +10,10 @@ import steward.physics.Bodies;
 import steward.physics.TurnSink;
 
 /**
- * The points of the chips' paths in one turn, as the site draws them, collected while the turn is played: where a chip
- * is born, hits a wall or another, eats and is eaten. Facts of the published referee: a point replaces one of the same
- * time; one that lies within 2 u of the last, with the same radius, is left out; from the ninth on only those at which
- * the radius has changed are kept; the point behind a meal is always kept.
+ * Points of the chips' paths in one turn, as the site draws them, collected while the turn is played. A point is where
+ * a chip is born, hits a wall or another chip, eats or is eaten. Facts of the published referee: a point replaces one
+ * of the same time; a point within 2 u of the last, with the same radius, is left out; from the ninth on, only points
+ * at which the radius has changed are kept; the point behind a meal is always kept.
  */
 final class ChipPoints implements TurnSink {
 

@@ -8,7 +8,7 @@ import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.JsonParser;
 
 /**
- * The commands of a player's chips as JSON, in answers and replays: {@code chips}, an array in the order of the
+ * Reads the commands of a player's chips from JSON, in answers and replays: {@code chips}, an array in the order of the
  * player's list, each
  * <pre>{"x":1,"y":2}   {"wait":true}</pre>
  */

@@ -15,7 +15,7 @@ import steward.physics.Wall;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.io.SerializedString;
 
-/** All JSON of the Poker Chip Race; answers are read by {@link PokerChipRaceAnswer}. */
+/** JSON of the Poker Chip Race: frames, commands, states and drawing; {@link PokerChipRaceAnswer} reads answers. */
 public final class PokerChipRaceJson extends CommandsJson<ChipCommand> {
 
     private static final SerializedString BODIES = new SerializedString("bodies");

@@ -9,8 +9,8 @@ import steward.numerics.SplitMix64;
 import steward.physics.Bodies;
 
 /**
- * Chips by rule: now and then each is pushed toward the nearest smaller chip. Gathering chips head for the centre;
- * mingling ones for anywhere on the table.
+ * Pilot of chips by rule: now and then each is pushed toward the nearest smaller chip. Gathering chips head for the
+ * centre; mingling ones for anywhere on the table.
  */
 record PokerChipRacePilot(Aim aim) implements Pilot {
 

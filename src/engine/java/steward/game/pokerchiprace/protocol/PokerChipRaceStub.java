@@ -5,7 +5,7 @@ import steward.game.BotStub;
 import steward.game.BotStub.Command;
 import steward.game.BotStub.Input;
 
-/** Inputs and answers of starters of the Poker Chip Race: a slow chip pushes itself to the nearest smaller one. */
+/** Input and answers of starter bots for the Poker Chip Race: a slow chip pushes itself to the nearest smaller one. */
 final class PokerChipRaceStub {
 
     private static final String SLOW = " && chip.vx * chip.vx + chip.vy * chip.vy < 200";

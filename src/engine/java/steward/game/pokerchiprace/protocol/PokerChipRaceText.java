@@ -13,7 +13,7 @@ import steward.physics.Bodies;
 import tools.jackson.core.io.NumberOutput;
 
 /**
- * The site's line protocol of the Poker Chip Race. Before the first turn a player is sent its index. A turn is the
+ * Line protocol of the site for the Poker Chip Race. Before the first turn a player is sent its index. A turn is the
  * number of its own chips, the number of all chips, and a line {@code id owner r x y vx vy} for each, its own first,
  * with places counted from the corner of the table. The answer is one line for each of its own chips: {@code WAIT} or
  * {@code X Y}, each with an optional message. Lines before a bad one take effect.

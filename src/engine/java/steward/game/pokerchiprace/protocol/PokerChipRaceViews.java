@@ -25,7 +25,7 @@ import steward.scene.Scene;
 import tools.jackson.core.io.NumberOutput;
 
 /**
- * View of the server of the Poker Chip Race:
+ * Writes views of the Poker Chip Race as the server shows them:
  * <pre>
  * line 0      the number of the frame
  * frame 0     PokerChipRace, then players, width, height, most turns
@@ -34,8 +34,8 @@ import tools.jackson.core.io.NumberOutput;
  *             and t x y radius rotation other         for each of the points, then its message
  * then        an area per player and of all chips; a score per player
  * </pre>
- * Every frame shows all chips; those eaten in a turn come last in the frame that ends it, in the order in which they
- * were eaten.
+ * Every frame shows all chips; chips that were eaten in a turn come last in the frame that ends it, in the order in
+ * which they were eaten.
  */
 final class PokerChipRaceViews implements ViewWriter {
 

@@ -1,5 +1,5 @@
 /**
- * Protocol of the Poker Chip Race: JSON frames and answers, the site's lines; replays and drawing; and {@link
- * steward.game.pokerchiprace.protocol.PokerChipRaceType}, the game as the other rooms see it.
+ * Protocol of the Poker Chip Race: JSON frames and answers, the site's lines, replays and drawing. Other packages see
+ * the game as {@link steward.game.pokerchiprace.protocol.PokerChipRaceType}.
  */
 package steward.game.pokerchiprace.protocol;

@@ -9,8 +9,9 @@ import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
 /**
- * Views of the site's toolkit for games, as lines in a fixed order: the toolkit writes the updates of a frame, and the
- * attributes of an update, in the order of a hash table. Line 0 of a view has its number, line 1 is JSON:
+ * Writes views of the site's toolkit for games as lines in a fixed order. The toolkit itself writes the updates of a
+ * frame, and the attributes of an update, in the order of a hash table. Line 0 of a view has its number, line 1 is
+ * JSON:
  * <pre>
  * entitymodule   a text of lines; that which begins with U holds updates, separated by ";", each
  *                id time key value [curve] key value [curve] ..; of what has not changed there are none

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.regex.Pattern;
 import steward.scene.SceneFiles;
 
-/** The map of a race of which only the lines are known: the first lines are all checkpoints of three laps. */
+/** Finds the map of a race from its recorded lines: the first lines are all checkpoints of three laps. */
 final class RecordedMap {
 
     private static final String SCENE = "search-race";

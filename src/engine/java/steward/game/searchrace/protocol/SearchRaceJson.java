@@ -11,7 +11,7 @@ import steward.json.JsonObject;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.JsonParser;
 
-/** All JSON of the search race; answers are read by {@link SearchRaceAnswer}. */
+/** JSON of the search race: frames, commands, states and drawing; {@link SearchRaceAnswer} reads answers. */
 public final class SearchRaceJson implements GameJson {
 
     private static final double WIDTH = 16_000;

@@ -3,7 +3,7 @@ package steward.game.searchrace.protocol;
 import steward.game.searchrace.SearchRace;
 import steward.numerics.SplitMix64;
 
-/** Seeded commands for the car: it aims at the next checkpoint against its drift, and misses a little. */
+/** Pilot of the car with seeded commands: it aims at the next checkpoint against its drift, and misses a little. */
 final class SearchRacePilot {
 
     /** How many turns of its velocity a car aims short of its checkpoint, so that the drift carries it there. */

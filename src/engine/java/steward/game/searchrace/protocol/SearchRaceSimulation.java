@@ -10,13 +10,13 @@ import steward.game.searchrace.SearchRace;
 import tools.jackson.core.io.NumberOutput;
 
 /**
- * The line protocol with which simulators of the search race are checked. A test is
+ * Line protocol with which simulators of the search race are checked. A test is
  * <pre>
  * x y vx vy angleDegrees passed
  * X Y THRUST | EXPERT ANGLE THRUST
  * </pre>
- * and its answer the new state in the same form, followed by the time of the last checkpoint passed in the turn (2.0 if
- * none was).
+ * and its answer is the new state in the same form, followed by the time of the last checkpoint passed in the turn (2.0
+ * if none was).
  */
 final class SearchRaceSimulation extends SimulationLines {
 

@@ -5,7 +5,7 @@ import steward.game.BotStub;
 import steward.game.BotStub.Command;
 import steward.game.BotStub.Input;
 
-/** Inputs and answers of starters of the search race: the car aims against its drift. */
+/** Input and answers of starter bots for the search race: the car aims against its drift. */
 final class SearchRaceStub {
 
     private static final String PLACE = "x:int y:int";

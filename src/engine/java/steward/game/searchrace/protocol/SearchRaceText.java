@@ -10,13 +10,13 @@ import steward.text.TextFormat;
 import tools.jackson.core.io.NumberOutput;
 
 /**
- * CodinGame's line protocol of the search race. The setup is the number of all checkpoints of the race, then their
- * places in the order in which they are to be passed. A turn is {@code passed x y vx vy angle}; once a message has
- * contained {@code debug}, a line more with the time of the last checkpoint passed in the turn before.
+ * Line protocol of CodinGame for the search race. The setup is the number of all checkpoints of the race, then their
+ * places in the order in which they are to be passed. A turn is {@code passed x y vx vy angle}. Once a message has
+ * contained {@code debug}, one more line has the time of the last checkpoint passed in the turn before.
  *
  * <p>An answer is {@code X Y THRUST message} or {@code EXPERT ANGLE THRUST message}, split at single blanks, with whole
- * numbers as Java's {@code parseInt} reads them, exactly as the published referee takes it; beyond that only a carriage
- * return at the end is left out.
+ * numbers as Java's {@code parseInt} reads them, exactly as the published referee takes it. The only addition: a
+ * carriage return at the end is ignored.
  */
 final class SearchRaceText implements TextCodec {
 

@@ -1,5 +1,5 @@
 /**
- * Protocol of the search race: JSON frames and answers, CodinGame's lines; and {@link
- * steward.game.searchrace.protocol.SearchRaceType}, the game as the other rooms see it.
+ * Protocol of the search race: JSON frames and answers, CodinGame's lines. Other packages see the game as {@link
+ * steward.game.searchrace.protocol.SearchRaceType}.
  */
 package steward.game.searchrace.protocol;

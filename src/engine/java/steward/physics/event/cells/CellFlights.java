@@ -17,9 +17,9 @@ import steward.physics.time.LowParts;
 import steward.physics.time.SimultaneousImpacts;
 
 /**
- * Flights by cells and an event queue. An event is the predicted next impact of a body or its cell crossing. A
- * prediction of another body with one that has had an impact becomes stale: this is detected by the count of flight
- * changes when the event is due, and then that body is predicted anew.
+ * Free flights with neighbours by cells and an event queue. An event is the predicted next impact of a body or its cell
+ * crossing. A prediction of a body becomes stale if its partner has had another impact. That is detected by the count
+ * of flight changes when the event is due; then the body is predicted anew.
  */
 public final class CellFlights extends FreeFlights {
 

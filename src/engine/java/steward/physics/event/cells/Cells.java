@@ -17,7 +17,10 @@ import steward.physics.event.flight.PairSelection;
  * Bodies of larger diameter, or very far away, are in no cell: see Crowd.
  */
 
-/** Square cells, each a list of bodies. Size and number are chosen anew for each turn, from the bodies at its start. */
+/**
+ * Grid of square cells, each with a list of its bodies. Size and number are chosen anew for each turn, from the bodies
+ * at its start.
+ */
 final class Cells {
 
     /**

@@ -7,11 +7,11 @@ import steward.physics.time.PreciseFlight;
 import steward.physics.time.SimultaneousImpacts;
 
 /**
- * The bodies of a turn as {@link CellFlights} keeps them: the state of a body is that of the start of its present free
+ * Bodies of a turn as {@link CellFlights} keeps them: the state of a body is that of the start of its present free
  * flight. Bodies are stored in the order of tiles of cells, so that neighbours are near each other in memory; the
  * classes of this package call the position in this order a body. The eight doubles of a body fill a cache line; they
- * are all that a search reads of a neighbour. They begin 64 bytes after an array does, whose header has 16: where
- * arrays begin with a line, as large ones do, no record lies in two.
+ * are all that a search reads of a neighbour. They begin 64 bytes after an array does, whose header has 16: if arrays
+ * begin with a line, as large ones do, no record lies in two.
  *
  * <p>As an order it breaks ties between events whose times are equal as doubles: first by the low parts; then cell
  * crossings come first, and of impacts the lowest pair, bodies before walls.

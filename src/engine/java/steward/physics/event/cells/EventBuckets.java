@@ -15,8 +15,8 @@ import java.util.Arrays;
  */
 
 /**
- * The next event of each body, in the order of time. A body has at most one. Ties are broken by {@link Order}. No event
- * is earlier than the last one removed.
+ * Queue of the next event of each body, in the order of time. A body has at most one. Ties are broken by {@link Order}.
+ * No event is earlier than the last one removed.
  */
 final class EventBuckets {
 

@@ -4,8 +4,8 @@ import steward.physics.Bodies;
 import steward.physics.TurnSink;
 
 /**
- * The two bodies of an impact in a {@link Bodies} of two, so that only their own lines of memory are read: for scenes
- * in which nothing but the two has a part in an impact.
+ * Copy of the two bodies of an impact in a {@link Bodies} of two, so that only their own lines of memory are read. It
+ * is for scenes in which only these two have a part in an impact.
  */
 final class PairCopy {
 

@@ -1,5 +1,5 @@
 /**
- * Neighbours by cells: only bodies of cells next to each other are looked at, and each body has one event in a queue,
- * its predicted impact or its cell crossing; for many bodies.
+ * Neighbours by cells, for many bodies: only bodies of adjacent cells are looked at. Each body has one event in a
+ * queue, its predicted impact or its cell crossing.
  */
 package steward.physics.event.cells;

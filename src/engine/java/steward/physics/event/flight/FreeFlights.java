@@ -7,14 +7,14 @@ import steward.physics.time.LowParts;
 import steward.physics.time.SimultaneousImpacts;
 
 /**
- * The free flights of all bodies, with the predicted next impact of each, as the event loop sees them. Each body has a
+ * Free flights of all bodies, with the predicted next impact of each, as the event loop sees them. Each body has a
  * local clock: its flight begins at the start of the turn and at each impact of its own, and only then it is moved. So
  * the path of a body, and the time at which two meet, do not depend on impacts elsewhere, not even in the last bit. If
  * a heap comes to rest, or a reaction of the scene alters others than its two, all flights begin anew. A way to find
  * neighbours has its own layout of bodies, and numbers them as it likes.
  *
  * <p>In the arithmetic {@code EXACT} times are double-doubles, and a coordinate is rounded once, when it is stored; an
- * impact is given what is lost.
+ * impact gets the rounding error.
  */
 public abstract class FreeFlights {
 

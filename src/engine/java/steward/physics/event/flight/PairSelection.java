@@ -5,7 +5,7 @@ import steward.physics.Contacts;
 import steward.physics.PhysicsParts;
 
 /**
- * Selects who can react where not all can: kinds that ignore each other, passing pairs and two infinite masses cannot.
+ * Selects pairs that can react: not kinds that ignore each other, passing pairs, or two infinite masses.
  *
  * @param contacts what contacts mean in the scene
  */

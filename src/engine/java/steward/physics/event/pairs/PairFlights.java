@@ -9,7 +9,10 @@ import steward.physics.time.LowParts;
 import steward.physics.time.PreciseFlight;
 import steward.physics.time.SimultaneousImpacts;
 
-/** Flights by all pairs: the position of a body in {@link Bodies} is that of the start of its present flight. */
+/**
+ * Free flights with neighbours by all pairs: the position of a body in {@link Bodies} is that of the start of its
+ * present flight.
+ */
 public final class PairFlights extends FreeFlights {
 
     /** The start of the flight of each body, as a time of the turn, and its low part if times are double-doubles. */

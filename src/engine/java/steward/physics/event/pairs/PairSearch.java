@@ -7,8 +7,8 @@ import steward.physics.time.PreciseFlight;
 import steward.physics.time.SimultaneousImpacts;
 
 /**
- * The next impact of each body with a body of a higher index, or with a wall: a row of the table of all pairs. After an
- * impact only the rows are searched again in which something has changed.
+ * Next impact of each body with a body of a higher index, or with a wall: a row of the table of all pairs. After an
+ * impact only rows in which something has changed are searched again.
  */
 final class PairSearch extends ImpactSearch {
 

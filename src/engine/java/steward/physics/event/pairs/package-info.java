@@ -1,2 +1,2 @@
-/** Neighbours by all pairs: a row of the table of pairs for each body, for the few bodies of a game. */
+/** Neighbours by all pairs, for the few bodies of a game: a row of the table of pairs for each body. */
 package steward.physics.event.pairs;

@@ -9,8 +9,8 @@ import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 
 /**
- * A bot program that does no work: each piece of input, up to a line end, is answered with the same line. The time of a
- * match with it is that of the referee and the system.
+ * Bot program that does no work: it answers each line with the same line. So the time of a match with it is that of the
+ * referee and the system.
  */
 public final class FixedAnswerBot {
 

@@ -8,7 +8,7 @@ import steward.game.GameTypes;
 import steward.match.DirectBot;
 
 /**
- * Fixture to measure whole matches; supplied by the command line, which alone knows the games.
+ * Fixture to measure whole matches, supplied by the command line, which alone knows the games.
  *
  * @param direct    makes a bot that reads the game itself
  * @param lines     makes a bot with the same commands that reads and writes lines

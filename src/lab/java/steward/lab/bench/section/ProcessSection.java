@@ -32,8 +32,9 @@ import steward.match.TimeControl;
 import steward.match.Turn;
 
 /**
- * Turns between bot processes, compared with bare pipes to the same programs; the cost of a match before its turns; and
- * the price of each level of isolation, and of each policy of holding at the level that is usual here.
+ * Bench section on bot processes: turns, compared with bare pipes to the same programs, and the cost of a match before
+ * its turns. It also has the price of each isolation level, and of each policy of holding at this machine's usual
+ * level.
  *
  * @param longGame  a scene in which bots that never reach a checkpoint play many turns
  * @param longTurns how many turns

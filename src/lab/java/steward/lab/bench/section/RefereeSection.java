@@ -29,7 +29,9 @@ import steward.lab.timing.Stretch;
 import steward.match.Protocol;
 import tools.jackson.databind.json.JsonMapper;
 
-/** Bench section on referees made with CodinGame's SDK: games of a small one, in residents and in a JVM a game. */
+/**
+ * Bench section on referees made with CodinGame's SDK: games of a small one, in resident JVMs and in one JVM per game.
+ */
 public record RefereeSection(MatchFixture fixture, Path sdk) implements Section {
 
     private static final List<String> SOURCES = List.of("Player.java", "Referee.java");

@@ -15,9 +15,9 @@ import steward.files.Folders;
 import steward.lab.timing.Stretch;
 
 /**
- * Games under cg-brutaltester, in a folder of its own, in which two compiled bots are. CPU time is counted
- * by Linux, in ticks of 10 ms: that of programs that this JVM has started and that have ended, with what they started
- * in turn; and that of the resident referee, which is nobody's child.
+ * Games under cg-brutaltester, in a folder of their own with two compiled bots. CPU time is counted by Linux, in ticks
+ * of 10 ms. It is that of programs that this JVM has started and that have ended, with their children; and that of the
+ * resident referee, which is nobody's child.
  */
 final class ToolGames implements AutoCloseable {
 

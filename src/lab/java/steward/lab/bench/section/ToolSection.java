@@ -13,10 +13,7 @@ import steward.lab.bench.Row;
 import steward.lab.bench.Section;
 import steward.lab.timing.TimingEffort;
 
-/**
- * Bench section on a tool of others: the CPU time of its games with our referee, beside the same tool with a referee in
- * Go.
- */
+/** Bench section on another project's tool: CPU time of its games with our referee, and with a referee in Go. */
 public record ToolSection(MatchFixture fixture, Path tools) implements Section {
 
     /** Games of a run; cg-brutaltester plays each seed from both sides. */

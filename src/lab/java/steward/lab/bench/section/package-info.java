@@ -1,2 +1,2 @@
-/** The sections of the bench: matches, frames, crowds, processes, start-up, verification, growth. */
+/** Sections of the bench: matches, frames, crowds, processes, start-up, verification, growth. */
 package steward.lab.bench.section;

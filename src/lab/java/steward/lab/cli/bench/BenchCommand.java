@@ -31,7 +31,7 @@ import steward.lab.bench.Section;
 import steward.lab.timing.Machine;
 import steward.text.TextFormat;
 
-/** {@code steward bench}: how fast matches, replays, bot processes, starts and crowds are. */
+/** {@code steward bench}: measures the speed of matches, replays, bot processes, starts and crowds. */
 @Command(name = "bench", description = "Measures how fast matches, replays, bot processes, starts and crowds of bodies "
     + "are on this machine, with plain ways to do the same beside them.",
     footer = {"", "Ratios are between figures of one run and mean more than the figures.",

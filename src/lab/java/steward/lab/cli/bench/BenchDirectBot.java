@@ -6,7 +6,7 @@ import steward.game.podrace.PodSeat;
 import steward.match.DirectBot;
 
 /**
- * A pod-race bot for measurements that reads the race itself: every pod steers at its next checkpoint less one turn of
+ * Pod-race bot for measurements that reads the race directly. Every pod steers at its next checkpoint less one turn of
  * its own speed, slowly, so that a match takes about as many turns as official ones.
  */
 public final class BenchDirectBot implements DirectBot {

@@ -8,7 +8,7 @@ import tools.jackson.core.JsonParser;
 import tools.jackson.core.JsonToken;
 import tools.jackson.core.ObjectReadContext;
 
-/** The bot {@link BenchDirectBot}, but exchanging lines. */
+/** The bot {@link BenchDirectBot} with lines: it reads frames and answers in text. */
 public final class BenchLineBot implements Bot {
 
     private final List<double[]> checkpoints = new ArrayList<>();

@@ -18,7 +18,7 @@ import steward.lab.bench.section.VerifySection;
 import steward.scene.SceneFiles;
 import steward.scene.SceneText;
 
-/** The sections that {@code steward bench} measures. */
+/** List of the sections that {@code steward bench} measures. */
 final class BenchSuite {
 
     /** Property in which the launcher passes its own path. */

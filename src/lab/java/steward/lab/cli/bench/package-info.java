@@ -1,2 +1,2 @@
-/** The command {@code bench}, and the contenders for the pod race. */
+/** The command {@code bench}, and its bots for the pod race. */
 package steward.lab.cli.bench;

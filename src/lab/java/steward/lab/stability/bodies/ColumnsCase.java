@@ -13,7 +13,7 @@ import steward.lab.trial.StabilityCase;
 import steward.numerics.SplitMix64;
 import steward.physics.Bodies;
 
-/** Columns of discs that fall on a floor one after the other. */
+/** Stability case of columns of discs that fall on a floor one after the other. */
 public final class ColumnsCase extends StabilityCase {
 
     private static final long SEED = 57;

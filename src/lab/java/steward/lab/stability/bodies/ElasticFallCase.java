@@ -9,7 +9,7 @@ import steward.lab.trial.StabilityCase;
 import steward.physics.Bodies;
 import steward.physics.ImpactLaw;
 
-/** Elastic balls that are dropped: their energy at the ends of turns. */
+/** Stability case of dropped elastic balls: their energy at the ends of turns must stay. */
 public final class ElasticFallCase extends StabilityCase {
 
     private static final double[][] DROPS = {{790, 9.81}, {100, 9.81}, {100, 2}, {2, 9.81}, {33, 0.7}};

@@ -14,7 +14,7 @@ import steward.physics.Bodies;
 import steward.physics.TurnLog;
 import steward.physics.Wall;
 
-/** Random piles that fall into a wedge or an arena by their weight. */
+/** Stability case of random piles that fall into a wedge or an arena by their weight. */
 public final class FallenPilesCase extends StabilityCase {
 
     private static final long SEED = 58;

@@ -14,7 +14,7 @@ import steward.physics.TurnLog;
 import steward.physics.TurnSink;
 import steward.physics.Wall;
 
-/** Bodies under gravity, a turn after the other. */
+/** World of bodies under gravity, played turn after turn for stability cases. */
 final class Falls {
 
     static final ImpactLaw SOFT = ImpactLaw.PHYSICS.withRestitution(ImpactLaw.Restitution.MINIMUM);

@@ -18,7 +18,7 @@ import steward.physics.Wall;
  * 2 e t, 2 e^2 t and so on: in all t (1 + 2 e / (1 - e)).
  */
 
-/** One ball that is dropped, on everything that it can lie on. */
+/** Stability case of one dropped ball, on everything on which it can lie. */
 public final class SingleRestCase extends StabilityCase {
 
     private static final long SEED = 56;

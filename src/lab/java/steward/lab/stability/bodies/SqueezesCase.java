@@ -16,8 +16,8 @@ import steward.physics.TurnLog;
 import steward.physics.Wall;
 
 /**
- * A light body between a wall and a heavy one, and a body that flies into a corner again and again: many impacts in a
- * turn that are no rest.
+ * Stability case of many impacts in a turn that are not rest. A light body is between a wall and a heavy one, or a body
+ * flies into a corner again and again.
  */
 public final class SqueezesCase extends StabilityCase {
 

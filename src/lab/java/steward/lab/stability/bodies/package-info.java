@@ -1,2 +1,2 @@
-/** Cases of the stability table about bodies that bounce, come to rest, or are accelerated by forces. */
+/** Stability cases of bodies under forces or with restitution below 1: they bounce, fall and come to rest. */
 package steward.lab.stability.bodies;

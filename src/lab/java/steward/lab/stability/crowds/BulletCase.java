@@ -11,8 +11,9 @@ import steward.physics.Bodies;
 import steward.physics.ImpactLaw;
 
 /**
- * A body of mass 1e30 flies at 1e8 u per turn past a row of 1,000 bodies, whose centres are 15 u above and below its
- * path in turn: it touches each (10 + 10 u) and pushes it out of the row, away from the next.
+ * Stability case of a heavy bullet: a body of mass 1e30 flies at 1e8 u per turn past a row of 1,000 bodies. Their
+ * centres are 15 u above and below its path in turn: it touches each (10 + 10 u) and pushes it out of the row, away
+ * from the next.
  */
 public final class BulletCase extends StabilityCase {
 

@@ -10,7 +10,7 @@ import steward.lab.trial.Rung;
 import steward.lab.trial.StabilityCase;
 import steward.physics.Arithmetic;
 
-/** A crowd in a box, played for many impacts: whether any is missed. */
+/** Stability case of a crowd in a box, played for many impacts to see whether any is missed. */
 public final class CrowdCase extends StabilityCase {
 
     private static final long SEED = 9;

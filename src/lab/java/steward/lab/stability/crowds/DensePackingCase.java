@@ -23,9 +23,9 @@ import steward.physics.Wall;
  */
 
 /**
- * Discs so close that there is hardly room to move, in a box that fits: coverage from 0.84 to the densest packing, down
- * to gaps of some units in the last place. Speeds are proportional to the gap, so that a turn has some impacts per
- * disc; in one world they are not, so that no turn can have all of its impacts.
+ * Stability case of discs so close that there is hardly room to move, in a box that fits. Coverage goes from 0.84 to
+ * the densest packing, down to gaps of a few units in the last place. Speeds are proportional to the gap, so that a
+ * turn has some impacts per disc; in one world they are not, so that no turn can have all of its impacts.
  */
 public final class DensePackingCase extends StabilityCase {
 

@@ -13,9 +13,9 @@ import steward.physics.Bodies;
 import steward.physics.ImpactLaw;
 
 /**
- * Inelastic collapse: infinitely many impacts in a finite time. In one dimension 3 bodies collapse below
- * e = 7 - 4 sqrt 3 = 0.072, and n bodies when n is above about ln(4 / (1 - e)) / (1 - e), 88 for e = 0.95
- * (S. McNamara and W. R. Young, "Inelastic collapse and clumping in a one-dimensional granular medium", 1992).
+ * Stability case of inelastic collapse: infinitely many impacts in a finite time. In one dimension 3 bodies collapse
+ * below e = 7 - 4 sqrt 3 = 0.072, and n bodies when n is above about ln(4 / (1 - e)) / (1 - e), 88 for e = 0.95 (S.
+ * McNamara and W. R. Young, "Inelastic collapse and clumping in a one-dimensional granular medium", 1992).
  */
 public final class InelasticCollapseCase extends StabilityCase {
 

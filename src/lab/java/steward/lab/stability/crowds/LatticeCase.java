@@ -14,9 +14,9 @@ import steward.physics.Bodies;
 import steward.physics.ImpactLaw;
 
 /**
- * Pairs on a lattice that all meet at the same instant, no body being in two of them: whatever the numbering, each body
- * ends at the same position. Under the official law they react in one batch; one at a time means a scan of all bodies
- * for each, so the advance for crowds gets all 10,000, and the other one some hundred.
+ * Stability case of pairs on a lattice that all meet at the same instant, no body in two of them. Whatever the
+ * numbering, each body must end at the same position. Under the official law they react in one batch. One at a time
+ * means a scan of all bodies for each impact, so the advance for crowds gets all 10,000 and the other one some hundred.
  */
 public final class LatticeCase extends StabilityCase {
 

@@ -15,7 +15,9 @@ import steward.physics.Bodies;
 import steward.physics.ImpactLaw;
 import steward.physics.Wall;
 
-/** Many elastic impacts in a box: the drift of the energy, and whether the momentum balance is closed. */
+/**
+ * Stability case of many elastic impacts in a box: the drift of the energy, and whether the momentum balance is closed.
+ */
 public final class LongRunCase extends StabilityCase {
 
     private static final long SEED = 16;

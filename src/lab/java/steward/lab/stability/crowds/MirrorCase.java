@@ -12,7 +12,10 @@ import steward.physics.HalfPlane;
 import steward.physics.ImpactLaw;
 import steward.physics.Wall;
 
-/** One body hits two touching ones symmetrically, and small worlds among walls, each compared with its mirror image. */
+/**
+ * Stability case of mirror symmetry: one body hits two touching ones, or a small world among walls, compared with its
+ * mirror image.
+ */
 public final class MirrorCase extends StabilityCase {
 
     private static final long SEED = 11;

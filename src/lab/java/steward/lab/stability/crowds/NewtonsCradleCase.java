@@ -10,7 +10,7 @@ import steward.lab.trial.StabilityCase;
 import steward.physics.Bodies;
 import steward.physics.ImpactLaw;
 
-/** Newton's cradle of five: four at rest in a row, in contact or nearly, hit by the fifth. */
+/** Stability case of Newton's cradle of five: four at rest in a row, in contact or nearly, hit by the fifth. */
 public final class NewtonsCradleCase extends StabilityCase {
 
     private static final int BALLS = 5;

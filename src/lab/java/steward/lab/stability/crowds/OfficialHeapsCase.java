@@ -12,7 +12,10 @@ import steward.physics.Advance;
 import steward.physics.Bodies;
 import steward.physics.ImpactLaw;
 
-/** Four pods in the space of one to four, under the official law: the minimum impulse drives them apart. */
+/**
+ * Stability case of four pods in the space of one to four, under the official law: the minimum impulse drives them
+ * apart.
+ */
 public final class OfficialHeapsCase extends StabilityCase {
 
     private static final long SEED = 14;

@@ -21,8 +21,8 @@ import steward.physics.TurnLog;
 import steward.physics.Wall;
 
 /**
- * Random piles of 3 to 60 bodies that are pressed: into corners, wedges of 8 to 60 degrees, the rim of an arena,
- * or against each other in free space.
+ * Stability case of random piles of 3 to 60 bodies that are pressed together. They are pressed into corners, wedges of
+ * 8 to 60 degrees or the rim of an arena, or against each other in free space.
  */
 public final class PilesCase extends StabilityCase {
 

@@ -14,9 +14,9 @@ import steward.physics.Bodies;
 import steward.physics.ImpactLaw;
 
 /**
- * Newton's cradle with numbers that have no structure: equal bodies in a row along an axis, of any radius, at any
- * place, with any gaps, hit by one of any speed. Whatever the rounding of positions makes of the gaps, all impacts are
- * central, so in each one the two exchange their velocities, to the bit.
+ * Stability case of Newton's cradle with random numbers: equal bodies in a row along an axis, hit by another. Radius,
+ * place, gaps and speed are arbitrary. Whatever the rounding of positions makes of the gaps, all impacts are central,
+ * so in each one the two exchange their velocities, to the bit.
  */
 public final class RandomCradlesCase extends StabilityCase {
 

@@ -14,7 +14,9 @@ import steward.physics.ImpactLaw;
 import steward.physics.TurnLog;
 import steward.physics.Wall;
 
-/** Worlds of {@link TiedWorlds}: impacts at one time that no double shows, in the order of ids. */
+/**
+ * Stability case of {@link TiedWorlds}: simultaneous impacts whose time is no double must react in the order of ids.
+ */
 public final class SimultaneousCase extends StabilityCase {
 
     private static final long SEED = 32;

@@ -16,9 +16,9 @@ import steward.physics.TurnLog;
 import steward.physics.Wall;
 
 /**
- * Stability case of simultaneous impacts: bodies on the points of a lattice with a few different velocities, some at
- * rest, some touching, so that many impacts have the same instant, also several of one body. One by one and as a crowd,
- * the same pairs must meet in the same order, and everything must be the same to the bit.
+ * Stability case of simultaneous impacts: bodies on a lattice with a few different velocities, some at rest, some
+ * touching. So many impacts have the same instant, also several of one body. One by one and as a crowd, the same pairs
+ * must meet in the same order, and everything must be the same to the bit.
  */
 public final class TiesCase extends StabilityCase {
 

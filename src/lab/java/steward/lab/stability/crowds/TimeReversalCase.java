@@ -12,7 +12,9 @@ import steward.physics.Bodies;
 import steward.physics.ImpactLaw;
 import steward.physics.Wall;
 
-/** Five discs in a box fly n turns; then all velocities are reversed and they fly back. */
+/**
+ * Stability case of time reversal: five discs in a box fly n turns; then all velocities are reversed and they fly back.
+ */
 public final class TimeReversalCase extends StabilityCase {
 
     private static final long SEED = 15;

@@ -19,9 +19,9 @@ import steward.physics.TurnLog;
 
 /**
  * Stability case of chaos: counts the impacts of a gas of elastic discs until it leaves its true path. Each impact
- * multiplies an error by some factor, so that any rounding, also that of the state at the end of a turn, grows to the
- * size of a disc after some dozens of impacts of each. The true path is the oracle's, whose 64 digits last several
- * times as long.
+ * multiplies an error by some factor, so that any rounding, even of the state at the end of a turn, grows to the size
+ * of a disc after some dozens of impacts of each. The true path is the oracle's, whose 64 digits last several times as
+ * long.
  */
 public final class TruePathCase extends StabilityCase {
 

@@ -9,7 +9,7 @@ import steward.lab.trial.StabilityCase;
 import steward.physics.Bodies;
 import steward.physics.ImpactLaw;
 
-/** States that lead to divisions by 0: coincident centres, deep overlap, no relative speed in contact. */
+/** Stability case of divisions by 0: coincident centres, deep overlap, no relative speed in contact. */
 public final class ContactCase extends StabilityCase {
 
     private static final double TOLERANCE = 1e-12;

@@ -14,7 +14,9 @@ import steward.physics.ImpactLaw;
 import steward.physics.Segment;
 import steward.physics.Wall;
 
-/** A hit into a corner at exactly 45 degrees, which touches two walls at once, and hits on the end of a segment. */
+/**
+ * Stability case of corners: a hit at exactly 45 degrees, which touches two walls at once, and hits on a segment's end.
+ */
 public final class CornerCase extends StabilityCase {
 
     private static final double TOLERANCE = 1e-12;

@@ -13,7 +13,7 @@ import steward.physics.Bodies;
 import steward.physics.ImpactLaw;
 import steward.physics.time.ExactPairs;
 
-/** Impacts at the end of the turn, some units in the last place before or behind it. */
+/** Stability case of impacts at the end of the turn, a few units in the last place before or after it. */
 public final class EndOfTurnCase extends StabilityCase {
 
     private static final long SEED = 33;

@@ -12,7 +12,7 @@ import steward.physics.HalfPlane;
 import steward.physics.ImpactLaw;
 import steward.physics.Segment;
 
-/** Speeds and lengths whose squares underflow or overflow, between bodies and at walls. */
+/** Stability case of speeds and lengths whose squares underflow or overflow, between bodies and at walls. */
 public final class ExtremeSpeedsCase extends StabilityCase {
 
     private static final double TOLERANCE = 1e-12;

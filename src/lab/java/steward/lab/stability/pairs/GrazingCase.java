@@ -11,8 +11,8 @@ import steward.numerics.SplitMix64;
 import steward.physics.Bodies;
 
 /**
- * Passes that nearly touch: at R (1 - 10^-k), R (1 + 10^-k), and exactly tangent, one unit in the last place to either
- * side.
+ * Stability case of passes that nearly touch. Distances are R (1 - 10^-k), R (1 + 10^-k), exactly tangent, and one unit
+ * in the last place to either side.
  */
 public final class GrazingCase extends StabilityCase {
 

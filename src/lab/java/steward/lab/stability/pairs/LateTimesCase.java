@@ -13,9 +13,10 @@ import steward.physics.Bodies;
 import steward.physics.ImpactLaw;
 
 /**
- * Impacts 1e-9 turns after each other, late: a body hits a row whose gaps it crosses in that time, at the very end of a
- * turn. There is no clock across turns ({@link steward.physics.Advance} does not know the turn's number), so a late
- * turn of a match is like any other; within one, rounding a time near 1 moves a body by 1e-16 of its speed.
+ * Stability case of impacts that follow each other by 1e-9 turns at the very end of a turn. A body hits a row whose
+ * gaps it crosses in that time. There is no clock across turns ({@link steward.physics.Advance} does not know the
+ * turn's number), so a late turn of a match is like any other. Within a turn, rounding a time near 1 moves a body by
+ * 1e-16 of its speed.
  */
 public final class LateTimesCase extends StabilityCase {
 

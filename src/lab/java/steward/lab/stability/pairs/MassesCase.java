@@ -9,7 +9,7 @@ import steward.lab.trial.StabilityCase;
 import steward.physics.Bodies;
 import steward.physics.ImpactLaw;
 
-/** Masses from 1e-300 to 1e300 and infinite ones, at ratios up to 1e600. */
+/** Stability case of masses from 1e-300 to 1e300 and infinite ones, at ratios up to 1e600. */
 public final class MassesCase extends StabilityCase {
 
     private static final double TOLERANCE = 1e-12;

@@ -11,7 +11,10 @@ import steward.lab.trial.StabilityCase;
 import steward.numerics.SplitMix64;
 import steward.physics.Bodies;
 
-/** Times of impact where the terms of the quadratic cancel: minimally apart, very far apart, far from the origin. */
+/**
+ * Stability case of times of impact whose quadratic cancels: bodies minimally apart, very far apart, far from the
+ * origin.
+ */
 public final class NearAndFarCase extends StabilityCase {
 
     private static final long SEED = 3;

@@ -12,7 +12,10 @@ import steward.physics.Bodies;
 import steward.physics.HalfPlane;
 import steward.physics.ImpactLaw;
 
-/** The official law at its limits: a row that just touches, the force at the minimum, a pod squeezed against a wall. */
+/**
+ * Stability case of the official law's limits: a row that just touches, the force at the minimum, a pod squeezed at a
+ * wall.
+ */
 public final class OfficialEdgesCase extends StabilityCase {
 
     public OfficialEdgesCase() {

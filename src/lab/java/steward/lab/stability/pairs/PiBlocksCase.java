@@ -15,8 +15,8 @@ import steward.physics.HalfPlane;
 import steward.physics.ImpactLaw;
 
 /**
- * Two blocks and a wall: with masses 1 and 100^k the impacts are the first k + 1 digits of pi (G. Galperin, "Playing
- * pool with pi", 2003).
+ * Stability case of two blocks and a wall, whose impacts count the digits of pi. With masses 1 and 100^k the number of
+ * impacts is written with the first k + 1 digits of pi (G. Galperin, "Playing pool with pi", 2003).
  */
 public final class PiBlocksCase extends StabilityCase {
 

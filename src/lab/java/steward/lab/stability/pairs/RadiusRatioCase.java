@@ -10,7 +10,9 @@ import steward.lab.trial.StabilityCase;
 import steward.numerics.SplitMix64;
 import steward.physics.Bodies;
 
-/** A body of 1e6 u and one of 1e-6 u: hits across the front, near its edge, and from near and far. */
+/**
+ * Stability case of a body of 1e6 u and one of 1e-6 u: hits across the front, near its edge, and from near and far.
+ */
 public final class RadiusRatioCase extends StabilityCase {
 
     private static final long SEED = 8;

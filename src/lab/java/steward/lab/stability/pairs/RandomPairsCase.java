@@ -10,7 +10,7 @@ import steward.lab.trial.StabilityCase;
 import steward.numerics.SplitMix64;
 import steward.physics.Bodies;
 
-/** Random pairs of all sizes, speeds, masses and offsets, a third of them grazing. */
+/** Stability case of random pairs of all sizes, speeds, masses and offsets, a third of them grazing. */
 public final class RandomPairsCase extends StabilityCase {
 
     private static final long SEED = 20_000;

@@ -8,7 +8,7 @@ import steward.lab.trial.StabilityCase;
 import steward.physics.Bodies;
 import steward.physics.Motion;
 
-/** The official rounding at the end of a turn, at the numbers where it could go either way. */
+/** Stability case of the official rounding at the end of a turn, at the numbers where it could go either way. */
 public final class RoundingCase extends StabilityCase {
 
     /** Position and floor(x + 0.5) of it, the sum being a double: so 0.49999999999999994 becomes 1. */

@@ -13,8 +13,8 @@ import steward.physics.ImpactLaw;
 import steward.physics.TurnLog;
 
 /**
- * A body on the rim of an arena that moves along it: after a turn it has covered its speed over the room for its
- * centre, in radians, at the same distance and with the same speed.
+ * Stability case of a body that slides along the rim of an arena. After a turn it must have covered its speed over the
+ * room for its centre, in radians, at the same distance and with the same speed.
  */
 public final class SlidingCase extends StabilityCase {
 

@@ -20,7 +20,7 @@ import steward.lab.chart.ChartFiles;
 import steward.lab.tradeoff.TradeoffResult;
 import steward.lab.tradeoff.TradeoffRow;
 
-/** One scene of the picture: its rungs by cost and error, with the spread of the cost. */
+/** Panel of the trade-off's picture for one scene: its rungs by cost and error, with the spread of the cost. */
 final class TradeoffPanel {
 
     /** An error of 0, and any smaller one, is drawn here: there is no zero on a logarithmic axis. In u. */

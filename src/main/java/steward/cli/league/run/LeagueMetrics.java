@@ -6,7 +6,7 @@ import java.util.function.ToDoubleFunction;
 import steward.league.page.WorkerRow;
 import steward.league.play.LeagueRun;
 
-/** Figures of a run in the text format of Prometheus, at {@code /metrics} of the watched port. */
+/** Metrics of a run in the text format of Prometheus, at {@code /metrics} of the watched port. */
 final class LeagueMetrics {
 
     /**

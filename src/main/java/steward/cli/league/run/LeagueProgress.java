@@ -18,7 +18,7 @@ import steward.league.rating.Results;
 import steward.league.store.GameStore;
 import steward.text.TextFormat;
 
-/** Counts of a run so far, as games end. Thread-safe. */
+/** Counters of a run, updated as games end. Thread-safe. */
 final class LeagueProgress {
 
     private static final int MOST_ROWS = 20;

@@ -48,7 +48,7 @@ import steward.league.store.GameStore;
 import steward.league.store.SeasonOpening;
 import steward.text.TextFormat;
 
-/** {@code steward league run}: plays. */
+/** {@code steward league run}: plays the games of a league. */
 @Command(name = "run", description = "Plays a league until it is told to end, and goes on where it was.",
     footer = {"",
         "Every game is stored when it is over. Ctrl-C ends the games that are under way;",

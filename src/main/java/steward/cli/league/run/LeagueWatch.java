@@ -32,7 +32,7 @@ import steward.league.store.GameQueries;
 import steward.live.StatusServer;
 import steward.replay.ReplayException;
 
-/** The page that follows a run: the newest state for every open browser, and the kept replays. */
+/** Live page that follows a run: sends the newest state to every open browser, and serves the kept replays. */
 final class LeagueWatch implements AutoCloseable {
 
     private static final long PERIOD_MS = 1000;

@@ -8,7 +8,7 @@ import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Supplier;
 
-/** Messages on a terminal, and below them, once they are there, some lines that are written over again and again. */
+/** Terminal output of a run: messages, and below them a block of lines that is rewritten in place. */
 final class LiveTable implements AutoCloseable {
 
     private static final long PERIOD_MS = 500;

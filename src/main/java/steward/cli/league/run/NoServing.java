@@ -7,7 +7,7 @@ import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
 import steward.league.Season;
 
-/** No other machines. */
+/** Placeholder for {@link Serving} if no other machines play. */
 @Command
 public final class NoServing implements Serving {
 

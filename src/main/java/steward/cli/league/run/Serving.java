@@ -13,7 +13,7 @@ import steward.league.play.LeagueRun;
 import steward.league.play.RemoteMachines;
 import steward.machines.check.WorkerBook;
 
-/** The options of a run that let other machines play, too. */
+/** Options of a run that let other machines play too. */
 public interface Serving {
 
     /** Other machines, while a run lasts. */

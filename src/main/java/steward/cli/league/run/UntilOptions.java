@@ -18,7 +18,7 @@ import steward.league.play.Roster;
 import steward.league.rating.Ratings;
 import steward.text.TextFormat;
 
-/** Options for when a league knows enough to end. */
+/** Options for when a league ends because it knows enough. */
 @OptionSection("The end")
 final class UntilOptions {
 

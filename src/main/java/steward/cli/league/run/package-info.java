@@ -1,2 +1,2 @@
-/** {@code steward league run}: what is asked, and what is shown while games are played. */
+/** {@code steward league run}: its options, and its display while games are played. */
 package steward.cli.league.run;

@@ -14,7 +14,7 @@ import steward.contest.RecordedFailures;
 import steward.league.StoredGame;
 import steward.text.TextFormat;
 
-/** Failures of bots in games of a league: each game's failures from its replay, and how often each kind came. */
+/** Failures of bots in games of a league: details from each game's replay, and counts of each kind. */
 public final class GameFailures {
 
     private static final int MOST = 10;

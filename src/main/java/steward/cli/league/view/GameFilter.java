@@ -10,7 +10,7 @@ import steward.league.StoredGame;
 import steward.league.rating.LeagueTable;
 import steward.text.NearestName;
 
-/** The options that pick games. */
+/** Options that select games. */
 @OptionSection("Which games")
 final class GameFilter {
 

@@ -6,7 +6,7 @@ import steward.cli.streams.Streams;
 import steward.files.OutputFiles;
 import steward.league.LeagueFolder;
 
-/** The parameter that names a league. */
+/** Parameter that names a league's folder. */
 public final class LeagueArgument {
 
     @Parameters(index = "0", paramLabel = "DIR", description = "The folder of the league.")

@@ -20,7 +20,7 @@ import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
 import steward.league.sequential.Gsprt;
 
-/** {@code steward league sprt}: a sequential test between two bots of a league. */
+/** {@code steward league sprt}: runs a sequential test between two bots of a league. */
 @Command(name = "sprt", description = "Tests whether one bot of a league is better than another, with the games that "
     + "are there and as many more as are needed.",
     footer = {"",

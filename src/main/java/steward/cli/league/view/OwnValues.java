@@ -11,7 +11,10 @@ import steward.league.rating.LeagueTable;
 import steward.text.TextFormat;
 import tools.jackson.core.JsonGenerator;
 
-/** Means and standard deviations of the games' own values by bot: score, turns, and what the game itself counts. */
+/**
+ * Means and standard deviations, by bot, of the values of its games: score, turns, and values that the game itself
+ * counts.
+ */
 public final class OwnValues {
 
     private static final int WIDTH = 20;

@@ -26,7 +26,7 @@ import steward.league.rating.LeagueTable;
 import steward.league.rating.RatingPath;
 import steward.text.TextFormat;
 
-/** {@code steward league page}: the league as one file for a browser. */
+/** {@code steward league page}: writes the league as one HTML file. */
 @Command(name = "page", description = "Writes a league as one page for a browser, with everything in it.",
     footer = {"",
         "The page has the table, who beats whom, the ratings over games, the last games,",

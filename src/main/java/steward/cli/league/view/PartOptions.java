@@ -20,7 +20,7 @@ import steward.league.StoredGame;
 import steward.league.rating.LeagueTable;
 import steward.text.NearestName;
 
-/** The options that take a table over part of the games. */
+/** Options that restrict a table to part of the games. */
 final class PartOptions {
 
     private static final Pattern AGE = Pattern.compile("([0-9]{1,6})([hd])");

@@ -11,7 +11,7 @@ import steward.league.rating.LeagueTable;
 import steward.league.rating.Results;
 import steward.text.NearestName;
 
-/** Options for what ratings and differences are told against. */
+/** Options for the bot or zero to which ratings and differences refer. */
 @OptionSection("Ratings")
 public final class ReferenceOptions {
 

@@ -12,7 +12,10 @@ import steward.league.rating.LeagueTable;
 import steward.league.rating.LeagueTable.Row;
 import steward.text.TextFormat;
 
-/** Rounds of a league, in which every group of bots meets once: how long one is, and how far the present one is. */
+/**
+ * Text about rounds of a league, in which every group of bots meets once: how long a round is, and the present one's
+ * state.
+ */
 public final class RoundText {
 
     private RoundText() { }

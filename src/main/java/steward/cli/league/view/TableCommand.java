@@ -21,7 +21,7 @@ import steward.league.rating.Results;
 import steward.text.CsvRow;
 import steward.text.TextFormat;
 
-/** {@code steward league table}: ratings and who beat whom. */
+/** {@code steward league table}: prints ratings and the crosstable. */
 @Command(name = "table", description = "Prints the table of a league: ratings with their bars, and who beat whom.",
     footer = {"", "Examples:", "  steward league table night", "  steward league table night --csv > night.csv",
         "  steward league table night --anchor old=1500 --against veteran"})

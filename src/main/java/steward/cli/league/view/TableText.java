@@ -12,7 +12,7 @@ import steward.league.rating.LeagueTable.Row;
 import steward.league.rating.LeagueTable;
 import steward.text.TextFormat;
 
-/** The table of a league for people. */
+/** A league's table as text for people. */
 public final class TableText {
 
     private static final double NANOS_PER_MS = 1e6;

@@ -20,7 +20,7 @@ import steward.league.StoredGame;
 import steward.league.page.StoredLosses;
 import steward.league.rating.LeagueTable;
 
-/** {@code steward league why}: why a bot lost. */
+/** {@code steward league why}: explains why a bot lost its games. */
 @Command(name = "why", description = "Says of the games that a bot lost how, when and how badly.",
     footer = {"",
         "Lost games by how they ended: failed, out by the rules, or the end of the game;",

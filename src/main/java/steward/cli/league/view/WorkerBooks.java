@@ -8,7 +8,7 @@ import steward.league.store.GameQueries;
 import steward.league.store.GameStore;
 import steward.machines.check.WorkerBook;
 
-/** Players of a league's games, from what is stored. */
+/** Builds the {@link WorkerBook} of a league, its statistics by worker, from stored games, for display. */
 public final class WorkerBooks {
 
     private WorkerBooks() { }

@@ -1,2 +1,2 @@
-/** Commands that show a league: its table, page and games, and how they open it. */
+/** Commands that show a league: its table, page and games. */
 package steward.cli.league.view;
