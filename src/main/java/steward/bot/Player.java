@@ -27,6 +27,12 @@ public interface Player extends AutoCloseable {
     /** The name shown to people and kept in the replay. */
     String name();
 
+    /** True if {@link #ask} may block its thread, so that a match needs a thread of its own. By default it may. */
+    @Internal
+    default boolean mayBlock() {
+        return true;
+    }
+
     /**
      * Says what the limits of {@link #ask} are limits of; to be called before the first. By default this does nothing,
      * and they are limits of the wall clock.

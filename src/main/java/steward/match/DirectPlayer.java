@@ -31,6 +31,11 @@ final class DirectPlayer implements Player, Dialogue {
     }
 
     @Override
+    public boolean mayBlock() {
+        return false;
+    }
+
+    @Override
     public LineBuffer setup(int player) {
         try {
             bot.start(game, player);

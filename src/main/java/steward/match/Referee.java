@@ -34,7 +34,8 @@ public final class Referee {
     private final Game game;
     private final GameJson codec;
     private final List<Player> players;
-    private final boolean allDirect;
+    /** True if a player may block the thread that asks it. */
+    private final boolean mayBlock;
     private final Dialogue[] dialogues;
     private final DataLineCollector data;
     private final TimeControl time;
@@ -82,7 +83,7 @@ public final class Referee {
         }
         codec = setup.codec(game);
         players = seats.stream().map(Seat::player).toList();
-        allDirect = players.stream().allMatch(player -> player instanceof DirectPlayer);
+        mayBlock = players.stream().anyMatch(Player::mayBlock);
         for (int player = 0; player < seats.size(); player++) {
             if (seats.get(player).limits() != null) {
                 limits.put(player, seats.get(player).limits());
@@ -114,25 +115,24 @@ public final class Referee {
         Map<Protocol, Dialogue> spoken = new EnumMap<>(Protocol.class);
         Dialogue[] each = new Dialogue[seats.size()];
         for (int player = 0; player < each.length; player++) {
-            each[player] = players.get(player) instanceof DirectPlayer direct ? direct.in(game)
-                : spoken.computeIfAbsent(seats.get(player).protocol(),
-                    word -> Dialogue.of(word, setup, game, codec, limits));
+            each[player] = seats.get(player).dialogue(game, protocol -> spoken.computeIfAbsent(protocol,
+                word -> Dialogue.of(word, setup, game, codec, limits)));
         }
         return each;
     }
 
     /**
-     * Plays the match. Call once. If no player needs lines, none can block in them, and the calling thread plays.
+     * Plays the match. Call once. If no player may block, the calling thread plays.
      *
      * @throws InterruptedException if the calling thread is interrupted; the players are finished then
      * @throws RuntimeException     whatever the game or the listener threw; the players are finished then
      */
     public MatchResult play() throws InterruptedException {
         try {
-            if (allDirect) {
-                begin();
-            } else {
+            if (mayBlock) {
                 DaemonThreadPool.run(this::begin);
+            } else {
+                begin();
             }
             return result.get();
         } catch (ExecutionException problem) {
@@ -187,7 +187,7 @@ public final class Referee {
 
     /** Plays from the next player to the end of the match, or until another thread has taken the match over. */
     private void askRest() {
-        while (!result.isDone() && !(allDirect && Thread.currentThread().isInterrupted())) {
+        while (!result.isDone() && (mayBlock || !Thread.currentThread().isInterrupted())) {
             for (; next < players.size() && !game.isDecided(); next++) {
                 if (game.isAsked(next) && !ask(next)) {
                     return;

@@ -1,6 +1,8 @@
 package steward.match;
 
+import java.util.function.Function;
 import steward.bot.Player;
+import steward.game.Game;
 import steward.scene.Time;
 
 /**
@@ -19,5 +21,10 @@ public record Seat(Player player, Protocol protocol, Time limits) {
     /** A bot that needs no lines; where a protocol must be named, it is {@link Protocol#JSON}. */
     public static Seat direct(String name, DirectBot bot) {
         return new Seat(new DirectPlayer(name, bot), Protocol.JSON);
+    }
+
+    /** Returns the dialogue with the player: its own, or that of its protocol. */
+    Dialogue dialogue(Game game, Function<Protocol, Dialogue> ofProtocol) {
+        return player instanceof DirectPlayer direct ? direct.in(game) : ofProtocol.apply(protocol);
     }
 }
