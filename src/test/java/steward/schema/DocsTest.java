@@ -27,7 +27,7 @@ class DocsTest {
     private static final int README_LINES = 90;
     private static final int MANUAL_LINES = 2000;
     /** A page that a command writes as a whole; and tables between these comments. */
-    private static final Pattern GENERATED_PAGE = Pattern.compile("(?m)^Written by `steward ");
+    static final Pattern GENERATED_PAGE = Pattern.compile("(?m)^Written by `steward ");
     private static final Pattern GENERATED = Pattern.compile("(?s)<!-- generated.*?<!-- /generated -->\n?");
     private static final Pattern FROM_FILE =
         Pattern.compile("(?s)<!-- generated from (src/examples/\\S+) -->\n```\\w+\n(.*?)```\n<!-- /generated -->");

@@ -46,7 +46,7 @@ record MarkdownPage(String path, List<Piece> code, List<Piece> spans, List<Piece
     /** README, manual, and what is written for contributors. */
     static List<MarkdownPage> all() throws IOException {
         List<MarkdownPage> pages = new ArrayList<>();
-        for (String path : List.of("README.md", "CONTRIBUTING.md", "CHANGELOG.md")) {
+        for (String path : List.of("README.md", "CONTRIBUTING.md", "CHANGELOG.md", "SECURITY.md")) {
             pages.add(read(path));
         }
         try (Stream<Path> files = Files.walk(Path.of("docs"))) {

@@ -28,37 +28,36 @@ public final class StabilityPage {
             steward stability --out docs --overwrite     # the table as CSV and JSON
             ./gradlew test --tests '*PublishedStability*'    # this page and its picture, in build/pages
 
-        One part at a time: `--case NAME`, `--rung NAME`, both repeatable; a crowd for as long as one likes:
+        `--case NAME` and `--rung NAME`, both repeatable, play one part. A crowd may be played as long as you like:
 
             steward stability --case 'crowd of 1000, 10%' --rung double --impacts 1000000000
 
-        Files grow row by row: after Ctrl-C they hold the rows so far, and the figures of the unfinished row are
-        printed.
+        Files grow row by row. After Ctrl-C they hold the finished rows; the figures of the unfinished row are printed.
         """;
 
     private static final String NOTES = """
         ## Where `official` ends
 
-        The expressions of `official` are the server's, and stay as they are. They multiply by a rounded inverse mass,
-        so that of two equal masses that are not 1 the one that hits keeps a rounding of its speed: in some touching
+        The expressions of `official` are the server's, and stay as they are. They multiply by a rounded inverse mass.
+        So if two equal masses that are not 1 meet, the one that hits keeps a rounding of its speed. In some touching
         rows of [random cradles](#random-cradles) such residues cause impacts that nobody sees. On the other event
         rungs all rows are right.
 
         ## Rest
 
-        The case `inelastic collapse` is played under a law without rest (`"restSpeed": 0`), because
-        [rest](scenes.md#rest-and-sliding) would end the collapse: it looks at the bound on impacts, which has to end
-        such a turn and be named. The cases from `rest` to `fallen piles` look at the law with rest, under which no turn
-        may reach that bound.
+        The case `inelastic collapse` tests the bound on impacts, which has to end such a turn and be named. It is
+        played under a law without rest (`"restSpeed": 0`), because [rest](scenes.md#rest-and-sliding) would end the
+        collapse. The cases from `rest` to `fallen piles` test the law with rest: under it no turn may reach that bound.
 
         ## The same bits everywhere
 
-        `steward stability --golden` prints one hash over worlds, games and rungs: the same on every machine. To compare
-        it interpreted, under C1, C2, without fused multiply-add, under other collectors and on another JDK:
+        `steward stability --golden` prints one hash over worlds, games and rungs, which is equal on every machine. The
+        following compares it interpreted, under C1 and C2, and without fused multiply-add (FMA), an instruction of
+        processors. It also compares other garbage collectors and another JDK:
 
             ./gradlew golden -PotherJdk=/path/to/another/jdk       # minutes, approximately
 
-        Machines without that instruction pay for it; a benchmark measures how much:
+        Machines without FMA pay for that; a benchmark measures how much:
 
             ./gradlew jmh -Pbench=Fma
         """;
@@ -103,9 +102,9 @@ public final class StabilityPage {
         out.append(String.format(Locale.ROOT, """
             # Stability at the numerical extremes
 
-            `steward stability` plays the extremes on every [rung of accuracy](accuracy.md) and says, case by case,
-            what is demanded, what was seen and the verdict; one failed demand makes the exit status 1. Of %s
-            %,d are met and %,d %s not, in the %s version.
+            `steward stability` plays extreme cases on every rung, that is, at every setting of
+            [accuracy](accuracy.md). For each it says what is demanded, what was seen, and the verdict. If one demand
+            fails, the exit status is 1. Of %s %,d are met and %,d %s not, in the %s version.
 
             Written by `steward stability` %s on %s: %s. Date and version of each row
             stand in [the table](stability.csv).
@@ -125,9 +124,9 @@ public final class StabilityPage {
             return;
         }
         out.append("\n## How long a path is true\n\n").append(ChartFiles.tag(TruePathPlot.PNG, TruePathPlot.DARK_PNG,
-            "True impacts of each disc, by rung and number of discs")).append("\n\nDiscs in a box, until an impact is "
-            + "another than in truth,\nor at another time. Each impact multiplies any rounding, also that of the state "
-            + "between turns, so the number of\nimpacts of each disc counts, not that of turns.");
+            "True impacts of each disc, by rung and number of discs")).append("\n\nDiscs move in a box until an impact is "
+            + "another than in truth, or at another time.\nEach impact multiplies any rounding, also that of the state "
+            + "between turns. So the number of\nimpacts of each disc counts, not that of turns.");
         int least = Integer.MAX_VALUE;
         int most = 0;
         int steps = 0;
@@ -142,8 +141,8 @@ public final class StabilityPage {
             }
         }
         out.append(most == 0 ? "" : String.format(Locale.ROOT, " On rungs with exact times a disc's path is\ntrue for "
-            + "%d to %d impacts, whatever the arithmetic; with steps %s. After a thousand turns trust what\nall bodies "
-            + "have in common, such as energy, and no single path.", least, most, steps == 0 ? "not for one"
+            + "%d to %d impacts, whatever the arithmetic; with steps %s. After a thousand turns trust\nonly sums over "
+            + "all bodies, such as energy, and no single path.", least, most, steps == 0 ? "not for one"
             : "for at most " + steps)).append('\n');
     }
 
@@ -162,7 +161,7 @@ public final class StabilityPage {
             }
             out.append('\n');
         });
-        out.append("\nReported: nothing is demanded of this rung, its figures stand for comparison, as those of steps "
+        out.append("\nReported: nothing is demanded of this rung. Its figures stand for comparison, as those of steps "
             + "do.\n");
     }
 
@@ -177,9 +176,9 @@ public final class StabilityPage {
 
     private void cite(StringBuilder out) {
         StabilityRow row = rows.get(rows.size() - 1);
-        out.append("\n## How to cite\n\nName version, date and machine, the case, the rung and the length; the figures "
-            + "of a seed are the same on every machine,\nseconds are not. All of it is in each row of "
-            + "[stability.csv](stability.csv), the whole bound too:\n\n> Steward ").append(run.version())
+        out.append("\n## How to cite\n\nName version, date and machine, the case, the rung and the length. The figures "
+            + "of a seed are equal on every machine;\nseconds are not. Each row of [stability.csv](stability.csv) has "
+            + "all of it, the whole bound too:\n\n> Steward ").append(run.version())
             .append(", `steward stability`, ").append(length()).append(" version, ").append(run.date()).append(", ")
             .append(run.machine()).append(": case \"").append(row.name()).append("\", rung ").append(row.rung())
             .append(", ").append(word(row)).append(" (").append(row.seen().text()).append(").\n\n");

@@ -50,9 +50,10 @@ public final class MatchSection implements Section {
 
     @Override
     public String about() {
-        return "Whole matches on the official scene between two bots inside the JVM, by CPU time of the whole JVM;"
-            + " replays go to a file, or are written and thrown away. Bots either read and write lines of JSON, or look"
-            + " at the game itself; the bots alone read the lines of matches that were played before.";
+        return "Whole matches on the official scene between two bots inside the JVM, by CPU time of the whole JVM."
+            + " Replays go to a file, or are written and thrown away. \"Lines\": bots read and write lines of JSON."
+            + " \"Direct\": bots look at the game itself. \"The bots alone\" read the lines of matches that were"
+            + " played before.";
     }
 
     @Override

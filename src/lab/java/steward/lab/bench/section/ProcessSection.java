@@ -63,12 +63,13 @@ public record ProcessSection(MatchFixture fixture, GameSetup longGame, int longT
 
     @Override
     public String about() {
-        return "By the wall clock: turns of a match between two bot processes that answer at once, against two bare"
-            + " pipes to the same program, asked in sequence with as many bytes; also by the CPU time of the asking"
-            + " thread alone. Then whole matches of a single turn between two shells, against starting and asking the"
-            + " same shells without a referee, the second when the first has answered, as in a match, and ending them."
-            + " Last, a bot's start up to its first answer at each level of isolation, and a turn after that; and a"
-            + " turn of two bots where waiting bots are never held, burners are, and all are.";
+        return "First, by the wall clock, turns of a match between two bot processes that answer at once. Against them"
+            + " stand two bare pipes to the same program, asked in sequence with as many bytes. The same follows by"
+            + " the CPU time of the asking thread alone. Then come whole matches of a single turn between two shells."
+            + " Against them the same shells are started, asked one after the other and ended without a referee. Then"
+            + " comes a bot's start up to its first answer at each level of the sandbox, and a turn after that. Last"
+            + " is a turn of two bots by `--hold`: waiting bots are never stopped, those that compute (burners) are,"
+            + " or all are.";
     }
 
     @Override

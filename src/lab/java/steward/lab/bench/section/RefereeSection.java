@@ -58,9 +58,10 @@ public record RefereeSection(MatchFixture fixture, Path sdk) implements Section 
 
     @Override
     public String about() {
-        return "Games of 100 turns on CodinGame's SDK between two shells that answer at once, by the wall clock: with"
-            + " the SDK's own main class in a JVM for each game, and in resident referees after a round of warm-up,"
-            + " on as many threads as there are processors. All are kept apart as bots are.";
+        return "Games of 100 turns on CodinGame's SDK between two shells that answer at once, by the wall clock. The"
+            + " SDK's own main class runs in a JVM for each game; resident referees keep a JVM from game to game,"
+            + " after a round of warm-up. There are as many threads as processors. All referees are kept apart as"
+            + " bots are.";
     }
 
     @Override

@@ -30,8 +30,8 @@ public record StartupSection(MatchFixture fixture) implements Section {
 
     @Override
     public String about() {
-        return "From the call of `steward match` to the moment in which a bot, a shell, has its first line and has told"
-            + " the time to a file: by the launcher with its archives of classes, and by `java -cp` without.";
+        return "The time from the call of `steward match` to the first line of a bot, a shell that then writes the"
+            + " time to a file. The launcher has archives of classes; `java -cp` starts without them.";
     }
 
     @Override

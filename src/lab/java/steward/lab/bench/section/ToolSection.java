@@ -27,10 +27,10 @@ public record ToolSection(MatchFixture fixture, Path tools) implements Section {
 
     @Override
     public String about() {
-        return "Games of two bots of `steward new cpp` under cg-brutaltester, by the CPU time of everything together:"
-            + " the tool, the referee, the bots, and the resident referee. Compared with the referee in Go of"
-            + " robostac/coders-strike-back-referee, which has the tool's old mode. A run is of " + 2 * GAMES
-            + " games.";
+        return "Games of two bots of `steward new cpp` under cg-brutaltester. The CPU time is that of everything"
+            + " together: the tool, the referee, the bots, and the resident referee. Compared with the referee in Go"
+            + " of robostac/coders-strike-back-referee, which has the tool's old mode."
+            + " A run is of " + 2 * GAMES + " games.";
     }
 
     @Override

@@ -38,8 +38,9 @@ public record VerifySection(MatchFixture fixture) implements Section {
 
     @Override
     public String about() {
-        return "Recorded matches of official length, by CPU time: read whole into trees of JSON and no more (the"
-            + " textbook way begins so), verified from their files, and played again when their turns are in memory.";
+        return "Recorded matches of official length, by CPU time. The textbook way begins by reading them whole into"
+            + " trees of JSON; its row does that and no more. The other rows verify them from their files, and play"
+            + " them again when their turns are in memory.";
     }
 
     @Override

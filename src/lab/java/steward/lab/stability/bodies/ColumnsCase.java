@@ -23,10 +23,10 @@ public final class ColumnsCase extends StabilityCase {
     private static final int WITHOUT = 7;
 
     public ColumnsCase() {
-        super("falling columns", "columns of 2 to 5 discs, dropped from gaps of 5 to 65 turns' acceleration, equal or "
-            + "not, e = 0 or 0.5 to 0.95, gravity 0.5 to 5.5, of which the sequence of impacts in 50 digits collapses "
-            + "once: they lie still no later than that and 4 turns, no earlier than after half of it; 19 of 20 turns, "
-            + "of every 10th, are the oracle's to 1e-9 of the speeds; on event rungs of ours");
+        super("falling columns", "columns of 2 to 5 discs, equal or not, dropped from gaps of 5 to 65 turns' "
+            + "acceleration, with e = 0 or 0.5 to 0.95, gravity 0.5 to 5.5. Their sequence of impacts in 50 digits "
+            + "collapses once. They lie still no later than that collapse and 4 turns, no earlier than after half "
+            + "of it. Of every 10th turn, 19 of 20 are the oracle's to 1e-9 of the speeds. On event rungs of ours");
     }
 
     @Override

@@ -15,9 +15,9 @@ public final class ElasticFallCase extends StabilityCase {
     private static final double[][] DROPS = {{790, 9.81}, {100, 9.81}, {100, 2}, {2, 9.81}, {33, 0.7}};
 
     public ElasticFallCase() {
-        super("elastic falls", "elastic balls dropped from 2 to 790 u, gravity a = 0.7 to 9.81: for 200 (quick) to "
-            + "20,000 turns they return to between their height and a/8 above it, and keep the energy "
-            + "(v + a/2)^2 / 2 + a h to 1e-9; on event rungs of ours");
+        super("elastic falls", "elastic balls dropped from 2 to 790 u, with gravity a = 0.7 to 9.81, for 200 (quick)"
+            + " to 20,000 turns. They return to between their height and a/8 above it, and keep the energy (v + "
+            + "a/2)^2 / 2 + a h to 1e-9. On event rungs of ours");
     }
 
     @Override

@@ -37,12 +37,13 @@ public final class FallenPilesCase extends StabilityCase {
 
     public FallenPilesCase() {
         super("fallen piles", "random piles of 3 to 60 discs fall into wedges of 35 and 40, 45 and 5, 80 and 75 "
-            + "degrees, up to 20 into an arena of radius 110, gravity 2, e = 0, 0.3, 0.6, 0.9: they lie still (1e-6 u "
-            + "a turn) within 600 turns, in the arena, where they swing, 4 R/a ln(3e6) later, then have at most 500 "
-            + "impacts a turn, none overlap by more than 1e-12 of a radius, no turn reaches its limit, one by one and "
-            + "as a crowd are the same to the bit; of every 20th turn of up to 20 discs, in the arena every 120th, 19 "
-            + "of 20 are the oracle's to 1e-9 of the speeds, in the arena, where a path ends on the rim to 2^-40 of "
-            + "the room, to 4 times its root; on event rungs of ours");
+            + "degrees, and up to 20 discs into an arena of radius 110. Gravity is 2, e = 0, 0.3, 0.6, 0.9. They "
+            + "lie still (1e-6 u a turn) within 600 turns; in the arena, where they swing, 4 R/a ln(3e6) later. "
+            + "Then turns have at most 500 impacts. None overlap by more than 1e-12 of a radius, no turn reaches "
+            + "its limit, and one by one and as a crowd are the same to the bit. Every 20th turn of up to 20 discs "
+            + "is compared, in the arena every 120th: 19 of 20 are the oracle's to 1e-9 of the speeds. In the "
+            + "arena, where a path ends on the rim to 2^-40 of the room, they are so to 4 times its root. On event "
+            + "rungs of ours");
     }
 
     @Override

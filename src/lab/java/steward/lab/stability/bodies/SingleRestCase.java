@@ -28,11 +28,12 @@ public final class SingleRestCase extends StabilityCase {
     private static final double[][] WEDGES = {{30, 30}, {10, 10}, {45, 5}};
 
     public SingleRestCase() {
-        super("single bodies rest", "a ball dropped on a floor, beside a wall, on a bumper or to the lowest point of "
-            + "an arena, from 10 to 800 u, e = 0 and 0.05 to 0.95, gravity 0.3 to 10: it lies still no later than its "
-            + "geometric series and 2 turns, and no earlier than that less 1.5/(1 - e) + 1; a disc in wedges of 30/30, "
-            + "10/10 and 45/5 degrees, e = 0 to 0.9, lies still within 2,000 turns; 19 of 20 of every 10th "
-            + "turn of those are the oracle's to 1e-9 of the speed; on event rungs of ours");
+        super("single bodies rest", "a ball dropped on a floor, beside a wall, on a bumper or to the lowest point of"
+            + " an arena. It falls from 10 to 800 u, with e = 0 and 0.05 to 0.95, gravity 0.3 to 10. It lies still "
+            + "no later than its geometric series and 2 turns, and no earlier than that less 1.5/(1 - e) + 1. A "
+            + "disc in wedges of 30/30, 10/10 and 45/5 degrees, with e = 0 to 0.9, lies still within 2,000 turns. "
+            + "Of every 10th turn of these discs, 19 of 20 are the oracle's to 1e-9 of the speed. On event rungs of"
+            + " ours");
     }
 
     @Override

@@ -31,10 +31,10 @@ public final class SqueezesCase extends StabilityCase {
     private static final double[][] NAMED = {{30, 0.99, 10, 60, 1}, {3, 0.95, 10, 60, 1}, {1e6, 0.99999, 15, 100, 20}};
 
     public SqueezesCase() {
-        super("squeezes", "a light body between a wall and a heavy one that comes at 50, mass ratios 3 to 1e6, e = 0.9 "
-            + "to 0.99999, where the impacts do not collapse; and a body that flies into a corner, e = 0.99 and "
-            + "0.999999: impacts, velocities and energy are those of the sequence in 50 digits, to 1e-9; on "
-            + "event rungs of ours");
+        super("squeezes", "a light body between a wall and a heavy one that comes at 50, with mass ratios 3 to 1e6 "
+            + "and e = 0.9 to 0.99999, where the impacts do not collapse. A body that flies into a corner, with e ="
+            + " 0.99 and 0.999999. Impacts, velocities and energy are those of the sequence in 50 digits, to 1e-9. "
+            + "On event rungs of ours");
     }
 
     @Override

@@ -30,8 +30,8 @@ public final class CrowdCase extends StabilityCase {
      */
     public CrowdCase(int bodies, double coverage, long longest, long impacts) {
         super(String.format(Locale.ROOT, "crowd of %d, %.0f%%", bodies, 100 * coverage),
-            "cells and an event queue over many impacts: no two overlap and no body is outside the box at the end "
-            + "of any turn, no impact without a touch, by more than rounding explains; on every event rung");
+            "cells and an event queue over many impacts. No two overlap and no body is outside the box at the end of"
+            + " any turn, and no impact is without a touch, by more than rounding explains. On every event rung");
         this.bodies = bodies;
         this.coverage = coverage;
         this.longest = longest;

@@ -46,9 +46,9 @@ public final class DensePackingCase extends StabilityCase {
 
     public DensePackingCase() {
         super("dense packing",
-            String.format(Locale.ROOT, "coverage 0.84 to %.4f: no overlap grows above %.0f ulp of the box, no body "
-            + "leaves it, energy within %.0e, every turn ends or is named, the first %d impacts are those of exact "
-            + "for gaps from %.0e of a radius; on every event rung", DENSEST, OVERLAP_ULPS, ENERGY, COMPARED,
+            String.format(Locale.ROOT, "coverage 0.84 to %.4f. No overlap grows above %.0f ulp of the box, no body "
+            + "leaves it, the energy is within %.0e, and every turn ends or is named. The first %d impacts are those "
+            + "of exact for gaps from %.0e of a radius. On every event rung", DENSEST, OVERLAP_ULPS, ENERGY, COMPARED,
             CLEAR_GAP));
     }
 

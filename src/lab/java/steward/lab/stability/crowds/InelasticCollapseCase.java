@@ -25,10 +25,9 @@ public final class InelasticCollapseCase extends StabilityCase {
 
     public InelasticCollapseCase() {
         super("inelastic collapse",
-            "under a law without rest: "
-            + "e = 0.05 with 3 bodies, e = 0.95 with 90: every turn ends, by itself or named at the bound on impacts "
-            + "(steps have none), and energy never grows, on every rung; on event rungs there are impacts until "
-            + "rounding ends them, and a bound of 20 or 500 on them is reached, and named");
+            "under a law without rest, e = 0.05 with 3 bodies, e = 0.95 with 90. On every rung each turn ends, by "
+            + "itself or named at the bound on impacts (steps have none), and energy never grows. On event rungs "
+            + "there are impacts until rounding ends them; a bound of 20 or 500 on them is reached, and named");
     }
 
     @Override

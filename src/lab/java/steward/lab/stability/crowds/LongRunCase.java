@@ -35,9 +35,9 @@ public final class LongRunCase extends StabilityCase {
     public LongRunCase(int bodies, double drift) {
         super("long run of " + bodies,
             String.format(Locale.ROOT, "energy within %.0e after 10^6 elastic impacts, on every event rung but "
-            + "official, whose expressions are the server's: it rounds 1 / mass, by which all impulses of a pair are "
-            + "off to the same side; momentum between the walls accounted for to %.0e by m (v after - v before), on "
-            + "every event rung", drift, MOMENTUM_GAP));
+            + "official. The expressions of official are the server's: it rounds 1 / mass, by which all impulses of "
+            + "a pair are off to the same side. Momentum between the walls is accounted for to %.0e by "
+            + "m (v after - v before), on every event rung", drift, MOMENTUM_GAP));
         this.bodies = bodies;
         this.drift = drift;
     }

@@ -50,12 +50,13 @@ public final class PilesCase extends StabilityCase {
 
     public PilesCase() {
         super("piles",
-            "random piles of 3 to 60 bodies without restitution, pressed anew each turn into corners, wedges of 8 to "
-            + "60 degrees, the rim of an arena, or together in free space, there also once with e = 0.5 and 0.9: no "
-            + "turn has more than 500 impacts, without restitution, or its limit, energy never grows (but for 1e-15 "
-            + "of it, by rounding), none overlap by more than 1e-12 of a radius, one by one and as a crowd are the "
-            + "same to the bit; of the second turns of up to 20 bodies, arenas and right angles left out, 19 of 20 are "
-            + "the oracle's to 1e-9 of the speeds on event rungs of ours; on every event rung");
+            "random piles of 3 to 60 bodies without restitution, pressed anew each turn into corners, wedges of 8 to"
+            + " 60 degrees, the rim of an arena, or together in free space. In free space also piles with e = 0.5 "
+            + "and 0.9, pressed once. No turn without restitution has more than 500 impacts, and none reaches its "
+            + "limit. Energy never grows (but for 1e-15 of it, by rounding), and none overlap by more than 1e-12 of"
+            + " a radius. One by one and as a crowd are the same to the bit. On event rungs of ours, the second "
+            + "turns of up to 20 bodies are compared, arenas and right angles left out: 19 of 20 are the oracle's "
+            + "to 1e-9 of the speeds. All else is demanded on every event rung");
     }
 
     @Override

@@ -27,10 +27,10 @@ public final class RandomCradlesCase extends StabilityCase {
 
     public RandomCradlesCase() {
         super("random cradles",
-            "rows of 5, 24, 100 and 200 equal balls, random radii, gaps, places, speeds, to all four sides: as many "
-            + "impacts as gaps, the last ball flies off with the speed of the first, the others rest, exactly, on "
-            + "every event rung, one by one and as a crowd; touching rows of 26 with any equal masses too, counted on "
-            + "official");
+            "rows of 5, 24, 100 and 200 equal balls, with random radii, gaps, places and speeds, to all four sides. "
+            + "There are as many impacts as gaps; the last ball flies off with the speed of the first, the others "
+            + "rest, exactly. On every event rung, one by one and as a crowd; touching rows of 26 with any equal "
+            + "masses too, counted on official");
     }
 
     @Override

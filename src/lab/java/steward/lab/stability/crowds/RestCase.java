@@ -43,12 +43,12 @@ public final class RestCase extends StabilityCase {
 
     public RestCase() {
         super("rest",
-            "columns, grids and staggered rows of 1 to 30 bodies without restitution, of random radii and masses, with "
-            + "gaps of 0 to 1e-1 radii and jitter, thrown once or pressed anew each turn against a wall or into a "
-            + "corner: no turn has more than 500 impacts or its limit, energy never "
-            + "grows (but for 1e-15 of it, by rounding), momentum is booked, one by one and as a crowd are the same to "
-            + "the bit; columns are then at rest; the second turns of up to 12 bodies are the oracle's in 19 of 20, to "
-            + "1e-9 of the speeds, on event rungs of ours; on every event rung");
+            "columns, grids and staggered rows of 1 to 30 bodies without restitution, of random radii and masses, "
+            + "with gaps of 0 to 1e-1 radii and jitter. They are thrown once, or pressed anew each turn against a "
+            + "wall or into a corner. No turn has more than 500 impacts or reaches its limit. Energy never grows "
+            + "(but for 1e-15 of it, by rounding), and momentum is booked. One by one and as a crowd are the same "
+            + "to the bit. Columns are then at rest. On event rungs of ours the second turns of up to 12 bodies are"
+            + " the oracle's in 19 of 20, to 1e-9 of the speeds. All else is demanded on every event rung");
     }
 
     @Override

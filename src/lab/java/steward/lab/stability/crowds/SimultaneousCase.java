@@ -23,8 +23,8 @@ public final class SimultaneousCase extends StabilityCase {
 
     public SimultaneousCase() {
         super("simultaneous impacts",
-            "several pairs and walls meet at one time, rational or irrational, in two dimensions: on exact every "
-            + "one reacts in the order of ids, one by one and as a crowd; counted on the others");
+            "several pairs and walls meet at one time, rational or irrational, in two dimensions. On exact every one"
+            + " reacts in the order of ids, one by one and as a crowd; counted on the others");
     }
 
     @Override

@@ -27,8 +27,8 @@ public final class TiesCase extends StabilityCase {
 
     public TiesCase() {
         super("ties",
-            "worlds of 24 to 53 bodies on a lattice, with impacts of one body at one instant: as many impacts and "
-            + "in the same order, one by one and as a crowd, and the same bits, on every event rung");
+            "worlds of 24 to 53 bodies on a lattice, with impacts of one body at one instant. One by one and as a "
+            + "crowd there are as many impacts, in the same order, with the same bits. On every event rung");
     }
 
     @Override

@@ -36,10 +36,9 @@ public final class TruePathCase extends StabilityCase {
 
     public TruePathCase() {
         super(NAME,
-            "3, 10, 30 and 100 discs in a box: impacts "
-            + "until one is not the true one (another pair, or off by 1e-4 turns), "
-            + "the mean of several gases; at least 15 for each disc on every event rung, more no "
-            + "arithmetic can promise");
+            "3, 10, 30 and 100 discs in a box. Impacts are counted until one is not the true one (another pair, or "
+            + "off by 1e-4 turns), as the mean of several gases. At least 15 for each disc on every event rung; "
+            + "more no arithmetic can promise");
     }
 
     @Override

@@ -22,9 +22,9 @@ public final class GrazingCase extends StabilityCase {
 
     public GrazingCase() {
         super("grazing passes",
-            "R(1 +- 10^-k), k = 1..16, and tangent +- 1 ulp: 0 wrong decisions on exact and "
-            + "compensated, counted on the others; on exact, positions and velocities within 0.51 ulp, and in contact "
-            + "but for a rounding velocities within 1.51 ulp");
+            "R(1 +- 10^-k), k = 1..16, and tangent +- 1 ulp: 0 wrong decisions on exact and compensated, counted on "
+            + "the others. On exact, positions and velocities are within 0.51 ulp, and velocities within 1.51 ulp "
+            + "if in contact but for a rounding");
     }
 
     @Override

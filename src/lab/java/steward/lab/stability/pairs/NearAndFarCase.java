@@ -24,9 +24,9 @@ public final class NearAndFarCase extends StabilityCase {
 
     public NearAndFarCase() {
         super("gaps, distances",
-            "gap 1e-12 R closing at 1e-9; separation 1e7 R; coordinates near 1e9 with separation 1e3: "
-            + "time of impact within 0.51 ulp on exact, reported on the others; at distance, and at coordinates, "
-            + "of 1e12 no wrong decision, positions within 1 and velocities within 1.51 ulp");
+            "gap 1e-12 R closing at 1e-9; separation 1e7 R; coordinates near 1e9 with separation 1e3: time of impact"
+            + " within 0.51 ulp on exact, reported on the others. At distances and coordinates of 1e12: no wrong "
+            + "decision, positions within 1 and velocities within 1.51 ulp");
     }
 
     @Override

@@ -20,8 +20,9 @@ public final class OfficialEdgesCase extends StabilityCase {
 
     public OfficialEdgesCase() {
         super("official edges",
-            "a row at rest at exactly 800, the force at 120 and 1 ulp to either side (J = f + max(120, f), "
-            + "exactly), a shielded pod squeezing another against a wall: right, finite and over, on every event rung");
+            "a row at rest at exactly 800; the force at 120 and 1 ulp to either side (J = f + max(120, f), exactly);"
+            + " a shielded pod that squeezes another against a wall. All are right, finite and over, on every event"
+            + " rung");
     }
 
     @Override

@@ -26,9 +26,9 @@ public final class SlidingCase extends StabilityCase {
 
     public SlidingCase() {
         super("sliding",
-            "along an arena's rim, random places, radii, up to 6 rad a turn, restitution 0..1, outward or "
-            + "inward share up to 1e-6: the arc within 1e-6 rad, the energy within 1e-12, at most 256 corners of the "
-            + "path, on every event rung, one by one and as a crowd");
+            "along an arena's rim, at random places, with random radii, up to 6 rad a turn, restitution 0..1, "
+            + "outward or inward share up to 1e-6. The arc is within 1e-6 rad, the energy within 1e-12, and the "
+            + "path has at most 256 corners. On every event rung, one by one and as a crowd");
     }
 
     @Override

@@ -65,8 +65,8 @@ record TradeoffAdvice(TradeoffResult result) {
         usual(all);
         TradeoffRow official = result.row(RACE, OFFICIAL);
         if (official != null) {
-            all.add(String.format(Locale.ROOT, "**The server's results** need `official`: the published referee's own "
-                + "expressions, for %s times the cost of `double` on a race turn, and %s.", range(official),
+            all.add(String.format(Locale.ROOT, "**The server's results** need `official`, the published referee's "
+                + "own expressions. On a race turn it costs %s times as much as `double`. %s.", range(official),
                 ends(official)));
         }
         grazing(all);
@@ -78,7 +78,7 @@ record TradeoffAdvice(TradeoffResult result) {
 
     private static String ends(TradeoffRow row) {
         return row.differing() == 0
-            ? String.format(Locale.ROOT, "none of %,d pod-turns ends in rounded values that differ from the exact ones",
+            ? String.format(Locale.ROOT, "None of %,d pod-turns ends in rounded values that differ from the exact ones",
                 row.compared())
             : String.format(Locale.ROOT, "%,d of %,d pod-turns end in rounded values that differ from the exact ones",
                 row.differing(), row.compared());
@@ -99,7 +99,7 @@ record TradeoffAdvice(TradeoffResult result) {
         TradeoffRow graze = result.row(GRAZING, DOUBLE);
         if (graze != null && wrong - graze.missed() - graze.invented() <= RARELY * (impacts - graze.impacts())) {
             all.add(String.format(Locale.ROOT, "**The default** is `double`: over all scenes it missed or "
-                + "invented %,d of %,d impacts, %,d of them among grazing passes, and 99%% of its turns were off by "
+                + "invented %,d of %,d impacts, %,d of them among grazing passes. 99%% of its turns were off by "
                 + "at most %s u (%s).", wrong, impacts, graze.missed() + graze.invented(),
                 TradeoffPage.power(worst.most99()), worst.scene()));
         }
@@ -113,9 +113,9 @@ record TradeoffAdvice(TradeoffResult result) {
         }
         TradeoffRow most = result.rows().stream().filter(row -> row.rung().equals(EXACT))
             .max(Comparator.comparingDouble(TradeoffRow::ratioHigh)).orElseThrow();
-        all.add(String.format(Locale.ROOT, "**Where a graze decides**, take `compensated` or `exact`: of %,d passes at "
+        all.add(String.format(Locale.ROOT, "**If a graze decides**, take `compensated` or `exact`. Of %,d passes at "
             + "a hair's breadth `exact` got %d wrong, `compensated` %d and `double` %d. `exact` decides by signs that "
-            + "are proven, and costs up to %.2f times `double` (%s).", exact.states(), wrong(EXACT),
+            + "are proven, and costs up to %.2f times as much as `double` (%s).", exact.states(), wrong(EXACT),
             wrong(COMPENSATED), wrong(DOUBLE), most.ratioHigh(), most.scene()));
     }
 
@@ -139,9 +139,9 @@ record TradeoffAdvice(TradeoffResult result) {
             }
             pays.add(last == null ? "none on " + scene : "`" + last + "` on " + scene);
         }
-        all.add(String.format(Locale.ROOT, "**A search** that can do with less may take `%s`: %s times the cost "
-            + "of `double` on a race turn, with %.0f%% of the impacts missed and 1%% of the turns off by more than "
-            + "%s u. The most steps that cost less than any rung with exact times: %s.", FEWEST_STEPS, range(step),
+        all.add(String.format(Locale.ROOT, "**A search** that can do with less may take `%s`. On a race turn it costs "
+            + "%s times as much as `double`, misses %.0f%% of the impacts, and is off by more than %s u in 1%% of the "
+            + "turns. The most steps that cost less than any rung with exact times: %s.", FEWEST_STEPS, range(step),
             100.0 * step.missed() / Math.max(1, step.impacts()), TradeoffPage.plain(step.most99()),
             String.join(", ", pays)));
     }
@@ -162,9 +162,8 @@ record TradeoffAdvice(TradeoffResult result) {
             .filter(steps -> steps > most).min().orElse(0);
         if (next > 0) {
             all.add(String.format(Locale.ROOT, "**`step/%d` and more** are never on the front: on every scene some "
-                + "rung is both cheaper and nearer to the truth. They are there for those who compare with a program "
-                + "that takes as many steps, or want to see steps converge: the error falls only as their number "
-                + "grows.", next));
+                + "rung is both cheaper and nearer to the truth. Use them to compare with a program that takes as "
+                + "many steps, or to see steps converge: the error falls only as their number grows.", next));
         }
     }
 
@@ -174,8 +173,8 @@ record TradeoffAdvice(TradeoffResult result) {
             .max(Comparator.comparingDouble(row -> row.ratioHigh() / row.ratioLow())).orElse(null);
         if (widest != null && widest.ratioHigh() > widest.ratioLow()) {
             all.add(String.format(Locale.ROOT, "**A price is a range**: the compiler settles in one of several states, "
-                + "and a rung that does more may for once cost less. Over %d JVMs the widest range of a rung that "
-                + "costs at least a tenth of `double` is that of `%s` on %s, from %.2f to %.2f times `double`. Measure "
+                + "and a rung that does more may for once cost less. Over %d JVMs, `%s` on %s has the widest range of "
+                + "the rungs that cost at least a tenth of `double`: from %.2f to %.2f times `double`. Measure "
                 + "on your machine before you count on less.",
                 widest.jvms(), widest.shortName(), widest.scene(), widest.ratioLow(), widest.ratioHigh()));
         }

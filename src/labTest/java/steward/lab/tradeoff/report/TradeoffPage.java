@@ -12,25 +12,28 @@ import steward.text.TextFormat;
 public final class TradeoffPage {
 
     private static final String ABOVE = """
-        A rung stands here if it decides every impact as in truth and 99%% of its turns are off by at most %s u:
-        `double`, the default, unless it fails or another costs less in every JVM, by more than %.0f%%. Wrong impacts
-        are missed or invented; the error is that of 99%% of the turns. Where heaps of more than 12 come to rest,
-        `exact` stands for the truth. The last column measures your scene beside this one.
+        A *rung* is a setting of [accuracy](accuracy.md). A rung is named here if it decides every impact as in truth and
+        99%% of its turns are off by at most %s u. It is `double`, the default, unless that fails or another rung costs
+        less in every JVM, by more than %.0f%%. Wrong impacts are missed or invented. The error is that of 99%% of the
+        turns. If heaps of more than 12 come to rest, `exact` stands for the truth. The last column measures your scene
+        beside this one.
         """;
     private static final String MEANING = """
         ## What was measured
 
         Cost is CPU time of one thread. Each rung was timed in %s of its own, one after the other, in rounds that
-        go from rung to rung. A JVM's time is the median of its rounds; over JVMs there is no median, since compilers
+        go from rung to rung. A JVM's time is the median of its rounds. Over JVMs there is no median, since compilers
         settle in different states: "a turn" is the JVM in the middle, with the fastest and the slowest beside it. A
         ratio is that of the middle ones; its range is that of two JVMs measured in the same rounds. Compare ratios
-        rather than nanoseconds. Errors are against the oracle (64 decimal digits) after one turn from the same states
-        that were timed: the farthest that any body's centre is off. Turns in which a body
-        [slides](scenes.md#rest-and-sliding) along a rim, or a heap of more than 12 comes to rest, are compared with
-        `exact` instead. An impact is missed or invented if other pairs meet. "Free run": after how many turns without
-        commands and forces a body is off by 1 u, the median of some runs. "Ends": how many bodies end their turn in
-        rounded values that differ from the exact ones. A rung with a star is on the Pareto front: none is both cheaper
-        and nearer to the truth. All figures are in [%s](%s).
+        rather than nanoseconds.
+
+        Errors are against the oracle, the same turn in 64 decimal digits, from the same states that were timed: the
+        farthest that any body's centre is off. Two kinds of turns are compared with `exact` instead: a body
+        [slides](scenes.md#rest-and-sliding) along a rim, or a heap of more than 12 comes to rest. An impact is missed
+        or invented if other pairs meet. "Free run": after how many turns without commands and forces a body is off by
+        1 u, the median of some runs. "Ends": how many bodies end their turn in rounded values that differ from the
+        exact ones. A rung with a star is on the Pareto front: no other is both cheaper and nearer to the truth. All
+        figures are in [%s](%s).
         """;
     private static final String ONE_JVM = "Measured with --quick: few states, one JVM a rung. These figures may not be "
         + "quoted.";
