@@ -64,7 +64,7 @@ public interface GameSetup {
         return "";
     }
 
-    /** Seeded commands for measuring. Where an aim means nothing in this game, it is that to win. */
+    /** Seeded commands for measuring. Games without different aims treat every aim as WIN. */
     Pilot pilot(Pilot.Aim aim);
 
     /**

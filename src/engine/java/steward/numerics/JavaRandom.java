@@ -1,10 +1,10 @@
 package steward.numerics;
 
 /**
- * Pseudo-random generator with the algorithm of {@code java.util.Random}, which its documentation fixes to the bit (D.
- * Knuth, "The Art of Computer Programming", volume 2, section 3.2.1: a linear congruential generator modulo 2^48).
- * Official games draw their starts from it, so that an official seed names the same start here, on every JDK. Its whole
- * state is one number. For anything else use {@link SplitMix64}.
+ * Pseudo-random generator with the algorithm of {@code java.util.Random}, which its documentation fixes to the bit. It
+ * is a linear congruential generator modulo 2^48 (D. Knuth, "The Art of Computer Programming", volume 2, section
+ * 3.2.1). Official games draw their starts from it, so that an official seed names the same start here, on every JDK.
+ * Its whole state is one number. For anything else use {@link SplitMix64}.
  *
  * <p>Caveat: the low bits are weak, and seeds that differ little give first draws that differ little.
  */

@@ -46,10 +46,7 @@ public record AccuracyFigures(String source, String key, String sample, int stat
      * same rung differ by as much.
      */
     public static final double SAME_COST = 0.05;
-    /**
-     * In place of an error: in too many states the rung, or the oracle it was compared with, did not finish, or there
-     * are too few states to show anything of this share.
-     */
+    /** No figure: there are too few states for this share, or too many runs did not finish (the rung's or oracle's). */
     public static final String UNKNOWN = "unknown";
 
     /** Name of the file in errors. */

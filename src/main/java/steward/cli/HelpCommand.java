@@ -18,7 +18,7 @@ import steward.cli.shared.UnknownWord;
 
 /** {@code steward help}: prints the help of the program or of one command. */
 @Command(name = HelpCommand.NAME, description = "Prints the help of the program, or of a command.",
-    footer = {"", "'steward help sandbox' tells of the options by which bots are isolated.",
+    footer = {"", "'steward help sandbox' describes the options for isolating bots.",
         "", "Examples:", "  steward help match", "  steward help league run"})
 final class HelpCommand extends ProgramCommand {
 

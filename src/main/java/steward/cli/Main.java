@@ -43,8 +43,10 @@ import steward.files.InputException;
 /** The program's main class: finds and runs the command that is called. {@link ExitStatus} has the exit statuses. */
 @Command(name = "steward", synopsisSubcommandLabel = "COMMAND",
     description = "Referees matches between bot programs in games with exact physics.",
-    footer = {"", "--games-path DIR with any command: the folder with the jars of further games, in place of",
-        "steward/games in your folder for data (~/.local/share). docs/new-game.md tells how to make one.",
+    footer = {
+        "", "--games-path DIR, with any command: the folder with the jars of further games.",
+        "The default is steward/games in your folder for data (~/.local/share).",
+        "docs/new-game.md tells how to make a game.",
         "", "Examples:",
         "  steward demo",
         "  steward new python mybot",

@@ -19,9 +19,9 @@ import steward.physics.ImpactLaw;
  */
 
 /**
- * Rule for the second step of an impulse, which separates two bodies after the first step has stopped their approach
- * (C. Hecker, "Physics, Part 3: Collision Response", 1997; the minimum is CodinGame's rule). A scene gets the simplest
- * rule that its law needs.
+ * Rule for the second step of an impulse, which separates two bodies after the first step has stopped their approach.
+ * Source: C. Hecker, "Physics, Part 3: Collision Response", 1997; the minimum is CodinGame's rule. A scene gets the
+ * simplest rule that its law needs.
  */
 sealed interface Impulse {
 

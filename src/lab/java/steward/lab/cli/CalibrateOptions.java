@@ -31,10 +31,9 @@ final class CalibrateOptions {
 
     private final CallCheck check = CallCheck.brief();
 
-    @Option(names = "--calibrate", paramLabel = "SCENE", description = "Instead: measures how far off each rung is in "
-        + "this scene, and what it costs, and writes it to NAME.accuracy.json beside the file (or into --out), where a "
-        + "scene that states "
-        + "\"accuracy\": {\"maxPositionError\": 0.01, \"share\": 0.999} finds it. Can be repeated.")
+    @Option(names = "--calibrate", paramLabel = "SCENE", description = "Instead: measures error and cost of each "
+        + "rung in this scene, and writes them to NAME.accuracy.json beside the file (or into --out). A scene "
+        + "with \"accuracy\": {\"maxPositionError\": 0.01, \"share\": 0.999} reads them there. Can be repeated.")
     private List<String> scenes = new ArrayList<>();
 
     @Option(names = "--states", paramLabel = "N", description = "With --calibrate: measures on this many states "

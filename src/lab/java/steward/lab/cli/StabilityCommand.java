@@ -39,8 +39,8 @@ import steward.text.TextFormat;
  * {@code steward stability}: tests the physics in numerically extreme cases and compares each result with its
  * requirement.
  */
-@Command(name = "stability", description = "Tries the physics at the numerical extremes, on every rung of accuracy, "
-    + "and says what was demanded and what was seen.",
+@Command(name = "stability", description = "Tests the physics in numerically extreme cases on every rung of "
+    + "accuracy, and prints each requirement with the result.",
     footer = {"", "Examples:", "  steward stability",
         "  steward stability --quick --case masses --case 'extreme speeds'",
         "  steward stability --long --out results",
@@ -70,8 +70,8 @@ public final class StabilityCommand extends ProgramCommand {
         description = "Only on this rung of accuracy; can be repeated.")
     private List<String> rungNames = new ArrayList<>();
 
-    @Option(names = "--impacts", paramLabel = "N", description = "Plays each crowd for so many impacts, on each "
-        + "event rung (default: 1000000; with --quick 20000; with --long 10000000, in double up to 1000000000).")
+    @Option(names = "--impacts", paramLabel = "N", description = "Plays each crowd for N impacts, on each event "
+        + "rung (default: 1000000; with --quick 20000; with --long 10000000, in double up to 1000000000).")
     private Long impacts;
 
     @Option(names = "--out", paramLabel = "DIR", description = "Writes the table to " + StabilityFiles.CSV + " and "
@@ -81,8 +81,8 @@ public final class StabilityCommand extends ProgramCommand {
     @Mixin
     private final TableFolder tables = new TableFolder();
 
-    @Option(names = "--golden", description = "Prints the hash of all that is computed instead; it must be the same on "
-        + "every machine.")
+    @Option(names = "--golden", description = "Prints the hash of all computed results instead; it must be the "
+        + "same on every machine.")
     private boolean golden;
 
     /** The names of the cases. */

@@ -29,8 +29,7 @@ import steward.lab.tradeoff.TradeoffScene;
 import steward.lab.tradeoff.report.TradeoffReport;
 
 /** {@code steward tradeoff}: measures cost and error of each rung of accuracy. */
-@Command(name = "tradeoff", description = "Measures, scene by scene, what each rung of accuracy costs and how far "
-    + "it is from the truth.",
+@Command(name = "tradeoff", description = "Measures cost and error of each rung of accuracy, scene by scene.",
     footer = {"", "Examples:", "  steward tradeoff --out results",
         "  steward tradeoff --quick --scene bullets --scene my-scene.json",
         "  steward tradeoff --calibrate my-scene.json",
@@ -47,11 +46,11 @@ public final class TradeoffCommand extends ProgramCommand {
         + "shipped scene, or one of official-race, brawl, grazing.")
     private List<String> scenes = new ArrayList<>();
 
-    @Option(names = "--quick", description = "Measures few states, in one JVM a rung: rough figures, soon, that may "
-        + "not be quoted.")
+    @Option(names = "--quick", description = "Measures few states, with one JVM per rung: quick, rough figures "
+        + "that may not be quoted.")
     private boolean quick;
 
-    @Option(names = "--jvms", paramLabel = "N", description = "Times each rung in so many JVMs, 1 to 99 (default: "
+    @Option(names = "--jvms", paramLabel = "N", description = "Times each rung in N JVMs, 1 to 99 (default: "
         + TradeoffEffort.JVMS + "; with --quick 1). The time of a run grows with them.")
     private Long jvms;
 

@@ -6,13 +6,13 @@ import steward.bot.hold.HoldPolicy;
 public enum HoldMeans {
 
     /** The first process of the bot's namespace, which is the {@link NativeLauncher}, stops all others in it. */
-    INIT("held, by the first process of their namespace"),
+    INIT("stopped by the first process of their sandbox"),
     /** The bot has a control group, which the kernel freezes. */
-    CONTROL_GROUP("held, by control groups"),
+    CONTROL_GROUP("stopped by control groups"),
     /** A meter alone: nothing can stop the bot. */
-    MEASURED("measured and not held: that needs a C compiler or a delegated control group"),
+    MEASURED("measured and not stopped: that needs a C compiler or a delegated control group"),
     /** Bots may think on. */
-    NONE("not held");
+    NONE("not stopped");
 
     private final String text;
 
@@ -20,16 +20,16 @@ public enum HoldMeans {
         this.text = text;
     }
 
-    /** Treatment of bots that compute while others are asked, such as {@code held, by control groups}. */
+    /** Treatment of bots that compute while others are asked, such as {@code stopped by control groups}. */
     public String text() {
         return text;
     }
 
-    /** Treatment of which bots, such as {@code burners are held, by control groups}; empty if there is none. */
+    /** Sentence on the bots that are stopped, such as {@code waiting bots are stopped by ...}; empty if none are. */
     public static String text(Isolation isolation) {
         HoldMeans means = of(isolation);
-        return means == NONE ? "" : (isolation.holds() == HoldPolicy.ALWAYS ? "waiting bots are " : "burners are ")
-            + means.text;
+        return means == NONE ? "" : (isolation.holds() == HoldPolicy.ALWAYS ? "waiting bots are "
+            : "bots that use a processor out of turn are ") + means.text;
     }
 
     /** The means for bots that are started so. */

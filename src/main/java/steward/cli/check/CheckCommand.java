@@ -28,18 +28,18 @@ import steward.json.JsonObject;
 import steward.text.TextFormat;
 
 /** {@code steward check}: checks whether a bot is ready to play. */
-@Command(name = "check", description = "Tries a bot: whether it starts, answers in time and plays a whole game, and if "
-    + "not, what to do.",
-    footer = {"",
-        "It plays against the weakest bundled bot of the game, and against players that",
-        "never answer. Its slowest answer has to leave a fifth of the limit.",
-        "--json: bot, scene, passes, steps and problems (texts), fault and failure (or",
+@Command(name = "check", description = "Checks a bot: whether it starts, answers in time and plays a whole game. "
+    + "If not, tells what to do.",
+    footer = {
+        "", "The bot plays against the weakest bundled bot of the game, and against players",
+        "that never answer. Its slowest answer must leave a fifth of the limit.",
+        "", "--json: bot, scene, passes, steps and problems (texts), fault and failure (or",
         "null).",
         "", "Examples:",
         "  steward check 'python3 bot.py'",
         "  steward check codingame:./bot --scene duel",
-        "", "Exit status: 0 it is ready; 1 something is wrong; 2 the call is wrong, or the",
-        "program is not there."})
+        "", "Exit status: 0 the bot is ready; 1 something is wrong; 2 the call is wrong, or",
+        "the program does not exist."})
 public final class CheckCommand extends ProgramCommand {
 
     private static final int WIDTH = 80;
@@ -56,7 +56,7 @@ public final class CheckCommand extends ProgramCommand {
 
     @Option(names = "--protocol", paramLabel = "P", defaultValue = "json",
         completionCandidates = ProtocolWord.Candidates.class,
-        description = "What it speaks without a prefix: json or codingame (default: ${DEFAULT-VALUE}).")
+        description = "The protocol of a bot without a prefix: json or codingame (default: ${DEFAULT-VALUE}).")
     private String protocol;
 
     @Mixin

@@ -24,7 +24,7 @@ import steward.scene.Scene;
 import steward.text.TextFormat;
 
 /** {@code steward explain}: prints what a scene contains and which parts of the engine it needs. */
-@Command(name = "explain", description = "Prints what a scene says, and which parts of the engine it needs "
+@Command(name = "explain", description = "Prints the contents of a scene, and which parts of the engine it needs "
     + "and why.",
     footer = {"", "Examples:", "  steward explain walled-race", "  steward explain my-scene.json --json"})
 public final class ExplainCommand extends ProgramCommand {

@@ -27,11 +27,11 @@ import steward.match.OwnLimits;
 
 /** {@code steward league add}: adds a bot to a league. */
 @Command(name = "add", description = "Adds a bot to a league, also while it is played.",
-    footer = {"",
-        "A bot is written [NAME=][builtin:|json:|codingame:]COMMAND, as in 'steward",
-        "match'. Its folder, --in or the one from which it is added, is stored with it:",
-        "its words are found there, and it is started there. It is another version when",
-        "one of the files changes that make it this bot; they are printed.",
+    footer = {
+        "", "A bot is written [NAME=][builtin:|json:|codingame:]COMMAND, as in 'steward",
+        "match'. Its folder is stored with it: the one of --in, or the current one. It",
+        "is started there, and paths in its command begin there. The printed files",
+        "identify its version: when one changes, the bot is another version.",
         "", "Examples:",
         "  steward league add night 'mine=python3 bot.py' builtin:racer builtin:veteran",
         "  steward league add night 'net=python3 net.py' --file net.py --file model.bin",
@@ -51,27 +51,28 @@ final class AddCommand extends ProgramCommand {
     @Mixin
     private final BotFolders folders = new BotFolders();
 
-    @Option(names = "--file", paramLabel = "FILE", description = "A file that makes it this bot: when it changes, the "
-        + "bot is a new version; can be repeated (default: every word of the command that is a file).")
+    @Option(names = "--file", paramLabel = "FILE", description = "A file that belongs to the bot: when it "
+        + "changes, the bot is a new version. Can be repeated (default: every word of the command that is a file).")
     private List<String> files;
 
-    @Option(names = "--check", description = "Tries it first, as 'steward check' does, and adds it only if nothing is "
-        + "wrong.")
+    @Option(names = "--check", description = "Checks the bot first, as 'steward check' does, and adds it only if "
+        + "nothing is wrong.")
     private boolean tried;
 
-    @Option(names = "--time-limit", paramLabel = OwnLimits.FORM, description = "Gives it limits of its own, in "
-        + "milliseconds: for its answers, and for the first (default: the scene's, but no less than for the others).")
+    @Option(names = "--time-limit", paramLabel = OwnLimits.FORM, description = "Gives the bot its own limits in "
+        + "milliseconds: MS for each answer, FIRST for the first one (default: the scene's, but at least MS).")
     private String limit;
 
-    @Option(names = "--random", description = "Says that it draws by lot: its games cannot be played again alike.")
+    @Option(names = "--random", description = "Says that the bot uses random numbers: its games cannot be "
+        + "repeated exactly.")
     private boolean random;
 
     @Option(names = "--platform", paramLabel = "PLATFORM", description = "Adds a command for one platform, such as "
         + "linux-aarch64, as a version of its own, called NAME@PLATFORM.")
     private String platform;
 
-    @Option(names = "--same", description = "With --platform: it is the same version as the bot of this name, which "
-        + "takes this command there.")
+    @Option(names = "--same", description = "With --platform: adds the command to the existing bot of this name, "
+        + "as the same version.")
     private boolean same;
 
     @Override

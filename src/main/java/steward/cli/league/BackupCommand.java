@@ -18,11 +18,12 @@ import steward.text.TextFormat;
 
 /** {@code steward league backup}: copies a league's database of games. */
 @Command(name = "backup", description = "Copies the games of a league into a file, also while it is played.",
-    footer = {"",
-        "Copying league.db by other means is not safe while it is played. The copy is a",
-        "league.db: to restore it, put it in the place of the old one while no run is",
-        "under way, and remove league.db-wal and league.db-shm.",
-        "", "Example:", "  steward league backup night night-copy.db"})
+    footer = {
+        "", "Copying league.db by other means is not safe while the league is played. The",
+        "copy is a league.db. To restore it, end all runs, put it in the place of the",
+        "old one, and remove league.db-wal and league.db-shm.",
+        "", "Example:",
+        "  steward league backup night night-copy.db"})
 final class BackupCommand extends ProgramCommand {
 
     @Mixin

@@ -22,21 +22,22 @@ import steward.league.store.GameStore.Version;
 
 /** {@code steward league export}: writes the games for other programs. */
 @Command(name = "export", description = "Writes the games of a league as CSV or JSON Lines.",
-    footer = {"",
-        "CSV has a line for each seat, JSON Lines one for each game. 'league import'",
-        "takes both. Replays are not in it.",
-        "", "Example:", "  steward league export night --out games.csv"})
+    footer = {
+        "", "CSV has a line for each seat, JSON Lines one for each game. 'league import'",
+        "reads both. They contain no replays.",
+        "", "Example:",
+        "  steward league export night --out games.csv"})
 final class ExportCommand extends ProgramCommand {
 
     @Mixin
     private final LeagueArgument league = new LeagueArgument();
 
     @Option(names = "--out", paramLabel = "FILE", defaultValue = "-",
-        description = "Where they go; - (the default) is the standard output. A name that ends in .csv means CSV.")
+        description = "The file; - (the default) is the standard output. A name that ends in .csv means CSV.")
     private String out;
 
     @Option(names = "--format", paramLabel = "csv|jsonl", completionCandidates = Formats.class,
-        description = "Which of the two (default: as the file's name ends; jsonl).")
+        description = "The format (default: by the file's name; otherwise jsonl).")
     private String format;
 
     @Option(names = "--overwrite", description = "Replaces a file that exists.")

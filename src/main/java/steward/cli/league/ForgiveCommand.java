@@ -20,14 +20,14 @@ import steward.text.NearestName;
 import steward.text.TextFormat;
 
 /** {@code steward league forgive}: takes games out of the count that something outside the game spoilt. */
-@Command(name = "forgive", description = "Sets games of a bot aside that something outside of them spoilt: a "
-    + "full disk, a missing file.",
-    footer = {"",
-        "All games of the range are set aside, won or lost: nothing is left out by how it",
-        "ended. With --replay those in which the bot failed are played again by the next",
-        "'league run', with the same seeds, and the others count as before. Games stay",
-        "stored, 'league games --forgiven' lists them, and --back counts them again (then",
-        "further attempts do not count).",
+@Command(name = "forgive", description = "Sets aside games of a bot that something outside the game spoilt, such "
+    + "as a full disk or a missing file.",
+    footer = {
+        "", "All games of the range are set aside, won or lost, so that nothing is selected",
+        "by its result. With --replay the next 'league run' plays those in which the bot",
+        "failed again, with the same seeds; the others count as before. Games stay",
+        "stored. 'league games --forgiven' lists them. --back counts them again; then",
+        "further attempts do not count.",
         "", "Examples:",
         "  steward league games night --bot mine --failed",
         "  steward league forgive night mine --games 120..164 --replay"})
@@ -45,7 +45,7 @@ final class ForgiveCommand extends ProgramCommand {
         + "'league games' lists them.")
     private String games;
 
-    @Option(names = "--replay", description = "Plays those again in which the bot failed.")
+    @Option(names = "--replay", description = "Plays the games again in which the bot failed.")
     private boolean replay;
 
     @Option(names = "--back", description = "Counts forgiven games again.")

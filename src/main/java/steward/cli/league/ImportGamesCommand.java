@@ -30,10 +30,11 @@ import steward.text.Utf8Text;
 
 /** {@code steward league import}: takes over games of another league. */
 @Command(name = "import", description = "Reads games that 'league export' wrote, of the same scene, limits and rules.",
-    footer = {"",
-        "A game that the league has already is passed over. All of them are checked",
-        "before the first is stored.",
-        "", "Example:", "  steward league import night games.jsonl"})
+    footer = {
+        "", "A game that the league already has is skipped. All games are checked before the",
+        "first is stored.",
+        "", "Example:",
+        "  steward league import night games.jsonl"})
 final class ImportGamesCommand extends ProgramCommand {
 
     private static final int TOGETHER = 10_000;

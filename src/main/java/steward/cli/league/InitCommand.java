@@ -29,9 +29,9 @@ import steward.text.NearestName;
 
 /** {@code steward league init}: makes the folder of a league. */
 @Command(name = "init", description = "Makes the folder of a league.",
-    footer = {"",
-        "A scene that is a file is copied into the folder, with its CSV files. Everything",
-        "else stands in league.json and can be changed there.",
+    footer = {
+        "", "If the scene is a file, it is copied into the folder with its CSV files.",
+        "Everything else is in league.json and can be changed there.",
         "", "Example:",
         "  steward league init night --scene mad-pod-racing --keep lost"})
 final class InitCommand extends ProgramCommand {
@@ -55,8 +55,8 @@ final class InitCommand extends ProgramCommand {
     private Double factor;
 
     @Option(names = "--keep", paramLabel = "all|lost|failed|none", completionCandidates = Keeps.class,
-        description = "Keeps the replays of all games, of those that have a loser (lost), in which a bot failed "
-            + "(failed, the default), or none.")
+        description = "Which replays are kept. all; lost: games that have a loser; failed (default): games in "
+            + "which a bot failed; none.")
     private String keep;
 
     /** Values of {@code --keep}. */

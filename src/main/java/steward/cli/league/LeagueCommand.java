@@ -15,20 +15,20 @@ import steward.cli.options.ProgramCommand;
 
 /** {@code steward league}: groups the commands of a league, in which bots play each other and every game is kept. */
 @Command(name = "league", synopsisSubcommandLabel = "COMMAND",
-    description = "Lets bots play each other for as long as you like, keeps every game, and says who is better.",
-    footer = {"",
-        "A league is a folder: league.json, which you read and edit, league.db with the",
-        "games (SQLite), and kept replays. 'run' can be ended at any moment and goes on",
-        "where it was; a bot whose file has changed is a new version, with games of its",
-        "own.",
+    description = "Lets bots play each other for as long as you like, stores every game, and rates the bots.",
+    footer = {
+        "", "A league is a folder. It has league.json, which you read and edit, league.db",
+        "with the games (SQLite), and kept replays. 'run' can be ended at any moment and",
+        "continues where it was. A bot whose file has changed is a new version, with",
+        "games of its own.",
         "", "Examples:",
         "  steward league init night --scene mad-pod-racing",
         "  steward league add night 'mine=python3 bot.py'",
         "  steward league add night builtin:veteran",
         "  steward league run night --for 8h --watch --open",
         "  steward league table night",
-        "", "Exit status: 0 done; 1 it could not be carried out to its end; 2 the call or",
-        "the league is unusable; 130 interrupted (what was over is stored)."})
+        "", "Exit status: 0 done; 1 it could not be finished; 2 the call or the league is",
+        "unusable; 130 interrupted (finished games are stored)."})
 public final class LeagueCommand extends ProgramCommand {
 
     @Spec

@@ -22,9 +22,12 @@ import steward.text.TextFormat;
 
 /** {@code steward league list}: lists the bots and their versions. */
 @Command(name = "list", description = "Prints the bots of a league, their versions and how many games each has.",
-    footer = {"", "--json: scene, pairing, bots (name, command, listed, retired, random, timeLimit,",
-        "platforms (platform, command), versions (name, games, program, timeLimit, paused)).",
-        "", "Example:", "  steward league list night"})
+    footer = {
+        "", "--json: scene, pairing, bots (name, command, listed, retired, random,",
+        "timeLimit, platforms (platform, command), versions (name, games, program,",
+        "timeLimit, paused)).",
+        "", "Example:",
+        "  steward league list night"})
 final class ListCommand extends ProgramCommand {
 
     @Mixin

@@ -24,9 +24,9 @@ import steward.text.TextFormat;
 
 /** {@code steward league prune}: removes replays. */
 @Command(name = "prune", description = "Removes kept replays of a league; the games stay.",
-    footer = {"",
-        "Files in the folder of replays that belong to no game, as 'kill -9' may leave",
-        "them, are removed as well if they are older than a day.",
+    footer = {
+        "", "Files in the folder of replays that belong to no game, as 'kill -9' may leave",
+        "them, are also removed if they are older than a day.",
         "", "Examples:",
         "  steward league prune night --keep lost --older 30d",
         "  steward league prune night --keep none --dry-run"})
@@ -39,7 +39,7 @@ final class PruneCommand extends ProgramCommand {
     private final LeagueArgument league = new LeagueArgument();
 
     @Option(names = "--keep", required = true, paramLabel = "lost|none",
-        description = "Keeps the replays of games that have a loser (lost), or none.")
+        description = "Keeps the replays of games that have a loser (lost), or none at all.")
     private String keep;
 
     @Option(names = "--bot", paramLabel = "NAME", description = "With --keep lost: only of games that this bot lost; "

@@ -17,7 +17,7 @@ import steward.league.LeagueSettings;
 import steward.league.store.GameStore;
 
 /** {@code steward league rename}: gives a bot another name. */
-@Command(name = "rename", description = "Gives a bot another name; its games are under that name then.",
+@Command(name = "rename", description = "Gives a bot another name, which its games then have too.",
     footer = {"", "Example:", "  steward league rename night mine careful"})
 final class RenameCommand extends ProgramCommand {
 
@@ -27,7 +27,7 @@ final class RenameCommand extends ProgramCommand {
     @Parameters(index = "1", paramLabel = "NAME", description = "The bot.")
     private String name;
 
-    @Parameters(index = "2", paramLabel = "NEW-NAME", description = "What it is to be called.")
+    @Parameters(index = "2", paramLabel = "NEW-NAME", description = "The new name.")
     private String other;
 
     @Override

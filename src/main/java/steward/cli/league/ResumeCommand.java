@@ -13,11 +13,12 @@ import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
 
 /** {@code steward league resume}: lets a paused bot play again. */
-@Command(name = "resume", description = "Lets a bot play again that failed in many games in a row and was paused.",
-    footer = {"",
-        "Its failures so far do not pause it again; later ones do. A bot whose program has",
-        "changed plays by itself: it is a new version.",
-        "", "Example:", "  steward league resume night mine"})
+@Command(name = "resume", description = "Lets a bot play again that was paused for failing in many games in a row.",
+    footer = {
+        "", "Its failures so far do not pause it again; later ones do. If the bot's program",
+        "has changed, it plays without this command: it is a new version.",
+        "", "Example:",
+        "  steward league resume night mine"})
 final class ResumeCommand extends ProgramCommand {
 
     @Mixin

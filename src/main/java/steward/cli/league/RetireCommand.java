@@ -13,7 +13,7 @@ import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
 
 /** {@code steward league retire}: ends a bot's play; its games stay. */
-@Command(name = "retire", description = "Lets a bot play no more; its games stay.",
+@Command(name = "retire", description = "Ends a bot's play; its games stay.",
     footer = {"", "Example:", "  steward league retire night mine"})
 final class RetireCommand extends ProgramCommand {
 

@@ -21,16 +21,17 @@ import steward.text.TextFormat;
 
 /** {@code steward league verify}: finds rows of the database that cannot be used. */
 @Command(name = "verify", description = "Lists the rows of a league's database that cannot be used.",
-    footer = {"",
-        "Other commands refuse a database with such a row. --drop takes these rows out,",
-        "with the games that need them, and keeps a copy of the database as it was.",
-        "A row has a digest, which finds values that were changed by accident; it keeps",
-        "nobody from forging. Replays are checked by steward replay --verify. A database of",
-        "an earlier version is brought up to date first, and a copy of it kept.",
+    footer = {
+        "", "Other commands refuse a database with such a row. --drop takes these rows out,",
+        "with the games that need them, and keeps a copy of the database as it was. Each",
+        "row has a digest, which finds accidental changes; it does not prevent forgery.",
+        "Replays are checked by 'steward replay --verify'. A database of an earlier",
+        "version is first brought up to date, and a copy of it kept.",
         "", "--json: integrity (by SQLite), games, rows (table, key, column, value,",
         "expected; the first 100), more, setAside (rows, games, copy) or null.",
         "", "Exit status: 0 every row can be used, or now can; 1 some cannot.",
-        "", "Example:", "  steward league verify night --drop"})
+        "", "Example:",
+        "  steward league verify night --drop"})
 final class VerifyCommand extends ProgramCommand {
 
     /** Rows that are listed at most. */
@@ -42,7 +43,7 @@ final class VerifyCommand extends ProgramCommand {
     @Mixin
     private final LeagueArgument league = new LeagueArgument();
 
-    @Option(names = "--drop", description = "Sets the rows aside, and the games that need them.")
+    @Option(names = "--drop", description = "Removes the rows, and the games that need them.")
     private boolean drop;
 
     @Option(names = "--json", description = "Prints one JSON object instead; see below.")

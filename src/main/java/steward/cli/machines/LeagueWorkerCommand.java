@@ -27,20 +27,23 @@ import steward.machines.token.WorkerList;
 import steward.text.TextFormat;
 
 /** {@code steward league worker}: manages which machines may play for a league. */
-@Command(name = "worker", description = "Says which workers may play for a league: add, invite, revoke, pardon, list; "
-    + "renew the broker's certificate.",
-    footer = {"",
-        "add makes a token, a file that belongs to one worker; keep it as you would a",
-        "password. revoke ends what it allows, also while the league is played; with",
-        "--set-aside the worker's games do not count and are played again. pardon lets a",
-        "revoked worker play again with the token that it has; add gives it a new one.",
-        "A worker whose answers are too often not those of its bots is suspended: it plays",
-        "no more, and its games count again by pardon, or never by revoke.",
-        "invite makes one file for many machines: each makes a key of its own with it, and",
-        "is a worker from then on, called like its host. revoke ends an invitation, too;",
-        "the workers that came with it stay, and are revoked one by one.",
-        "renew makes a new certificate for the broker's key, which workers go on trusting.",
-        "", "list --json: workers (name, invitation or null, revoked: why, or null,",
+@Command(name = "worker", description = "Manages which workers may play for a league: add, invite, revoke, "
+    + "pardon, list. Renews the broker's certificate.",
+    footer = {
+        "", "add      makes a token, a file that belongs to one worker; keep it secret like",
+        "         a password. For a revoked worker it makes a new one.",
+        "invite   makes one file for many machines. Each makes a key of its own with it,",
+        "         and is then a worker with the name of its host.",
+        "revoke   ends a token, even while the league is played. With --set-aside the",
+        "         worker's games do not count and are played again. It also ends an",
+        "         invitation; workers that joined with it stay until they are revoked.",
+        "pardon   lets a revoked or suspended worker play again with its token.",
+        "renew    makes a new certificate for the broker's key, which workers still",
+        "         trust.",
+        "", "A worker is suspended if its answers differ too often from those of its bots.",
+        "It then gets no games. Its games count again after pardon, and never after",
+        "revoke.",
+        "", "--json, with list: workers (name, invitation or null, revoked: why, or null,",
         "suspended, doubts: by games and answers), invitations (name, until, used,",
         "count, revoked).",
         "", "Examples:",
@@ -62,11 +65,11 @@ final class LeagueWorkerCommand extends ProgramCommand {
         + "and pardon; the invitation, for invite (default: invitation) and revoke.")
     private String name;
 
-    @Option(names = "--out", paramLabel = "FILE", description = "With add and invite: where the token "
-        + "or invitation goes (default: NAME.token).")
+    @Option(names = "--out", paramLabel = "FILE", description = "With add and invite: the file of the token or "
+        + "invitation (default: NAME.token).")
     private String out;
 
-    @Option(names = "--count", paramLabel = "N", description = "With invite: so many machines may use it.")
+    @Option(names = "--count", paramLabel = "N", description = "With invite: N machines may use it.")
     private Integer count;
 
     @Option(names = "--until", paramLabel = "DATE", description = "With invite: the last day on which a machine may "

@@ -26,20 +26,21 @@ final class ServeOptions implements Serving {
     private static final int MOST_PORT = 65_535;
 
     @Option(names = "--serve", paramLabel = "HOST:PORT", arity = "0..1", fallbackValue = USUAL,
-        description = "Lets workers play, too, see 'steward worker' (default: " + USUAL + "; workers elsewhere reach "
+        description = "Lets workers play, too (see 'steward worker'; default: " + USUAL + "; workers elsewhere reach "
             + "an address of this machine, or 0.0.0.0 for all of them).")
     private String address;
 
-    @Option(names = "--again", paramLabel = "PERCENT", description = "With --serve: asks the bots again in so many of "
-        + "a worker's games behind its first 20 (default: 5); 0 for none, not in the first 20 either.")
+    @Option(names = "--again", paramLabel = "PERCENT", description = "With --serve: checks this share of a "
+        + "worker's games, after its first 20, by asking the bots again (default: 5). 0 for none, not even the "
+        + "first 20.")
     private Integer again;
 
-    @Option(names = "--lease", paramLabel = "TIME", description = "With --serve: after so long games that a worker "
-        + "has go to others (default: 10m).")
+    @Option(names = "--lease", paramLabel = "TIME", description = "With --serve: gives games that a worker has "
+        + "kept for this time to others (default: 10m).")
     private String lease;
 
-    @Option(names = "--scale-time", description = "With --serve: multiplies the time limits of a worker by how much "
-        + "slower its processor is than this machine's, as both measure it; noted with each game.")
+    @Option(names = "--scale-time", description = "With --serve: multiplies a worker's time limits if its "
+        + "processor is slower than this machine's, by the measured ratio. It is noted with each game.")
     private boolean scaled;
 
     @Override

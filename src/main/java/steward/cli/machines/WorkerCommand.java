@@ -32,15 +32,16 @@ import steward.text.TextFormat;
 
 /** {@code steward worker}: plays games of a league that runs on another machine. */
 @Command(name = "worker", description = "Plays games of a league that runs elsewhere with 'league run --serve'.",
-    footer = {"",
-        "The token comes from 'steward league worker add' or 'invite'; without a",
-        "--token-file it is the text in the variable STEWARD_TOKEN. Bots are kept apart",
-        "strictly unless told otherwise: they are programs of whoever keeps the league.",
-        "After Ctrl-C the games that are under way are finished, and no others begun.",
-        "", "Example:", "  steward worker --join attic.example:7161 --token-file mine.token",
-        "", "Exit status: 0 told to end; 1 broken: what the league says cannot be used; 2 the",
-        "call or a file is unusable; 3 refused: the token, the program's version or the",
-        "league is another than expected; 130 interrupted, 143 terminated."})
+    footer = {
+        "", "'steward league worker add' or 'invite' makes the token; without --token-file",
+        "it is the text in the variable STEWARD_TOKEN. Bots are isolated at level strict",
+        "unless told otherwise, because they are other people's programs. After Ctrl-C,",
+        "games under way are finished, and no others begun.",
+        "", "Example:",
+        "  steward worker --join attic.example:7161 --token-file mine.token",
+        "", "Exit status: 0 told to end; 1 broken: a message of the league cannot be used; 2",
+        "the call or a file is unusable; 3 refused: wrong token, program version or",
+        "league; 130 interrupted, 143 terminated."})
 public final class WorkerCommand extends ProgramCommand {
 
     private static final String VARIABLE = "STEWARD_TOKEN";
@@ -50,15 +51,16 @@ public final class WorkerCommand extends ProgramCommand {
     /** The streams with a log; set when the command is called. */
     private Streams log;
 
-    @Option(names = "--join", required = true, paramLabel = "HOST:PORT", description = "Where the league listens.")
+    @Option(names = "--join", required = true, paramLabel = "HOST:PORT", description = "The address on which the "
+        + "league listens.")
     private String address;
 
     @Option(names = "--token-file", paramLabel = "FILE", description = "The worker's token, or an invitation (default: "
         + "the text in the variable " + VARIABLE + ").")
     private String tokenFile;
 
-    @Option(names = "--key-file", paramLabel = "FILE", description = "With an invitation as the token: where this "
-        + "machine's own key is kept (default: HOST.token in steward/keys in the user's state folder).")
+    @Option(names = "--key-file", paramLabel = "FILE", description = "With an invitation as the token: the file "
+        + "of this machine's own key (default: HOST.token in steward/keys in the user's state folder).")
     private String keyFile;
 
     @Mixin
@@ -70,22 +72,24 @@ public final class WorkerCommand extends ProgramCommand {
     @Option(names = "--for", paramLabel = "TIME", description = "Ends after so long, such as 90s, 30m, 8h or 2d.")
     private String time;
 
-    @Option(names = "--bundles", paramLabel = "DIR", description = "Where bots are unpacked (default: "
+    @Option(names = "--bundles", paramLabel = "DIR", description = "The folder for unpacked bots (default: "
         + "steward/bundles in the user's cache folder).")
     private String bundles;
 
-    @Option(names = "--guests", description = "Takes leagues whose scene has a referee of its own: it is fetched and "
-        + "run here, kept apart as bots are.")
+    @Option(names = "--guests", description = "Also plays for leagues whose scene has its own referee program, "
+        + "which is fetched and run here, isolated like a bot.")
     private boolean guests;
 
-    @Option(names = "--platform", paramLabel = "PLATFORM", description = "Takes bots and commands that are for this "
-        + "platform, such as linux-aarch64 (default: that of this machine).")
+    @Option(names = "--platform", paramLabel = "PLATFORM", description = "Plays bots and commands for this "
+        + "platform, such as linux-aarch64 (default: this machine's).")
     private String platform;
 
-    @Option(names = "--idle", paramLabel = "TIME", description = "Ends after so long without a game, such as 10m.")
+    @Option(names = "--idle", paramLabel = "TIME", description = "Ends after this time without a game, such as "
+        + "10m.")
     private String idle;
 
-    @Option(names = "--stop-file", paramLabel = "FILE", description = "Ends as after Ctrl-C when there is such a file.")
+    @Option(names = "--stop-file", paramLabel = "FILE", description = "Ends, as after Ctrl-C, when this file "
+        + "exists.")
     private String stopFile;
 
     @Option(names = "--json", description = "Prints each event as a line of JSON with its time.")

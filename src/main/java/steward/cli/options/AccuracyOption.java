@@ -14,8 +14,8 @@ public final class AccuracyOption {
 
     @Option(names = "--accuracy", paramLabel = "RUNG", converter = Rung.class,
         completionCandidates = Rungs.class,
-        description = "Computes the scene on this rung in place of its own: step/1 to step/1024, the cheapest first, "
-            + "or official, double, compensated, exact (event/exact is the same). A replay holds it.")
+        description = "Computes the scene on this rung of accuracy instead of its own: step/1 (the cheapest) to "
+            + "step/1024, or official, double, compensated, exact (or with event/ before it). A replay stores it.")
     private Accuracy accuracy;
 
     /** The rungs for completion: those with times of impact, and some of those with steps. */

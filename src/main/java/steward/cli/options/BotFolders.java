@@ -23,8 +23,8 @@ public final class BotFolders {
     @Spec(Spec.Target.MIXEE)
     private CommandSpec command;
 
-    @Option(names = IN, paramLabel = "DIR", description = "The folder of the bot before it: the words of its command "
-        + "are found there, and it is started there (default: the current folder).")
+    @Option(names = IN, paramLabel = "DIR", description = "The working folder of the bot before this option: it "
+        + "is started there, and paths in its command begin there (default: the current folder).")
     private List<String> folders = new ArrayList<>();
 
     /** The folder where bots are no options; the current one if none is named. */

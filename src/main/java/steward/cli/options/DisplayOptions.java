@@ -8,14 +8,14 @@ import picocli.CommandLine.Option;
 public final class DisplayOptions {
 
     @Option(names = "--view", paramLabel = "HTML",
-        description = "Writes a page that shows the match to this file: everything in it, opens from disk.")
+        description = "Writes a self-contained page that shows the match to this file; it opens from disk.")
     private String view;
 
     @Mixin
     private final WatchOptions watch = new WatchOptions();
 
     @Option(names = "--open",
-        description = "Opens the page of --watch or --view, or one without a name, in the browser.")
+        description = "Opens the page of --watch or --view in the browser; without either, a temporary page.")
     private boolean open;
 
     /** Refuses what does not go together. */

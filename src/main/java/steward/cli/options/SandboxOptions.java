@@ -55,45 +55,46 @@ public final class SandboxOptions {
     }
 
     @Option(names = "--sandbox", paramLabel = "LEVEL", completionCandidates = Levels.class,
-        description = "How far bots are kept apart: strict, light, off; or auto, which is light where that works and "
-            + "off elsewhere (default: auto; of 'worker': strict, which needs bwrap).")
+        description = "How bots are isolated: strict, light, off; or auto, which is light if that works and "
+            + "otherwise off (default: auto; for 'worker' strict, which needs bwrap).")
     private String level;
 
     @Option(names = "--network", description = "Brings up the loopback device in the sandbox; there is no other.")
     private boolean network;
 
-    @Option(names = "--memory", paramLabel = "SIZE", description = "How much memory a bot may use, such as 512M or 2G. "
-        + "Where there is no control group for that, it is a limit of each process's addresses, of which programs of "
-        + "the JVM and Node need gigabytes: 512M ends them at once.")
+    @Option(names = "--memory", paramLabel = "SIZE", description = "How much memory a bot may use, such as 512M "
+        + "or 2G. Without a control group, it limits the address space of each process. The JVM and Node need "
+        + "gigabytes of that: 512M ends them at once.")
     private String memory;
 
     @Option(names = "--processes", paramLabel = "N",
         description = "How many processes and threads a bot may have (strict: 512).")
     private Long processes;
 
-    @Option(names = "--file-size", paramLabel = "SIZE", description = "How long its files may become (strict: 1G).")
+    @Option(names = "--file-size", paramLabel = "SIZE", description = "How large each file of a bot may become "
+        + "(strict: 1G).")
     private String fileSize;
 
     @Option(names = "--open-files", paramLabel = "N",
         description = "How many files each process may have open (strict: 4096).")
     private Long openFiles;
 
-    @Option(names = "--env", paramLabel = "NAME", description = "Passes this variable to bots, also if it looks like a "
-        + "secret or is not on the short list; can be repeated.")
+    @Option(names = "--env", paramLabel = "NAME", description = "Passes this environment variable to bots, even "
+        + "if it looks like a secret or is not on the short list. Can be repeated.")
     private List<String> variables = new ArrayList<>();
 
-    @Option(names = "--clean-env", description = "Passes a short list of variables only (PATH, HOME, LANG and the "
-        + "like), as strict does anyway.")
+    @Option(names = "--clean-env", description = "Passes only a short list of environment variables (PATH, HOME, "
+        + "LANG and the like), as strict always does.")
     private boolean cleanEnvironment;
 
     @Option(names = "--visible", paramLabel = "PATH",
-        description = "Lets bots read this file or folder, which strict would not show; can be repeated.")
+        description = "Lets bots read this file or folder, which strict would hide. Can be repeated.")
     private List<String> visible = new ArrayList<>();
 
     @Option(names = "--hold", paramLabel = "burners|always|never", completionCandidates = HoldWords.class,
-        description = "Which bots are stopped while others are asked: burners, those that compute on more than a "
-            + "quarter of a processor meanwhile, from then on (default, at light and strict); always; or never, so "
-            + "that bots may think on. Not with --no-deadline.")
+        description = "Which bots are stopped while another bot is asked. burners (default at light and strict): "
+            + "bots that have used more than a quarter of a processor out of turn, from then on. always: all "
+            + "bots. never: bots may think on. Not with --no-deadline.")
     private String hold;
 
     /** The variables that bots are passed by name. */

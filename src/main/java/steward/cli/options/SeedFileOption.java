@@ -22,12 +22,12 @@ public final class SeedFileOption {
 
     private final CallCheck check = CallCheck.withHelp();
 
-    @Option(names = NAME, paramLabel = "FILE", description = "Plays the seeds of this file in place of numbers in a "
-        + "row: one a line, behind # a comment; 'steward seeds' chooses some.")
+    @Option(names = NAME, paramLabel = "FILE", description = "Plays the seeds of this file instead of consecutive "
+        + "numbers: one a line; # begins a comment. 'steward seeds' can choose them.")
     private String file;
 
-    @Option(names = "--anyway", description = "Plays also with a bot by whose games seeds were chosen, counts its "
-        + "stored games on them, and flags the result.")
+    @Option(names = "--anyway", description = "Plays even if games of one of the bots were used to choose the "
+        + "seeds, counts its stored games on them, and flags the result.")
     private boolean anyway;
 
     private SeedFile read;

@@ -9,7 +9,8 @@ public final class SeedOption {
     /** Seeds that are drawn stay below this: people can type them again, and some tools keep 31 bits. */
     private static final long DRAWN_SEEDS = 1_000_000_000;
 
-    @Option(names = "--seed", paramLabel = "N", description = "What is drawn by lot follows from it (default: drawn).")
+    @Option(names = "--seed", paramLabel = "N", description = "The seed of the game's random numbers (default: a "
+        + "random seed).")
     private Long seed;
 
     /** True if a seed was given. */

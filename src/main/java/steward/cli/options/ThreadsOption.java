@@ -26,9 +26,9 @@ public final class ThreadsOption {
     private final CallCheck check = CallCheck.withHelp();
 
     @Option(names = "--threads", paramLabel = "T|auto", completionCandidates = Auto.class,
-        description = "Plays so many games at the same time (default: 1); auto: as many as there are processors, less "
-            + "one, or both of two where nothing else runs. The "
-            + "games do not depend on it, but bots that share processors take longer to answer.")
+        description = "Plays T games at the same time (default: 1). auto: one less than there are processors, or "
+            + "both of two if nothing else runs. Games do not depend on it, but bots that share processors take "
+            + "longer to answer.")
     private String threads;
     /** As it was first counted, since bots of this run are load, too; -1 before. */
     private int counted = -1;

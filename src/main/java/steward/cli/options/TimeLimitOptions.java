@@ -38,18 +38,16 @@ public final class TimeLimitOptions {
     @Option(names = "--time-factor", paramLabel = "X", description = "Multiplies the scene's time limits.")
     private Double timeFactor;
 
-    @Option(names = "--no-deadline", description = "Waits for answers without end.")
+    @Option(names = "--no-deadline", description = "Waits for answers without a limit.")
     private boolean noDeadline;
 
     @Option(names = "--time", paramLabel = "wall|cpu", defaultValue = WALL, completionCandidates = Bases.class,
-        description = "What the limits are limits of: time by the clock, as on the site (wall, the default), or the "
-            + "CPU time of the bot's processes, all threads summed (cpu), by the clock ten times as much at most. "
-            + "Needs Linux.")
+        description = "The clock of the limits. wall (default): real time, as on the site. cpu: CPU time of the "
+            + "bot's processes, all threads summed, and at most ten times as much real time; needs Linux.")
     private String time;
 
-    @Option(names = TIME_LIMIT, paramLabel = FORM, description = "Gives one bot limits of its own, in milliseconds: "
-        + "for its answers, and for the first (default: the scene's, but no less than for the others); can be "
-        + "repeated.")
+    @Option(names = TIME_LIMIT, paramLabel = FORM, description = "Gives one bot its own limits in milliseconds: "
+        + "MS for each answer, FIRST for the first one (default: the scene's, but at least MS). Can be repeated.")
     private List<String> limits = new ArrayList<>();
 
     /** By what the limits are multiplied; {@code POSITIVE_INFINITY} for none. */

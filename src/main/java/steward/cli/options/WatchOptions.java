@@ -12,15 +12,15 @@ public final class WatchOptions {
 
     private static final int MOST_PORT = 65_535;
 
-    @Option(names = "--watch", description = "Serves a page that shows what is played while it is, to browsers on "
-        + "this machine.")
+    @Option(names = "--watch", description = "Serves a live page of the games to browsers on this machine.")
     private boolean watch;
 
-    @Option(names = "--port", paramLabel = "N", description = "Where --watch serves (default: any free port).")
+    @Option(names = "--port", paramLabel = "N", description = "The port of --watch (default: any free port).")
     private Integer port;
 
     @Option(names = "--host", paramLabel = "NAME", description = "The address that --watch listens on (default: "
-        + "loopback). With another, everybody who reaches this machine can watch, unasked and unencrypted.")
+        + "loopback). On another address, everybody who can reach this machine can watch, without a password and "
+        + "unencrypted.")
     private String host;
 
     @Option(names = "--viewers", paramLabel = "N", description = "How many browsers --watch serves at the same time "

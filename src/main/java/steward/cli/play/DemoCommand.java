@@ -40,12 +40,12 @@ public final class DemoCommand extends ProgramCommand {
     private static final int TIME_FACTOR = 10;
 
     @Option(names = "--out", paramLabel = "FILE",
-        description = "Where the replay goes; replaced if it exists (default: a temporary folder; in the folder of "
-            + "Steward's own sources build/demo.jsonl).")
+        description = "The file of the replay, replaced if it exists (default: in a temporary folder; in "
+            + "Steward's source folder build/demo.jsonl).")
     private String out;
 
     @Option(names = "--seed", paramLabel = "N", defaultValue = "1",
-        description = "Draws the race by this number (default: ${DEFAULT-VALUE}).")
+        description = "The seed of the race (default: ${DEFAULT-VALUE}).")
     private long seed;
 
     @Mixin

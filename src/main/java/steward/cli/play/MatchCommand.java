@@ -31,13 +31,13 @@ import steward.text.TextFormat;
 
 /** {@code steward match}: plays one match, or a series of many. */
 @Command(name = "match", description = "Plays a match between bots, or many matches.",
-    footer = {"",
-        "A bot is written [NAME=][builtin:|json:|codingame:]COMMAND, its words quoted as",
-        "for a shell. 'builtin:racer', 'builtin:regular', 'builtin:contender' and",
-        "'builtin:veteran', from weak to strong, come with the program; 'codingame:' is",
-        "for programs that speak the lines of words and numbers of that site, 'json:' for",
-        "those that speak JSON; --protocol says what all others speak. One --bot for each",
-        "player of the scene, in order.",
+    footer = {
+        "", "A bot is written [NAME=][builtin:|json:|codingame:]COMMAND, quoted as in a",
+        "shell. Four bots come with the program, from weak to strong: 'builtin:racer',",
+        "'builtin:regular', 'builtin:contender' and 'builtin:veteran'. A 'codingame:'",
+        "bot speaks the site's lines of words and numbers, a 'json:' bot speaks JSON;",
+        "--protocol is for all others. Give one --bot for each player of the scene, in",
+        "order.",
         "", "Examples:",
         "  steward match --bot builtin:veteran --bot 'me=python3 bot.py' --seed 7 \\",
         "      --out match.jsonl",
@@ -46,13 +46,14 @@ import steward.text.TextFormat;
         "  steward match --protocol codingame --bot ./a.out --bot json:'python3 bot.py'",
         "  steward match --bot ./mine --bot builtin:racer --view match.html --open",
         "  steward match --bot ./mine --bot builtin:racer --watch --open",
-        "", "--watch prints the address of the page and begins when a browser has opened it",
-        "(or at Enter; where nobody can press it, after 60 seconds). When the match is",
-        "over it ends by itself as soon as every browser has everything: open pages stay",
-        "complete, and their Save works from then on without the program. To look again",
-        "later, use --view or --out.",
-        "", "Exit status: 0 there is a result; 1 there is none, or --strict and a bot failed;",
-        "2 wrong call; 130 interrupted (of many games, those that are over are told)."})
+        "", "--watch prints the address of the page. The match begins when a browser has",
+        "opened it, or when you press Enter; without a terminal, after 60 seconds. After",
+        "the match, the program ends as soon as every browser has everything. Open pages",
+        "stay complete, and their Save works without the program. To look again later,",
+        "use --view or --out.",
+        "", "Exit status: 0 there is a result; 1 there is none, or a bot failed and --strict",
+        "was given; 2 wrong call; 130 interrupted (finished games of a series are",
+        "reported)."})
 public final class MatchCommand extends ProgramCommand {
 
     private static final int MOST_LEVEL = 20;
@@ -69,7 +70,7 @@ public final class MatchCommand extends ProgramCommand {
 
     @Option(names = "--protocol", paramLabel = "P", defaultValue = "json",
         completionCandidates = ProtocolWord.Candidates.class,
-        description = "What bots without a prefix speak: json or codingame (default: ${DEFAULT-VALUE}).")
+        description = "The protocol of bots without a prefix: json or codingame (default: ${DEFAULT-VALUE}).")
     private String protocol;
 
     @Option(names = "--league-level", paramLabel = "N", description = "Plays by the rules of this league of the "
@@ -83,8 +84,8 @@ public final class MatchCommand extends ProgramCommand {
     private final SeedFileOption list = new SeedFileOption();
 
     @Option(names = "--out", paramLabel = "FILE",
-        description = "Writes the replay to this file, - for the standard output; with --games or --swap, one for each "
-            + "game into this folder.")
+        description = "Writes the replay to this file; - is the standard output. With --games or --swap: writes "
+            + "one replay for each game into this folder.")
     private String out;
 
     @Option(names = "--sign", paramLabel = "KEY",

@@ -30,25 +30,31 @@ import steward.match.Protocol;
 import steward.text.TextFormat;
 
 /** {@code steward play}: plays one match for a rating tool. */
-@Command(name = "play", description = "Plays one match as the game command of psyleague and tools like it: prints one "
-    + "JSON object with ranks, errors and what the bots reported.",
-    footer = {"",
-        "A bot is a command, its words quoted as for a shell, that speaks CodinGame's",
-        "text protocol; 'json:COMMAND' speaks JSON; 'builtin:racer', 'builtin:regular',",
-        "'builtin:contender' and 'builtin:veteran', from weak to strong, come with the",
-        "program. One that cannot be started has failed, and the match has a result.",
-        "", "The object: ranks (0 for the best), errors (1 for a bot that failed), faults",
-        "(why, and what its stderr says, or null), test_data (seed, and what was reported",
-        "about the match), player_data, attributes, played_again.",
-        "A game that a bot lost on time while others used the processors is played again,",
-        "as 'match' does; played_again and the standard error say why.",
-        "What bots report on stderr: '[TDATA] name = value' about the match,",
-        "'[PDATA] name = value' about themselves, '[PDATA+] name = value' summed up,",
-        "'[PDATA][turn] name = value' about a turn.",
+@Command(name = "play", description = "Plays one match as the game command of psyleague and tools like it: prints "
+    + "one JSON object with ranks, errors and the data that bots report.",
+    footer = {
+        "", "A bot is a command, quoted as in a shell, that speaks CodinGame's text",
+        "protocol; 'json:COMMAND' speaks JSON. Four bots come with the program, from",
+        "weak to strong: 'builtin:racer', 'builtin:regular', 'builtin:contender' and",
+        "'builtin:veteran'. A bot that cannot be started has failed, and the match has a",
+        "result.",
+        "", "The object has the fields:",
+        "  ranks         0 for the best",
+        "  errors        1 for a bot that failed",
+        "  faults        the reason, with its stderr, or null",
+        "  test_data     the seed, and data about the match",
+        "  player_data, attributes, played_again",
+        "If a bot lost a game on time while others used the processors, it is played",
+        "again, as in 'match'; played_again and the standard error say why. Bots report",
+        "data on stderr:",
+        "  [TDATA] name = value         about the match",
+        "  [PDATA] name = value         about the bot itself",
+        "  [PDATA+] name = value        about the bot itself, summed up",
+        "  [PDATA][turn] name = value   about a turn",
         "", "Example, in psyleague.cfg:",
         "  cmd_play_game = \"steward play --json-league %%DIR%%/%%P1%% %%DIR%%/%%P2%%\"",
-        "", "Exit status: 0 there is a result, also if a bot failed; 1 there is none; 2 wrong",
-        "call."})
+        "", "Exit status: 0 there is a result, also if a bot failed; 1 there is none; 2",
+        "wrong call."})
 public final class PlayCommand extends ProgramCommand {
 
     @Option(names = "--json-league", required = true, description = "Prints the result in this form, the only one.")
@@ -59,7 +65,7 @@ public final class PlayCommand extends ProgramCommand {
     private List<String> bots = new ArrayList<>();
 
     @Option(names = "--out", paramLabel = "FILE",
-        description = "Writes the replay to this file; one that is empty or a replay is replaced.")
+        description = "Writes the replay to this file, which is replaced if it is empty or a replay.")
     private String out;
 
     @Mixin

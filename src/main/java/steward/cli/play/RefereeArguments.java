@@ -28,7 +28,7 @@ record RefereeArguments(CommandSpec spec) {
                 .completionCandidates(new BuiltinBotWords())
                 .description(shown ? "Player " + player + ": a bot, see below; there is -p1 to -p8." : "").build());
             spec.addOption(OptionSpec.builder(name(player)).type(String.class).paramLabel("NAME").hidden(player > 1)
-                .description(player == 1 ? "What player 1 is called; likewise -p2name, ..." : "").build());
+                .description(player == 1 ? "The name of player 1; likewise -p2name, ..." : "").build());
         }
     }
 

@@ -25,19 +25,21 @@ import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.ObjectNode;
 
 /** {@code steward referee}: stands in for another referee in the community's arena tools. */
-@Command(name = "referee", description = "Plays one match as the referee of cg-brutaltester and tools like it: prints "
-    + "one whole number per player, in order; higher is better, negative for a bot that failed.",
-    footer = {"",
-        "A bot is a command, its words quoted as for a shell, that speaks CodinGame's",
-        "text protocol; 'json:COMMAND' speaks JSON; 'builtin:racer', 'builtin:regular',",
-        "'builtin:contender' and 'builtin:veteran', from weak to strong, come with the",
-        "program. One that cannot be started has failed, and the others win. -p1 to -p4",
-        "also say for how many players the scene is, where its game allows several.",
-        "", "A game that a bot lost on time while others used the processors is played again,",
-        "as 'match' does; the standard error says why, and why a bot failed. In a",
-        "call that is refused each bot named gets -1.",
-        "", "Files of -l and -r are replaced if they are empty or a file of their own kind,",
-        "since tools name the same files again; any other file is kept, and refused.",
+@Command(name = "referee", description = "Plays one match as the referee of cg-brutaltester and tools like it: "
+    + "prints one whole number per player, in order. Higher is better; a negative number means that the bot "
+    + "failed.",
+    footer = {
+        "", "A bot is a command, quoted as in a shell, that speaks CodinGame's text",
+        "protocol; 'json:COMMAND' speaks JSON. Four bots come with the program, from",
+        "weak to strong: 'builtin:racer', 'builtin:regular', 'builtin:contender' and",
+        "'builtin:veteran'. A bot that cannot be started has failed, and the others win.",
+        "The number of bots in -p1 to -p4 is the number of players, if the scene's game",
+        "allows several.",
+        "", "If a bot lost a game on time while others used the processors, it is played",
+        "again, as in 'match'. The standard error says why, and why a bot failed. If the",
+        "call is refused, each named bot gets -1.",
+        "", "Files of -l and -r are replaced if they are empty or of the same kind, since",
+        "tools use the same names again. Any other file is kept, and the call refused.",
         "", "Examples:",
         "  steward referee -p1 ./mine -p2 'python3 other.py' -d seed=7 -l game.json",
         "  java -jar cg-brutaltester.jar -r 'steward referee' -p1 ./mine -p2 ./other \\",
@@ -48,7 +50,8 @@ public final class RefereeCommand extends ProgramCommand implements RefusedCall 
     private CommandSpec spec;
 
     @Option(names = "-d", paramLabel = "KEY=VALUE",
-        description = "seed=N: what is drawn by lot follows from it (default: drawn). Other keys are passed over.")
+        description = "seed=N: the seed of the game's random numbers (default: a random seed). Other keys are "
+            + "ignored.")
     private List<String> data = new ArrayList<>();
 
     @Option(names = {"-seed", "--seed"}, paramLabel = "N", description = "The same as -d seed=N.")
@@ -57,10 +60,11 @@ public final class RefereeCommand extends ProgramCommand implements RefusedCall 
     @Option(names = "-l", paramLabel = "FILE", description = "Writes the match as CodinGame's game result in JSON.")
     private String log;
 
-    @Option(names = "-r", paramLabel = "FILE", description = "Writes the replay of 'steward replay'.")
+    @Option(names = "-r", paramLabel = "FILE", description = "Writes the replay, which 'steward replay' reads.")
     private String replay;
 
-    @Option(names = "-s", description = "Makes a page that shows the match, and prints where it is after the scores.")
+    @Option(names = "-s", description = "Makes a page that shows the match, and prints its address after the "
+        + "scores.")
     private boolean page;
 
     @Option(names = {"-scene", "--scene"}, paramLabel = "FILE|NAME", defaultValue = SceneOptions.USUAL,
@@ -71,8 +75,8 @@ public final class RefereeCommand extends ProgramCommand implements RefusedCall 
     private final AccuracyOption accuracy = new AccuracyOption();
 
     @Option(names = {"-league", "-lvl"}, paramLabel = "N",
-        description = "The rules of a league of Mean Max (1 to 4) or Fantastic Bits (1 to 3), from the lowest; a "
-            + "higher number is the highest. Without it, with 0 and in other games the rules are the scene's.")
+        description = "The league whose rules apply: 1 (lowest) to 4 for Mean Max, 1 to 3 for Fantastic Bits; a "
+            + "higher number means the highest. Without it, with 0 and in other games the scene's rules apply.")
     private Integer league;
 
     @Mixin

@@ -29,8 +29,8 @@ public final class SceneCommand extends ProgramCommand {
         description = "One of ${COMPLETION-CANDIDATES}.")
     private String name;
 
-    @Option(names = "--schema", description = "Prints the JSON Schema (2020-12) of scenes instead; after guest, "
-        + "of those with a referee of their own.")
+    @Option(names = "--schema", description = "Prints the JSON Schema (2020-12) of scenes instead; with the name "
+        + "guest, of scenes with their own referee.")
     private boolean schema;
 
     @Option(names = "--json", description = "Prints all names in one JSON object; see below.")

@@ -42,38 +42,39 @@ final class SeriesOptions {
     private boolean isListed;
 
     @Option(names = "--games", paramLabel = "N",
-        description = "Plays N games with the seeds SEED, SEED + 1, ... and prints who scored how many points.")
+        description = "Plays N games with the seeds SEED, SEED + 1, ... and prints the points of each bot.")
     private Integer games;
 
     @Option(names = "--swap",
-        description = "Plays each seed once for every way to move the bots up: with two bots, once from each side, "
-            + "2 N games in all.")
+        description = "Plays each seed once for every rotation of the seats. Two bots play each seed from both "
+            + "sides, 2 N games in all.")
     private boolean swap;
 
     @Mixin
     private final ThreadsOption threads = new ThreadsOption();
 
     @Option(names = "--keep", paramLabel = "all|lost|failed|none", completionCandidates = Keeps.class,
-        description = "Keeps, of the replays in --out, all (the default), those of games that the first bot lost "
-            + "(lost), in which a bot failed or that have no result (failed), or none.")
+        description = "Which replays are kept in --out. all (default); lost: games that the first bot lost; "
+            + "failed: games in which a bot failed or without a result; none.")
     private String keep;
 
-    @Option(names = "--why", description = "Also says of the games that the first bot lost how they ended, from which "
-        + "turn on it was behind, and which was the worst of each kind; and compares its values in lost and won games.")
+    @Option(names = "--why", description = "Also explains the games that the first bot lost: how they ended, from "
+        + "which turn it was behind, and the worst of each kind. Compares its values in lost and won games.")
     private boolean why;
 
     @Option(names = "--hiccups", paramLabel = "replay|count", completionCandidates = HiccupWords.class,
-        description = "What becomes of a game, also of a single one, that a bot lost on time while it waited a tenth "
-            + "of its limit or more for a processor that other programs used: it is played again with the same seed, "
-            + "without charging the bot for that (replay, the default), or it counts (count).")
+        description = "How a game is treated that a bot lost on time while other programs kept it from a "
+            + "processor for a tenth of its limit or more. replay (default): plays it again with the same seed, "
+            + "without charging that waiting. count: counts it. Single games, too.")
     private String hiccups;
 
-    @Option(names = "--random", description = "Says that a bot draws by lot: equal games are independent draws, and "
-        + "count.")
+    @Option(names = "--random", description = "Says that a bot uses random numbers: equal games are independent, "
+        + "and all count.")
     private boolean random;
 
     @Option(names = "--into", paramLabel = "DIR",
-        description = "Stores the games in this league, see 'steward league'; one that it has already stays as it is.")
+        description = "Stores the games in this league (see 'steward league'). A game that the league has already "
+            + "stays unchanged.")
     private String into;
 
     /**

@@ -17,16 +17,18 @@ import steward.game.GameSetup;
 /** {@code steward simulate}: answers the community's test cases for simulators. */
 @Command(name = "simulate", description = "Reads states and commands of a game from the standard input, plays one "
     + "turn of each by the rules of the scene, and prints the states after it.",
-    footer = {"", "Input, until its end, any number of games, each",
+    footer = {
+        "", "The input is any number of games, each",
         "  checkpointCount",
         "  x y                                                     for each checkpoint",
         "  tests",
         "and then for each test",
         "  x y vx vy angleDegrees nextCheckpointId shield boosted  for each of the 4 pods",
         "  targetX targetY thrust|SHIELD|BOOST                     for each of the 4 pods",
-        "Output after each test: the 4 new states in the same form. That is for the pod",
-        "race; other games have lines of their own, which their pages in docs/ show.",
-        "", "Example:", "  steward simulate < tests.txt",
+        "The output after each test is the 4 new states in the same form. Other games",
+        "than the pod race have other lines, which their pages in docs/ describe.",
+        "", "Example:",
+        "  steward simulate < tests.txt",
         "", "Exit status: 0 done; 2 a line is wrong or missing: the error names it."})
 public final class SimulateCommand extends ProgramCommand {
 

@@ -27,13 +27,13 @@ import steward.replay.ReplayReader;
 import steward.replay.verify.Resimulation;
 
 /** {@code steward feed}: sends a bot the lines that one player of a recorded match was sent. */
-@Command(name = "feed", description = "Sends a bot, without any deadline, what one player of a recorded match was "
-    + "sent, and compares its answers with the recorded ones; or lets it play on from some turn.",
-    footer = {"",
-        "A bot is a command; before its first word may stand NAME=, and one of json:,",
-        "codingame: and builtin:, as for 'match': they say what it speaks. Without a",
-        "prefix it speaks what the player spoke.",
-        "", "The bot's stderr and terminal are left as they are. To look into it:",
+@Command(name = "feed", description = "Sends a bot the lines that one player of a recorded match was sent, "
+    + "without deadlines, and compares its answers with the recorded ones. Or lets it play on from a turn.",
+    footer = {
+        "", "A bot is a command. NAME= may stand before it, and json:, codingame: or",
+        "builtin:, as for 'match', to give its protocol. Without such a prefix the",
+        "protocol is that of the recorded player.",
+        "", "The bot's stderr and terminal are left as they are. To debug it:",
         "  gdb        'feed ... -- gdb ./a.out' gives gdb the terminal, and the bot that",
         "             it runs the frames: set breakpoints, then 'run'. With arguments:",
         "             gdb --args ./a.out x y. Ctrl-C stops the bot while it runs; at",
@@ -43,16 +43,15 @@ import steward.replay.verify.Resimulation;
         "             IDEs can do that too.",
         "  Java       -- java -agentlib:jdwp=transport=dt_socket,server=y,suspend=y,\\",
         "             quiet=y,address=5005 Bot",
-        "  Python     breakpoint() reads what the bot should read: use a debugger that",
+        "  Python     breakpoint() reads the bot's own input: use a debugger that",
         "             listens on a port.",
-        "", "With --replace the others do not see that anything has changed: their recorded",
-        "commands are applied as they are, and who failed then fails again. The match",
-        "ends when the rules say so, or where a player who is in has nothing in the",
-        "recording; then the new replay has no result, and verifies all the same.",
-        "A bot that is still there a second after the end is killed, unless there is a",
-        "debugger or --pause.",
+        "", "With --replace the other players do not react: their recorded commands are",
+        "applied unchanged, and a player who failed fails again. The match ends by the",
+        "rules, or when a remaining player has no recorded answer. Then the new replay",
+        "has no result, but can be verified. A bot that still runs a second after the",
+        "end is killed, unless there is a debugger or --pause.",
         "", "--json: player, name, bot, protocol, compared, same, differing (turn,",
-        "recordedFault, fault, fields: field, recorded, now); with --replace also",
+        "recordedFault, fault, fields: field, recorded, now). With --replace also",
         "played: turns, turnsInAll, ending or null, noResultBecause, ahead, replay.",
         "", "Examples:",
         "  steward feed match.jsonl --player 0 -- ./mybot",
@@ -61,8 +60,8 @@ import steward.replay.verify.Resimulation;
         "  steward feed match.jsonl --player 0 -- gdb ./a.out",
         "  steward feed match.jsonl --player 0 --from-turn 57 --replace --out new.jsonl \\",
         "      -- ./mybot",
-        "", "Exit status: 0 every answer that was compared is the same; 1 some differ;",
-        "2 wrong call or file."})
+        "", "Exit status: 0 all compared answers are equal; 1 some differ; 2 wrong call or",
+        "file."})
 public final class FeedCommand extends ProgramCommand {
 
     @Parameters(index = "0", paramLabel = "REPLAY",
@@ -81,7 +80,7 @@ public final class FeedCommand extends ProgramCommand {
     private String playerTyped;
 
     @Option(names = "--protocol", paramLabel = "W", completionCandidates = ProtocolWord.Candidates.class,
-        description = "What a bot without a prefix speaks: json or codingame (default: what the player spoke).")
+        description = "The protocol of a bot without a prefix: json or codingame (default: that of the player).")
     private String protocol;
 
     @Mixin

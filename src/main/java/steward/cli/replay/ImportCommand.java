@@ -37,19 +37,19 @@ import steward.text.Utf8Text.NotUtf8Exception;
 /** {@code steward import}: makes a replay from an official recording. */
 @Command(name = "import", description = "Makes a replay from CodinGame's own JSON of a game. Verifying it compares "
     + "the official game with these rules and this physics, to the last bit.",
-    footer = {"",
-        "The JSON is what the site's own page asks its server for: the answer of",
-        "gameResult/findByGameId, or of any request whose answer has \"frames\". Which",
-        "game it is its first view tells. Packed by gzip it is read as well.",
-        "Of a game for one player it can also be {\"stdin\":[..],\"stdout\":[..]}, the lines",
-        "that it was sent and has answered: each is compared while it is imported.",
-        "", "--json: turns, ending (null where the recording ends before), replay.",
+    footer = {
+        "", "FILE is the JSON that the site's own page gets from its server: the answer of",
+        "gameResult/findByGameId, or of any request whose answer has \"frames\". The game",
+        "is recognised by its first view. The file may be packed by gzip. For a game for",
+        "one player, FILE can also be {\"stdin\":[..],\"stdout\":[..]}, the lines sent and",
+        "answered. Each sent line is compared with ours.",
+        "", "--json: turns, ending (null if the recording ends before), replay.",
         "", "Examples:",
         "  steward import game.json --out game.jsonl",
         "  steward replay game.jsonl --verify",
         "  curl ... | steward import - --out - | steward replay - --verify",
-        "", "Exit status: 0 imported; 1 a line of the server differs; 2 the file or the call",
-        "is wrong: the error names the frame and the line."})
+        "", "Exit status: 0 imported; 1 a line of the server differs; 2 wrong file or call:",
+        "the error names the frame and the line."})
 public final class ImportCommand extends ProgramCommand {
 
     private static final String RECORDING = "a recording";
@@ -62,12 +62,12 @@ public final class ImportCommand extends ProgramCommand {
     private String file;
 
     @Option(names = "--out", paramLabel = "REPLAY", required = true,
-        description = "Where the replay goes; - is the standard output.")
+        description = "The file of the replay; - is the standard output.")
     private String out;
 
     @Option(names = "--rules", paramLabel = "live|contest", converter = Edition.class,
-        description = "The rules by which a pod race was played: those of the live server (default), or those of the "
-            + "contest of 2016. Other games are taken by the rules of their highest league.")
+        description = "The rules of a pod race: those of the live server (default), or those of the contest of "
+            + "2016. Other games have the rules of their highest league.")
     private RulesEdition rules;
 
     @Option(names = "--overwrite", description = "Replaces a replay that exists.")

@@ -16,11 +16,11 @@ import steward.replay.sign.SigningKey;
 import steward.text.NearestName;
 
 /** {@code steward key}: makes and shows the keys with which replays are signed. */
-@Command(name = "key", description = "Makes or shows a key that replays are signed with.",
-    footer = {"",
-        "new   writes a private key to FILE, for you alone, and the public one to",
-        "      FILE.pub, for everybody; prints the fingerprint by which people know",
-        "      it. A file that exists is kept.",
+@Command(name = "key", description = "Makes or shows a key for signing replays.",
+    footer = {
+        "", "new   writes a private key to FILE, which you keep secret, and its public key to",
+        "      FILE.pub, which you give away. It prints the fingerprint by which people",
+        "      recognise your key. An existing file is never replaced.",
         "show  prints the fingerprint of a public or a private key.",
         "", "The keys are Ed25519, in PEM: PKCS#8 and X.509. Whoever has FILE can sign in",
         "your name; without it nobody can.",
@@ -29,7 +29,7 @@ import steward.text.NearestName;
         "  steward match --bot ./a --bot ./b --out m.jsonl --sign mine.key",
         "  steward replay m.jsonl --verify --signed-by mine.key.pub",
         "  steward key show mine.key.pub",
-        "", "Exit status: 0 done; 2 the file or the call is wrong."})
+        "", "Exit status: 0 done; 2 wrong file or call."})
 public final class KeyCommand extends ProgramCommand {
 
     @Spec

@@ -31,24 +31,24 @@ import steward.text.NearestName;
 
 /** {@code steward replay}: shows a recorded match, or plays it again and compares. */
 @Command(name = "replay", description = "Prints a recorded match turn by turn, or plays it again and compares.",
-    footer = {"", "A file that was cut off is read up to the cut.",
-        "", "--verify plays the match again and compares every line: that proves that the",
-        "states and the result follow from the commands. Who gave the commands it does",
-        "not prove: names, messages, faults and limits are only as good as the",
-        "signature, and that only with --signed-by. It says how many states were",
-        "compared. With --require it must also say that bots were kept apart at this",
-        "level at least; signatures of earlier versions do not say it.",
-        "A replay without a result, or without a turn, is \"verified up to the cut\" and",
-        "makes the exit status 1, unless --partial is given. Of an imported game it",
-        "compares every number and word of the server's views and summaries, and lists",
-        "what it does not compare.",
+    footer = {
+        "", "A file that was cut off is read up to the cut.",
+        "", "--verify plays the match again and compares every line. That proves that states",
+        "and result follow from the commands. It does not prove who gave the commands:",
+        "names, messages, faults and limits are only as good as the signature, which",
+        "--signed-by checks. It prints how many states were compared. --require also",
+        "demands that the signature states an isolation level; earlier versions did not",
+        "write it. A replay without a result, or without a turn, is \"verified up to the",
+        "cut\". Then the exit status is 1 unless --partial is given. For an imported",
+        "game, every number and word of the server's views and summaries is compared;",
+        "parts that are not compared are listed.",
         "", "--json: scene, game, seed, turns, impacts, ending, winner, players, failures,",
-        "warning;",
-        "with --turn: turn, commands, faults, messages, stderr, outcome as recorded",
-        "(angles in radians); with --impacts: turns (turn, impacts); with --verify:",
-        "verified, reason (why not, or null), turns, difference (turn, field, recorded,",
-        "found) or null, isolation as signed or null, warning; of an imported game also",
-        "values, how many agree, near, how many only to 1e-9, and notCompared.",
+        "warning. With --turn: turn, commands, faults, messages, stderr, outcome as",
+        "recorded (angles in radians). With --impacts: turns (turn, impacts). With",
+        "--verify: verified, reason (or null), turns, difference (turn, field, recorded,",
+        "found, or null), isolation (as signed, or null), warning. An imported game also",
+        "has values (how many agree), near (how many agree only to 1e-9) and",
+        "notCompared.",
         "", "Examples:",
         "  steward replay match.jsonl --from 10 --to 20",
         "  steward replay match.jsonl --turn 57",
@@ -60,9 +60,8 @@ import steward.text.NearestName;
         "  steward replay match.jsonl --view match.html --open",
         "  steward replay match.jsonl --viewer --open",
         "  steward replay match.jsonl --frames --player 1 | ./mybot",
-        "", "Exit status: 0 done; 1 not verified: something differs from what the rules",
-        "give, or is missing, or is signed by another key or none; 2 the file or the",
-        "call is wrong."})
+        "", "Exit status: 0 done; 1 not verified: something is missing or differs from the",
+        "rules, or the signature is missing or by another key; 2 wrong file or call."})
 public final class ReplayCommand extends ProgramCommand {
 
     private static final List<String> LEVELS = Stream.of(SandboxLevel.values()).map(SandboxLevel::word).toList();

@@ -24,16 +24,18 @@ import steward.cli.streams.Streams;
 import steward.files.InputException;
 
 /** {@code steward resident}: serves the clients of one socket, several at a time, until none has come for a while. */
-@Command(name = "resident", description = "Plays the matches of 'steward-referee' and 'steward-play', which do what "
-    + "'steward referee' and 'steward play' do without a start of Java for each match.",
-    footer = {"",
-        "Both are small programs beside 'steward', made on Linux where there is a C",
-        "compiler. They start a resident themselves where there is none. A resident",
-        "serves one user, folder, environment, control group, set of limits and so on;",
-        "a call in which any of that differs has another resident, or starts plainly.",
+@Command(name = "resident", description = "Plays the matches of 'steward-referee' and 'steward-play', which work "
+    + "like 'steward referee' and 'steward play' but start no Java for each match.",
+    footer = {
+        "", "'steward-referee' and 'steward-play' are small programs beside 'steward', made",
+        "on Linux if there is a C compiler. They start a resident themselves if none",
+        "runs. A resident serves one user, folder, environment, control group, set of",
+        "limits and so on. A call that differs in any of these gets another resident, or",
+        "starts Java.",
         "", "Example, for another --idle, or to have it before the first match:",
         "  steward resident --idle 8h &",
-        "", "Exit status: 0 it was idle for so long; 2 wrong call, or there is one."})
+        "", "Exit status: 0 it was idle for that long; 2 wrong call, or a resident already",
+        "runs."})
 public final class ResidentCommand extends ProgramCommand {
 
     private final ToIntBiFunction<Streams, String[]> program;
@@ -44,8 +46,9 @@ public final class ResidentCommand extends ProgramCommand {
         description = "Ends when there was no match for so long, such as 90s, 30m or 8h (default: 10m).")
     private String idle;
 
-    @Option(names = "--socket", paramLabel = "FILE", description = "The socket to serve, in a folder that only its "
-        + "user may open. Without it the client names one, by all that matches could depend on.")
+    @Option(names = "--socket", paramLabel = "FILE", description = "The socket to serve, in a folder that only "
+        + "its user may open. Without it the client chooses one, named by everything on which matches could "
+        + "depend.")
     private String socket;
 
     /** @param program runs a command, its name first, and returns its exit status */

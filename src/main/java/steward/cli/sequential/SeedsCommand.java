@@ -41,18 +41,18 @@ import steward.text.TextFormat;
 
 /** {@code steward seeds}: chooses seeds that tell bots apart and are fair to all seats. */
 @Command(name = "seeds", description = "Chooses seeds that tell bots apart and are fair to both sides.",
-    footer = {"",
-        "The two bots play each seed from all seats. Where one of them is ahead whatever",
-        "its seat, the seed tells them apart; where the seat decides, it does not. The",
-        "file has a seed a line, and how they were chosen as comments. These games count",
-        "nowhere, and tests of the two bots on these seeds are refused: what the seeds",
-        "tell of them was known before.",
+    footer = {
+        "", "The two bots play each seed from all seats. If one bot is ahead in every seat,",
+        "the seed tells them apart; if the seat decides, it does not. The file has one",
+        "seed a line, and comments on how they were chosen. These games count nowhere.",
+        "Tests of the two bots on these seeds are refused, because the result on them",
+        "was known before.",
         "", "Example:",
         "  steward seeds --bot builtin:regular --bot builtin:contender --count 200 \\",
         "      --from 2000 --out chosen.txt",
         "  steward sprt --bot ./new --bot ./old --seed-file chosen.txt",
-        "", "Exit status: 0 done, also if fewer were found; 1 none was found, or a bot failed",
-        "in 10 games in a row; 2 wrong call; 130 interrupted."})
+        "", "Exit status: 0 done, also if fewer were found; 1 none was found, or a bot",
+        "failed in 10 games in a row; 2 wrong call; 130 interrupted."})
 public final class SeedsCommand extends ProgramCommand {
 
     private static final int MOST = 1_000_000;
@@ -61,7 +61,7 @@ public final class SeedsCommand extends ProgramCommand {
     private final SceneOptions scene = new SceneOptions();
 
     @Option(names = "--bot", paramLabel = "BOT", completionCandidates = BuiltinBotWords.class,
-        description = "A bot that chooses; two of them.")
+        description = "A bot whose games choose the seeds; give two.")
     private List<String> bots = new ArrayList<>();
 
     @Mixin
@@ -87,8 +87,8 @@ public final class SeedsCommand extends ProgramCommand {
     @Mixin
     private final SeedOption seed = new SeedOption();
 
-    @Option(names = "--out", paramLabel = "FILE", description = "Writes them to this file (default: the standard "
-        + "output).")
+    @Option(names = "--out", paramLabel = "FILE", description = "Writes the seeds to this file (default: the "
+        + "standard output).")
     private String out;
 
     @Option(names = "--overwrite", description = "Replaces the file if it exists.")

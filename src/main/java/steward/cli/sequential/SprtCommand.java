@@ -36,22 +36,22 @@ import steward.text.TextFormat;
 
 /** {@code steward sprt}: tests sequentially whether the new bot is better than the old one. */
 @Command(name = "sprt", description = "Plays two bots until it is clear whether the first is better.",
-    footer = {"",
-        "A sequential test (GSPRT) of two hypotheses: the first bot is stronger by elo0",
-        "(H0) or by elo1 (H1). Each seed is played from all seats; what counts is the",
-        "mean difference of the points of a seed. It ends when one hypothesis is",
-        "accepted, or after --games. With --into the same command goes on after an",
-        "interruption, and games that the league has of the two come first.",
-        "With --pool both meet the same opponents: each seed draws one of them and is",
-        "played by both from all seats, and what counts is the difference of their points",
-        "a game.",
+    footer = {
+        "", "A sequential test (GSPRT) of two hypotheses: the first bot is stronger by elo0",
+        "(H0) or by elo1 (H1). Each seed is played from all seats; the mean difference",
+        "of the points of a seed counts. The test ends when one hypothesis is accepted,",
+        "or after --games. With --into, stored games of the two bots count first, and",
+        "the same command continues after an interruption.",
+        "", "With --pool both bots meet the same opponents. Each seed draws one opponent,",
+        "and both bots play it from all seats. The difference of their points a game",
+        "counts.",
         "", "Examples:",
         "  steward sprt --bot new=./new --bot old=./old --threads auto",
         "  steward sprt --bot ./new --bot ./old --elo0 -5 --elo1 5 --into night",
         "  steward sprt --bot ./new --bot ./old --pool night --points1 0.03",
         "  steward sprt --penta 3,12,40,30,9",
-        "", "Exit status: 0 it was decided, or has played --games; 1 games have no result, or",
-        "a bot failed in 10 games in a row; 2 wrong call; 130 interrupted."})
+        "", "Exit status: 0 decided, or --games were played; 1 games have no result, or a",
+        "bot failed in 10 games in a row; 2 wrong call; 130 interrupted."})
 public final class SprtCommand extends ProgramCommand {
 
     @Mixin
@@ -86,16 +86,16 @@ public final class SprtCommand extends ProgramCommand {
     private final ThreadsOption threads = new ThreadsOption();
 
     @Option(names = "--into", paramLabel = "DIR",
-        description = "Stores the games in this league, see 'steward league', "
-        + "and takes those that it has.")
+        description = "Stores the games in this league (see 'steward league'), and counts games that it already "
+            + "has.")
     private String into;
 
-    @Option(names = "--penta", paramLabel = "N,N,N,N,N", split = ",", description = "Plays nothing: computes from how "
-        + "many pairs of games (seeds) brought 0, 1/2, 1, 3/2 and 2 points.")
+    @Option(names = "--penta", paramLabel = "N,N,N,N,N", split = ",", description = "Plays nothing: computes the "
+        + "test from the numbers of seeds (pairs of games) that gave 0, 1/2, 1, 3/2 and 2 points.")
     private List<String> penta = new ArrayList<>();
 
-    @Option(names = "--wdl", paramLabel = "W,D,L", split = ",", description = "Plays nothing: computes from how many "
-        + "single games were won, drawn and lost.")
+    @Option(names = "--wdl", paramLabel = "W,D,L", split = ",", description = "Plays nothing: computes the test "
+        + "from the numbers of games won, drawn and lost.")
     private List<String> wdl = new ArrayList<>();
 
     @Option(names = "--json", description = "Prints one JSON object and nothing else.")

@@ -31,45 +31,47 @@ public final class SprtOptions {
 
     private final CallCheck check = CallCheck.withHelp();
 
-    @Option(names = "--elo0", paramLabel = "X", description = "What is accepted as not enough, H0 (default: 0).")
+    @Option(names = "--elo0", paramLabel = "X", description = "The Elo difference of H0, not enough to accept the "
+        + "new bot (default: 0).")
     private Double elo0;
 
-    @Option(names = "--elo1", paramLabel = "X", description = "What is accepted as a gain, H1 (default: 10).")
+    @Option(names = "--elo1", paramLabel = "X", description = "The Elo difference of H1, a gain (default: 10).")
     private Double elo1;
 
-    @Option(names = "--pool", paramLabel = "DIR|NAMES", description = "Lets both bots meet the same opponents in place "
-        + "of each other: those of a league, the programs of a folder, or bots apart by commas.")
+    @Option(names = "--pool", paramLabel = "DIR|NAMES", description = "Lets both bots meet the same opponents "
+        + "instead of each other: bots of a league, programs of a folder, or bots separated by commas.")
     private String pool;
 
-    @Option(names = "--points0", paramLabel = "P", description = "With --pool: points a game by which the first bot is "
-        + "ahead against the pool, as H0 (default: 0).")
+    @Option(names = "--points0", paramLabel = "P", description = "With --pool: the difference of points a game of "
+        + "H0 (default: 0).")
     private Double points0;
 
-    @Option(names = "--points1", paramLabel = "P", description = "What H1 says of these points (default: 0.02).")
+    @Option(names = "--points1", paramLabel = "P", description = "With --pool: the difference of points a game of "
+        + "H1 (default: 0.02).")
     private Double points1;
 
     @Option(names = "--alpha", paramLabel = "P", defaultValue = "0.05",
-        description = "How often H1 may be accepted where H0 is true (default: ${DEFAULT-VALUE}).")
+        description = "The probability of accepting H1 if H0 is true (default: ${DEFAULT-VALUE}).")
     private double alpha;
 
     @Option(names = "--beta", paramLabel = "P", defaultValue = "0.05",
-        description = "How often H0 may be accepted where H1 is true (default: ${DEFAULT-VALUE}).")
+        description = "The probability of accepting H0 if H1 is true (default: ${DEFAULT-VALUE}).")
     private double beta;
 
     @Option(names = "--elo-model", paramLabel = "normalized|logistic",
-        completionCandidates = Models.class, description = "What Elo means: normalized (default), by the spread of the "
-            + "scores of a game, 347 points for a standard deviation; or logistic, by the mean score.")
+        completionCandidates = Models.class, description = "The meaning of Elo. normalized (default): by the "
+            + "spread of the scores of a game, 347 points for a standard deviation. logistic: by the mean score.")
     private String model;
 
     @Option(names = "--games", paramLabel = "N",
-        description = "Ends after N games without a decision; stored ones count too.")
+        description = "Ends after N games without a decision, stored games included.")
     private Integer games;
 
     @Option(names = "--keep-going", description = "Goes on when a bot has failed in 10 games in a row.")
     private boolean keepGoing;
 
-    @Option(names = "--random", description = "Says that a bot draws by lot: equal games are independent draws, and "
-        + "count. In a league its mark says so, too.")
+    @Option(names = "--random", description = "Says that a bot uses random numbers: equal games are independent, "
+        + "and all count. In a league, the bot's mark \"random\" says so, too.")
     private boolean random;
 
     /** Returns when the test ends without a decision. */

@@ -58,19 +58,19 @@ import steward.text.TextFormat;
  * share one state, which goes on after an interruption.
  */
 @Command(name = "tune", description = "Finds good values for parameters in a bot's command.",
-    footer = {"",
-        "A parameter is written {name:0.5..2} for a real number, {name:1..9} for a whole",
-        "one, {name:one|other} for a choice; {name:1..9@3} begins at 3, otherwise it is",
-        "the middle. Each step tries two sets of values against the same bots on the same",
-        "seeds from all seats, and goes on towards the better one (SPSA). At the end the",
-        "result is tested against the start. With --into the same command goes on after",
-        "an interruption. Of --seed-file the search plays the first half, again and",
-        "again, and the test the second.",
+    footer = {
+        "", "A parameter is written {name:0.5..2} for a real number, {name:1..9} for a whole",
+        "one, {name:one|other} for a choice. {name:1..9@3} begins at 3; the default is",
+        "the middle. Each step plays two sets of values against the same bots on the",
+        "same seeds from all seats, and moves towards the better one (SPSA). At the end",
+        "the result is tested against the start. With --into the same command continues",
+        "after an interruption. Of a --seed-file, the search plays the first half, again",
+        "and again, and the test the second.",
         "", "Example:",
         "  steward tune --bot 'mine=./mine --aggression {a:0.2..2} --look {n:1..9}' \\",
         "      --against builtin:veteran --games 4000 --into night",
-        "", "Exit status: 0 done; 1 games have no result, or a bot failed in",
-        "10 games in a row; 2 wrong call; 130 interrupted."})
+        "", "Exit status: 0 done; 1 games have no result, or a bot failed in 10 games in a",
+        "row; 2 wrong call; 130 interrupted."})
 public final class TuneCommand extends ProgramCommand {
 
     private static final long TELL_NANOS = TimeUnit.SECONDS.toNanos(10);
@@ -104,7 +104,7 @@ public final class TuneCommand extends ProgramCommand {
 
     @OptionSection("The search")
     @Option(names = "--games", paramLabel = "N", defaultValue = "2000",
-        description = "How many games the search takes (default: ${DEFAULT-VALUE}).")
+        description = "How many games the search plays (default: ${DEFAULT-VALUE}).")
     private Integer games;
 
     @OptionSection("The search")
@@ -133,7 +133,8 @@ public final class TuneCommand extends ProgramCommand {
     private final ThreadsOption threads = new ThreadsOption();
 
     @Option(names = "--into", paramLabel = "DIR",
-        description = "Stores the games in this league, and takes those that it has; its table does not list them.")
+        description = "Stores the games in this league, and uses games that it already has. Its table does not "
+            + "list them.")
     private String into;
 
     @OptionSection("The search")
@@ -141,8 +142,8 @@ public final class TuneCommand extends ProgramCommand {
     private boolean keepGoing;
 
     @OptionSection("The search")
-    @Option(names = "--random", description = "Says that a bot draws by lot: equal games are independent draws, and "
-        + "do not end the search. In a league its mark says so, too.")
+    @Option(names = "--random", description = "Says that a bot uses random numbers: equal games are independent, "
+        + "and do not end the search. In a league, the bot's mark \"random\" says so, too.")
     private boolean random;
 
     @Option(names = "--json", description = "Prints a JSON object in place of the result, and one of the test, each on "

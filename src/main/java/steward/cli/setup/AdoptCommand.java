@@ -23,8 +23,8 @@ import steward.guest.RefereeFault;
 import steward.guest.project.SdkProject;
 
 /** {@code steward adopt}: writes a scene for a published referee. */
-@Command(name = "adopt", description = "Makes a scene of a referee that its author has published as a project on "
-    + "CodinGame's SDK, builds it with its Maven if need be, and plays trial games with idle bots.",
+@Command(name = "adopt", description = "Makes a scene for a referee that its author has published as a project on "
+    + "CodinGame's SDK. Builds the project with Maven if need be, and plays trial games with idle bots.",
     footer = {"", "Examples:", "  steward adopt SpringChallenge2021",
         "  steward adopt SpringChallenge2023 --as ants --engine 4.3.0",
         "  steward adopt Troll-Farm --engine-source codingame-game-engine",
@@ -33,19 +33,19 @@ import steward.guest.project.SdkProject;
 public final class AdoptCommand extends ProgramCommand {
 
     @Parameters(index = "0", paramLabel = "DIR|JAR",
-        description = "The folder of the project, or a jar with all in it.")
+        description = "The folder of the project, or a jar that contains everything.")
     private String project;
 
-    @Option(names = "--as", paramLabel = "NAME", description = "The name of the scene; it is written into NAME.json "
-        + "(default: that of the project in lower case).")
+    @Option(names = "--as", paramLabel = "NAME", description = "The name of the scene, written into NAME.json "
+        + "(default: the project's name in lower case).")
     private String name;
 
-    @Option(names = "--engine", paramLabel = "VERSION", description = "Builds it with this version of the engine in "
-        + "place of its own.")
+    @Option(names = "--engine", paramLabel = "VERSION", description = "Builds it with this version of the SDK's "
+        + "engine instead of its own.")
     private String engine;
 
-    @Option(names = "--engine-source", paramLabel = "DIR", description = "Builds the engine that the project names "
-        + "from a clone of its repository, where no Maven repository has it; kept in Steward's cache.")
+    @Option(names = "--engine-source", paramLabel = "DIR", description = "Builds the SDK's engine from a clone of "
+        + "its repository, for a version that no Maven repository has. It is kept in Steward's cache.")
     private String engineSource;
 
     @Option(names = "--overwrite", description = "Replaces a scene that exists.")

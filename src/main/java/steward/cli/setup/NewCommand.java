@@ -55,10 +55,11 @@ public final class NewCommand extends ProgramCommand {
     private String game;
 
     @Option(names = "--protocol", paramLabel = "P", completionCandidates = ProtocolWord.Candidates.class,
-        description = "What it speaks, json or codingame (default: JSON in python, CodinGame's lines in the others).")
+        description = "The protocol of the bot, json or codingame (default: JSON in python, CodinGame's lines in "
+            + "the others).")
     private String protocol;
 
-    @Option(names = "--simulator", description = "Writes, in cpp for the pod race, a bot that searches, with "
+    @Option(names = "--simulator", description = "Writes a bot that searches, in cpp for the pod race, with "
         + "steward_podrace.hpp: the official turn to the last bit, in one header.")
     private boolean simulator;
 

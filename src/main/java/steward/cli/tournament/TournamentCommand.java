@@ -57,18 +57,17 @@ import steward.scene.SceneFiles;
 import steward.text.TextFormat;
 
 /** {@code steward tournament}: plays all programs in a folder against each other. */
-@Command(name = "tournament", description = "Compiles and checks the programs of a folder, lets everybody meet "
-    + "everybody, and writes a table and a page for each author.",
-    footer = {"",
-        "A program is one source file of Python, Java, C++ or JavaScript, or a folder",
+@Command(name = "tournament", description = "Compiles and checks the programs of a folder, plays all of them "
+    + "against each other, and writes a table and a page for each author.",
+    footer = {
+        "", "A program is one source file of Python, Java, C++ or JavaScript, or a folder",
         "whose file 'run' holds its command, such as 'python3 main.py'. Compilers run in",
-        "the sandbox, for --compile-limit seconds at most. A program that fails stops",
-        "nobody; the page of its author says why it failed and what it was sent.",
-        "",
-        "The folder of --page has index.html, a page for each author in bots/, the table",
-        "as table.csv, and in league/ a league, which 'steward league' goes on with. The",
-        "same command plays what is new: changed programs, and more --games. Table and",
-        "pages are of the programs as they are now, and everybody has as many games.",
+        "the sandbox, for --compile-limit seconds at most. If a program fails, the",
+        "others play on; its author's page says why it failed and what it was sent.",
+        "", "The folder of --page has index.html, a page for each author in bots/, and the",
+        "table as table.csv. Its folder league/ is a league for 'steward league'. The",
+        "same command plays only what is new: changed programs, and more --games. Table",
+        "and pages show the programs as they are now, all with equally many games.",
         "Links, pipes and devices among hand-ins are not opened. A round of --rounds is",
         "written to rounds.json before its games; new versions begin at the first round.",
         "", "--json: folder, programs (name, ready, standing), scores (place, name, games,",
@@ -78,8 +77,8 @@ import steward.text.TextFormat;
         "  steward tournament submissions --scene mad-pod-racing",
         "  steward tournament submissions --games 10 --page results --threads auto",
         "  steward tournament submissions --rounds 5 --watch --host 0.0.0.0",
-        "", "Exit status: 0 done, whatever programs do; 1 it could not be brought to its end;",
-        "2 the call or the folder is unusable; 130 interrupted, the same command goes on."})
+        "", "Exit status: 0 done, whatever programs do; 1 it could not be finished; 2 the",
+        "call or the folder is unusable; 130 interrupted: the same command continues."})
 public final class TournamentCommand extends ProgramCommand {
 
     static final String PAGES = "bots";
@@ -104,17 +103,17 @@ public final class TournamentCommand extends ProgramCommand {
         + "meet, rounded up to whole seeds from all seats (default: ${DEFAULT-VALUE}).")
     private Integer games;
 
-    @Option(names = "--rounds", paramLabel = "R", description = "Plays R Swiss rounds, in which those meet who have as "
-        + "many points, --games times; without it everybody meets everybody.")
+    @Option(names = "--rounds", paramLabel = "R", description = "Plays R Swiss rounds, in which programs with "
+        + "equal points meet, --games times. Without it everybody meets everybody.")
     private Integer rounds;
 
-    @Option(names = "--page", paramLabel = "DIR", description = "The folder of what is written (default: FOLDER with "
+    @Option(names = "--page", paramLabel = "DIR", description = "The folder for the results (default: FOLDER with "
         + "-tournament behind its name).")
     private String page;
 
     @Option(names = "--protocol", paramLabel = "P", defaultValue = "codingame",
         completionCandidates = ProtocolWord.Candidates.class,
-        description = "What programs speak: json or codingame (default: ${DEFAULT-VALUE}).")
+        description = "The protocol of the programs: json or codingame (default: ${DEFAULT-VALUE}).")
     private String protocol;
 
     @Option(names = "--compile-limit", paramLabel = "S", defaultValue = "60",
@@ -122,11 +121,11 @@ public final class TournamentCommand extends ProgramCommand {
     private Integer compileLimit;
 
     @Option(names = "--cxx-flags", paramLabel = "WORDS", defaultValue = "", description = "Gives these words to "
-        + "the compiler of C++ too, behind -O2 and -std=c++20, or the newest that it has.")
+        + "the C++ compiler, after -O2 and -std=c++20 (or the newest standard that it has).")
     private String cxxFlags;
 
     @Option(names = "--most-megabytes", paramLabel = "N", defaultValue = "50",
-        description = "A program with more is refused (default: ${DEFAULT-VALUE}).")
+        description = "A program with more megabytes is refused (default: ${DEFAULT-VALUE}).")
     private Integer mostMegabytes;
 
     @Option(names = "--most-files", paramLabel = "N", defaultValue = "2000",
@@ -134,8 +133,8 @@ public final class TournamentCommand extends ProgramCommand {
     private Integer mostFiles;
 
     @Option(names = "--sandbox", paramLabel = "LEVEL",
-        description = "How far programs are kept apart: strict, light, off or auto, as in 'match' "
-            + "(default: strict where that works, otherwise auto).")
+        description = "How programs are isolated: strict, light, off or auto, as in 'match' (default: strict if "
+            + "that works, otherwise auto).")
     private String sandbox;
 
     @Option(names = "--json", description = "Prints one JSON object when all is over, and no table; see below.")

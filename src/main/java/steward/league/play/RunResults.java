@@ -21,8 +21,8 @@ final class RunResults {
     /**
      * Results of earlier runs.
      *
-     * @param from   below this number no decision's results are asked for alone
-     * @param learns whether it is asked how strong bots are
+     * @param from   results of decisions below this number are only needed as sums
+     * @param learns whether ratings are needed during the run
      */
     RunResults(Season season, GameQueries queries, int from, boolean learns) {
         repeated = new RepeatedGroups(season.players() == 1);

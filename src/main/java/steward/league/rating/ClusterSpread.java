@@ -4,9 +4,9 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * Middle matrix B of the sandwich A^-1 B A^-1, the covariance matrix of fitted ratings (P. J. Huber, "The behavior of
- * maximum likelihood estimates under nonstandard conditions", Berkeley Symposium 5, 1967). B is the covariance of the
- * scores of all clusters, whose sum is zero at the fit. It is derived in five steps.
+ * Middle matrix B of the sandwich A^-1 B A^-1, the covariance matrix of fitted ratings. B is the covariance of the
+ * scores of all clusters, whose sum is zero at the fit (P. J. Huber, "The behavior of maximum likelihood estimates
+ * under nonstandard conditions", Berkeley Symposium 5, 1967). It is derived in five steps.
  *
  * <ol>
  * <li>The score u of a cluster is its push on the ratings: for each of its pairs the weight times points - expected

@@ -5,12 +5,12 @@ import java.util.List;
 import java.util.stream.IntStream;
 
 /**
- * Score test of a rating difference: fits the ratings under that difference, and tests what the games still ask for (D.
- * D. Boos, "On generalized score tests", American Statistician 46, 1992; with the sandwich). If a bot has won or lost
- * nearly everything, the likelihood is flat and its top far out, so that its curvature is useless for hundreds of
- * games; this test works there, since n wins are about the root of n standard deviations. The clusters' squares around
- * the tested value grow with their distance, so that a few clusters that are alike do not seem certain; degrees of
- * freedom are not needed.
+ * Score test of a rating difference: fits the ratings under that difference, and tests what the games still ask for.
+ * Source: D. D. Boos, "On generalized score tests", American Statistician 46, 1992, here with the sandwich. If a bot
+ * has won or lost nearly everything, the likelihood is flat and its top far out, so that its curvature is useless for
+ * hundreds of games; this test works there, since n wins are about the root of n standard deviations. The clusters'
+ * squares around the tested value grow with their distance, so that a few clusters that are alike do not seem certain;
+ * degrees of freedom are not needed.
  */
 public final class ScoreTest {
 

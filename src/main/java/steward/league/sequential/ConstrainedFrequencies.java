@@ -3,8 +3,8 @@ package steward.league.sequential;
 import java.util.Arrays;
 
 /**
- * Maximum-likelihood probabilities of scores under a hypothesis, given how often each score occurred (M. Van den Bergh,
- * "Comments on normalized Elo", https://www.cantate.be/Fishtest, propositions 1.1 and 1.2).
+ * Maximum-likelihood probabilities of scores under a hypothesis, given how often each score occurred. Source: M. Van
+ * den Bergh, "Comments on normalized Elo", https://www.cantate.be/Fishtest, propositions 1.1 and 1.2.
  *
  * <p>With f<sub>i</sub> the frequency of the score a<sub>i</sub>, the sum of f<sub>i</sub> log p<sub>i</sub> is
  * greatest under the condition g(p) = 0 where, by Lagrange's multipliers,

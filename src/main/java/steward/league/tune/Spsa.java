@@ -6,11 +6,11 @@ import java.util.stream.IntStream;
 import steward.numerics.SplitMix64;
 
 /**
- * Simultaneous perturbation stochastic approximation, which tunes all parameters at once (J. C. Spall, "Implementation
- * of the simultaneous perturbation algorithm for stochastic optimization", IEEE Transactions on Aerospace and
- * Electronic Systems 34, 1998). Each step moves every parameter up or down at random, plays that against the opposite,
- * and goes on along the difference of the two scores. The gains get smaller as Spall recommends: a/(A + k)^0.602 and
- * c/k^0.101, with A a tenth of all steps.
+ * Simultaneous perturbation stochastic approximation, which tunes all parameters at once. Source: J. C. Spall,
+ * "Implementation of the simultaneous perturbation algorithm for stochastic optimization", IEEE Transactions on
+ * Aerospace and Electronic Systems 34, 1998. Each step moves every parameter up or down at random, plays that against
+ * the opposite, and goes on along the difference of the two scores. The gains get smaller as Spall recommends: a/(A +
+ * k)^0.602 and c/k^0.101, with A a tenth of all steps.
  */
 public final class Spsa {
 

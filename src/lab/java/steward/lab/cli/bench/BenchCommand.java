@@ -32,9 +32,9 @@ import steward.lab.timing.Machine;
 import steward.text.TextFormat;
 
 /** {@code steward bench}: measures the speed of matches, replays, bot processes, starts and crowds. */
-@Command(name = "bench", description = "Measures how fast matches, replays, bot processes, starts and crowds of bodies "
-    + "are on this machine, with plain ways to do the same beside them.",
-    footer = {"", "Ratios are between figures of one run and mean more than the figures.",
+@Command(name = "bench", description = "Measures the speed of matches, replays, bot processes, starts and crowds "
+    + "of bodies on this machine, and of plain ways to do the same work.",
+    footer = {"", "Compare ratios of one run rather than figures of different runs.",
         "", "Examples:", "  steward bench --quick", "  steward bench --only crowds --bodies 100 --bodies 1000",
         "  steward bench --long --out results",
         "", "Exit status: 0 done; 1 something could not be measured; 2 the call cannot be",
@@ -60,22 +60,22 @@ public final class BenchCommand extends ProgramCommand {
     private List<String> only = new ArrayList<>();
 
     @Option(names = "--quick",
-        description = "Measures rough figures, in about a minute; says which ratios are not comparable.")
+        description = "Measures rough figures in about a minute, and says which ratios are not comparable.")
     private boolean quick;
 
-    @Option(names = "--long", description = "Measures for tables that are kept, and a million bodies.")
+    @Option(names = "--long", description = "Measures long enough for published tables, and a million bodies.")
     private boolean full;
 
     @Option(names = "--bodies", paramLabel = "N",
-        description = "A crowd of so many; can be repeated (default: 100, 1000, 10000, 100000).")
+        description = "A crowd of N bodies; can be repeated (default: 100, 1000, 10000, 100000).")
     private List<Integer> bodies = new ArrayList<>();
 
-    @Option(names = "--tools", paramLabel = "DIR", description = "Measures games under cg-brutaltester too, which is "
-        + "in this folder: cg-brutaltester.jar, and csbref, a referee in Go.")
+    @Option(names = "--tools", paramLabel = "DIR", description = "Also measures games under cg-brutaltester. DIR "
+        + "has cg-brutaltester.jar and csbref, a referee in Go.")
     private String tools;
 
-    @Option(names = "--sdk", paramLabel = "DIR", description = "Measures referees made with CodinGame's SDK too, whose "
-        + "jars are in this folder.")
+    @Option(names = "--sdk", paramLabel = "DIR", description = "Also measures referees made with CodinGame's SDK. "
+        + "DIR has its jars.")
     private String sdk;
 
     @Option(names = "--out", paramLabel = "DIR", description = "Writes " + BenchFiles.CSV + " and " + BenchFiles.JSON

@@ -49,10 +49,11 @@ import steward.league.store.SeasonOpening;
 import steward.text.TextFormat;
 
 /** {@code steward league run}: plays the games of a league. */
-@Command(name = "run", description = "Plays a league until it is told to end, and goes on where it was.",
-    footer = {"",
-        "Every game is stored when it is over. Ctrl-C ends the games that are under way;",
-        "those that are over are stored, also after 'kill -9'. The same command goes on",
+@Command(name = "run", description = "Plays a league until it is told to end, and continues where an earlier run "
+    + "ended.",
+    footer = {
+        "", "Every game is stored when it is over. Ctrl-C ends the games that are under way;",
+        "finished games are stored, even after 'kill -9'. The same command continues",
         "with the same seeds. league.json is read anew between games.",
         "", "Examples:",
         "  steward league run night --threads auto --for 8h",
@@ -73,11 +74,11 @@ public final class LeagueRunCommand extends ProgramCommand {
 
     @OptionSection("The end")
     @Option(names = "--games", paramLabel = "N",
-        description = "Ends when the league has played N games in all, those of earlier runs included.")
+        description = "Ends when the league has played N games in all, including earlier runs.")
     private Long games;
 
     @OptionSection("The end")
-    @Option(names = "--for", paramLabel = "TIME", description = "Ends after so long, such as 90s, 30m, 8h or 2d.")
+    @Option(names = "--for", paramLabel = "TIME", description = "Ends after this time, such as 90s, 30m, 8h or 2d.")
     private String time;
 
     @Mixin
@@ -86,23 +87,23 @@ public final class LeagueRunCommand extends ProgramCommand {
     @Mixin
     private final ReferenceOptions reference = new ReferenceOptions();
 
-    @Option(names = "--pause-after", paramLabel = "N", defaultValue = "20", description = "Pauses a bot that failed in "
-        + "N games in a row, see 'league resume'; 0 for never (default: ${DEFAULT-VALUE}).")
+    @Option(names = "--pause-after", paramLabel = "N", defaultValue = "20", description = "Pauses a bot that "
+        + "failed in N games in a row (see 'league resume'); 0 for never (default: ${DEFAULT-VALUE}).")
     private Integer pauseAfter;
 
-    @Option(names = "--durable", description = "Waits with every game until it is on the disk: nothing is lost when "
-        + "the power fails, either.")
+    @Option(names = "--durable", description = "Waits with every game until it is on the disk, so that nothing is "
+        + "lost even if the power fails.")
     private boolean durable;
 
-    @Option(names = "--same", description = "Counts a bot whose program has changed as the version that it was.")
+    @Option(names = "--same", description = "Counts a bot whose program has changed as its old version.")
     private boolean same;
 
-    @Option(names = "--new-season", description = "Begins a new table where the scene or the limits have changed; the "
-        + "old games stay.")
+    @Option(names = "--new-season", description = "Begins a new table if the scene or the limits have changed; "
+        + "the old games stay.")
     private boolean anew;
 
-    @Option(names = "--anyway", description = "Plays also if the games of a bot chose the league's list of seeds, and "
-        + "flags the table.")
+    @Option(names = "--anyway", description = "Plays even if games of a bot were used to choose the league's list "
+        + "of seeds, and flags the table.")
     private boolean anyway;
 
     @Mixin

@@ -30,16 +30,17 @@ final class UntilOptions {
 
     private final CallCheck check = CallCheck.withHelp();
 
-    @Option(names = "--until-bars", paramLabel = "ELO", description = "Ends when the anytime bar of every bot that can "
-        + "have one, to the mean, is at most so wide to each side; says beforehand who needs how many games.")
+    @Option(names = "--until-bars", paramLabel = "ELO", description = "Ends when every bot's anytime bar is at "
+        + "most ELO wide to each side. That is the error bar of its rating against the mean, valid at any moment. "
+        + "Estimates the games that each bot needs.")
     private Double bars;
 
-    @Option(names = "--until-ranked", description = "Ends when the order of all bots is sure: "
-        + "wrong in one of twenty leagues at most; see --equal.")
+    @Option(names = "--until-ranked", description = "Ends when the order of all bots is known: it is wrong in at "
+        + "most one of twenty leagues. See --equal.")
     private boolean ranked;
 
-    @Option(names = "--equal", paramLabel = "ELO", description = "With --until-ranked: bots that surely differ by less "
-        + "than so much count as equal (default: 5).")
+    @Option(names = "--equal", paramLabel = "ELO", description = "With --until-ranked: bots that surely differ by "
+        + "less than ELO count as equal (default: 5).")
     private Double equal;
 
     /** Refuses what cannot be. */

@@ -35,8 +35,9 @@ import tools.jackson.core.JsonGenerator;
 
 /** {@code steward league games}: lists games and opens their replays. */
 @Command(name = "games", description = "Lists games of a league, the latest first, and opens the replay of one.",
-    footer = {"", "With --failed or --game, below each game: which turn failed and why, what the bot",
-        "wrote to stderr, and hints, as far as the replay was kept.",
+    footer = {
+        "", "With --failed or --game, each game is followed by its failures: turn and",
+        "reason, the bot's stderr, and hints, if the replay was kept.",
         "", "Examples:",
         "  steward league games night --failed",
         "  steward league games night --bot mine --lost",
@@ -52,7 +53,7 @@ public final class GamesCommand extends ProgramCommand {
     private final GameFilter filter = new GameFilter();
 
     @Option(names = "--limit", paramLabel = "N", defaultValue = "20",
-        description = "Lists so many at most (default: ${DEFAULT-VALUE}).")
+        description = "Lists at most N games (default: ${DEFAULT-VALUE}).")
     private int limit;
 
     @Option(names = "--game", paramLabel = "N", description = "Only this game.")

@@ -21,12 +21,14 @@ import steward.league.LeagueSettings;
 import steward.league.sequential.Gsprt;
 
 /** {@code steward league sprt}: runs a sequential test between two bots of a league. */
-@Command(name = "sprt", description = "Tests whether one bot of a league is better than another, with the games that "
-    + "are there and as many more as are needed.",
-    footer = {"",
-        "As 'steward sprt', with the scene, the limits and the sandbox of the league. Its",
-        "games are stored in it. The first bot is the new one, the second the old one.",
-        "", "Example:", "  steward league sprt night mine old --elo1 10"})
+@Command(name = "sprt", description = "Tests whether one bot of a league is better than another, with its stored "
+    + "games and as many more as are needed.",
+    footer = {
+        "", "The test is that of 'steward sprt', with the scene, the limits and the sandbox",
+        "of the league. Its games are stored in the league. The first bot is the new",
+        "one, the second the old one.",
+        "", "Example:",
+        "  steward league sprt night mine old --elo1 10"})
 public final class LeagueSprtCommand extends ProgramCommand {
 
     @Mixin
@@ -48,8 +50,8 @@ public final class LeagueSprtCommand extends ProgramCommand {
     @Mixin
     private final ThreadsOption threads = new ThreadsOption();
 
-    @Option(names = "--anyway", description = "Counts games on seeds that games of the bots chose, and flags the "
-        + "result.")
+    @Option(names = "--anyway", description = "Counts games on seeds that the bots' own games were used to "
+        + "choose, and flags the result.")
     private boolean anyway;
 
     @Option(names = "--json", description = "Prints one JSON object and nothing else.")

@@ -27,12 +27,13 @@ import steward.league.rating.RatingPath;
 import steward.text.TextFormat;
 
 /** {@code steward league page}: writes the league as one HTML file. */
-@Command(name = "page", description = "Writes a league as one page for a browser, with everything in it.",
-    footer = {"",
-        "The page has the table, who beats whom, the ratings over games, the last games,",
-        "why each bot lost (a click on its name), and of the kept replays the latest, each",
-        "one click away.",
-        "", "Example:", "  steward league page night --out night.html --open"})
+@Command(name = "page", description = "Writes a league as one self-contained page for a browser.",
+    footer = {
+        "", "The page has the table, the crosstable, the ratings over games, the last games,",
+        "and why each bot lost (click on its name). The latest kept replays are one",
+        "click away.",
+        "", "Example:",
+        "  steward league page night --out night.html --open"})
 public final class PageCommand extends ProgramCommand {
 
     /** Games that the page lists. */
@@ -43,8 +44,8 @@ public final class PageCommand extends ProgramCommand {
     @Mixin
     private final LeagueArgument league = new LeagueArgument();
 
-    @Option(names = "--out", paramLabel = "FILE", description = "Where it goes; an earlier page is replaced "
-        + "(default: a temporary file, with --open).")
+    @Option(names = "--out", paramLabel = "FILE", description = "The file of the page; an earlier page is "
+        + "replaced (default: a temporary file, with --open).")
     private String out;
 
     @Option(names = "--open", description = "Opens it in the browser.")

@@ -29,7 +29,7 @@ final class PartOptions {
     private final CallCheck check = CallCheck.withHelp();
 
     @Option(names = "--bots", paramLabel = "NAMES", split = ",", description = "Only games between these bots, "
-        + "apart by commas; NAME is all versions, NAME#2 the second.")
+        + "separated by commas; NAME is all versions, NAME#2 the second.")
     private List<String> bots = new ArrayList<>();
 
     @Option(names = "--without", paramLabel = "NAMES", split = ",", description = "Only games without these bots.")

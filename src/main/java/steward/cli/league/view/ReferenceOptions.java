@@ -17,11 +17,11 @@ public final class ReferenceOptions {
 
     private static final Pattern ANCHOR = Pattern.compile("(.+?)(?:=(-?[0-9]{1,5}(?:\\.[0-9]{1,3})?))?");
 
-    @Option(names = "--anchor", paramLabel = "BOT[=ELO]", description = "Gives this bot the rating ELO, 0 if it is not "
-        + "said: bars are then those of the differences to it.")
+    @Option(names = "--anchor", paramLabel = "BOT[=ELO]", description = "Gives this bot the rating ELO (default: "
+        + "0); error bars are then of the differences to it.")
     private String anchor;
 
-    @Option(names = "--against", paramLabel = "BOT", description = "Tells each bot's difference to this one "
+    @Option(names = "--against", paramLabel = "BOT", description = "Prints each bot's difference to this one "
         + "(default: the anchor or, without one, the row above).")
     private String against;
 

@@ -22,7 +22,7 @@ import steward.text.CsvRow;
 import steward.text.TextFormat;
 
 /** {@code steward league table}: prints ratings and the crosstable. */
-@Command(name = "table", description = "Prints the table of a league: ratings with their bars, and who beat whom.",
+@Command(name = "table", description = "Prints the table of a league: ratings with error bars, and the crosstable.",
     footer = {"", "Examples:", "  steward league table night", "  steward league table night --csv > night.csv",
         "  steward league table night --anchor old=1500 --against veteran"})
 public final class TableCommand extends ProgramCommand {
@@ -47,8 +47,8 @@ public final class TableCommand extends ProgramCommand {
     @Mixin
     private final ReferenceOptions reference = new ReferenceOptions();
 
-    @Option(names = "--values", description = "Also prints the games' own values by bot, means with their spread: "
-        + "score, turns, and laps, water, goals or chips, as the game has them.")
+    @Option(names = "--values", description = "Also prints each bot's mean values with their spread: score, "
+        + "turns, and those of the game, such as laps, water, goals or chips.")
     private boolean values;
 
     @Override

@@ -21,15 +21,17 @@ import steward.league.page.StoredLosses;
 import steward.league.rating.LeagueTable;
 
 /** {@code steward league why}: explains why a bot lost its games. */
-@Command(name = "why", description = "Says of the games that a bot lost how, when and how badly.",
-    footer = {"",
-        "Lost games by how they ended: failed, out by the rules, or the end of the game;",
-        "the turn from which on the bot was behind to the end, as the median with its",
-        "range; the worst game of each kind, by the distance to the winner's score; and",
-        "the bot's values in lost and won games: score, turns, what the game counts, and",
-        "what the bot reported with [PDATA] and [TDATA]. Replays are played again for it:",
-        "with \"keep\": \"lost\" in league.json they are there.",
-        "", "Example:", "  steward league why night mine"})
+@Command(name = "why", description = "Explains the games that a bot lost: how, when and how badly.",
+    footer = {
+        "", "It prints:",
+        "  - how lost games ended: failed, out by the rules, or the end of the game",
+        "  - the turn from which the bot was behind to the end: median and range",
+        "  - the worst game of each kind, by the distance to the winner's score",
+        "  - the bot's values in lost and won games: score, turns, values of the game,",
+        "    and data that the bot reported with [PDATA] and [TDATA]",
+        "Replays are played again for it; \"keep\": \"lost\" in league.json keeps them.",
+        "", "Example:",
+        "  steward league why night mine"})
 public final class WhyCommand extends ProgramCommand {
 
     private static final int MOST = 100_000;
