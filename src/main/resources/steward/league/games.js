@@ -3,6 +3,8 @@
 import { reasonOf } from './bot.js';
 import { find, heads, make, paint, state, thousands } from './words.js';
 
+const NOT_KEPT = 'its replay was not kept: "keep": "all" in league.json keeps all, "lost" those that the first bot lost';
+
 export function options(select, first) {
   const before = select.value;
   select.replaceChildren();
@@ -58,9 +60,12 @@ export function drawGames() {
       link.target = '_blank';
       link.rel = 'noopener';
     } else if (game.replay === 'page') {
-      make(last, 'button', 'Watch', 'link').addEventListener('click', () => watch(game, names));
+      const link = make(last, 'a', 'Watch', 'link');
+      link.href = `#game=${game.id}${faultOf(game).replace('#', '&')}`;
     } else if (game.replay) {
-      make(last, 'span', 'on disk').title = game.replay;
+      make(last, 'span', 'on disk').title = `${game.replay}\nsteward replay FILE --view shows it`;
+    } else {
+      make(last, 'span', '–').title = NOT_KEPT;
     }
   }
   find('count').textContent = `${thousands(found.length)} of the last ${thousands(state.league.list.length)} games`;
@@ -74,14 +79,18 @@ function faultOf(game) {
   return player === undefined ? '' : `#fault=${player}`;
 }
 
-/** Opens a replay that is in this page: the page of a match, put together here; where a bot failed, at that moment. */
-function watch(game, names) {
-  const escape = text => text.replaceAll('&', '&amp;').replaceAll('<', '&lt;').replaceAll('>', '&gt;').replaceAll('"', '&quot;');
-  const title = game.seats.map(seat => names.get(seat.version)?.name ?? '?').join(' against ');
-  const { before, after } = state.league.shell;
-  const [replay, details] = state.league.replays[game.id];
-  const page = before.replaceAll('{{title}}', escape(title)) + replay + after.replace('{{details}}', details);
-  const address = URL.createObjectURL(new Blob([page], { type: 'text/html' }));
-  window.steward.opened = address;
-  window.open(address + faultOf(game), '_blank');
+/** The title of a game's page. */
+export function titleOf(id) {
+  const game = state.league.list.find(each => String(each.id) === id);
+  const names = new Map(state.league.bots.map(bot => [bot.version, bot.name]));
+  return game ? game.seats.map(seat => names.get(seat.version) ?? '?').join(' against ') : `Game ${id}`;
+}
+
+/** Says why a game that an address names cannot be shown. */
+export function tellMissing(id) {
+  const game = state.league.list.find(each => String(each.id) === id);
+  if (game?.replay === 'live') return location.replace(`replay/${id}${location.hash.replace(/^#game=\d+&?/, '#')}`);
+  const why = !game ? 'it is not among the games of this page' : game.replay ? `its replay is ${game.replay}` : NOT_KEPT;
+  find('notice').textContent = `Game ${id} is not in this page: ${why}`;
+  find('notice').hidden = false;
 }

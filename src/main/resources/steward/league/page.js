@@ -1,10 +1,11 @@
 // The page of a league: everything is drawn from one object, which comes with the page or by server-sent events.
 
+import { GameFrame } from '../view/gameframe.js';
 import { Theme } from '../view/theme.js';
 import { loadLibrary } from '../view/unpack.js';
 import { drawBot } from './bot.js';
 import { connectMatrix, drawCross } from './cross.js';
-import { drawGames, options } from './games.js';
+import { drawGames, options, tellMissing, titleOf } from './games.js';
 import { drawRatings } from './ratings.js';
 import { drawTable, drawWorkers } from './table.js';
 import { find, fixed, state, thousands } from './words.js';
@@ -38,6 +39,8 @@ function drawAll() {
   options(find('against'), 'any');
   drawBot(() => choose(null));
   drawGames();
+  if (!isFollowed) frame.follow();
+  isFollowed = true;
   window.steward.drawn = (window.steward.drawn ?? 0) + 1;
   window.steward.ready = true;
 }
@@ -104,6 +107,9 @@ addEventListener('resize', () => {
     drawCross(choose);
   });
 });
+
+const frame = new GameFrame({ data: () => state.league, title: titleOf, missing: tellMissing });
+let isFollowed = false;
 
 loadLibrary().then(() => {
   const data = find('data').textContent;

@@ -1,8 +1,18 @@
 // Where turns come from: the replay that is embedded in the page, or a live match.
 
-import { unpacked } from './unpack.js';
+import { unpackTables } from './packed.js';
+import { unpacked, unpackedBytes } from './unpack.js';
 
 const LOST_MS = 20_000;         // without a connection for so long, a live match is given up
+
+/** The records of the replay that is embedded in the page; a long one has the numbers of its turns in tables. */
+export async function embeddedRecords(source) {
+  const bytes = await unpackedBytes(source);
+  const end = bytes.indexOf(0);
+  const records = new TextDecoder().decode(end < 0 ? bytes : bytes.subarray(0, end)).split('\n').filter(line => line)
+    .map(line => JSON.parse(line));
+  return end < 0 ? records : unpackTables(records, bytes.subarray(end + 1));
+}
 
 /** The lines of text that is embedded in the page. */
 export async function embeddedLines(source) {

@@ -13,11 +13,13 @@ export function hookOf(page) {
   return {
     turn: () => page.playback.moment.turn,
     time: () => page.playback.time,
+    match: () => page.match,
     lastTurn: () => page.match.lastTurn,
     seek(turn, fraction = 1) {
       page.playback.seek(turn === 0 ? 0 : turn - 1 + fraction);
       page.draw();
     },
+    go: link => page.followLink(link),
     bodies: () => page.match.bodiesAt(page.playback.moment).map(body => ({ id: body.id, owner: body.owner,
       ...toWindow(body.x, body.y), radius: body.radius * page.stage.view.scale })),
     impacts: () => page.match.impacts.map(met => {

@@ -37,7 +37,10 @@ export class Match {
 
   /** Takes the next line of a replay: header, turn or result. Returns whether it brought something new. */
   addLine(line) {
-    const record = JSON.parse(line);
+    return this.addRecord(JSON.parse(line));
+  }
+
+  addRecord(record) {
     if (record.type === 'steward-replay') return this.#setHeader(record);
     if (record.type === 'turn') return this.#addTurn(record);
     if (record.type === 'result') return this.#setResult(record);

@@ -4,7 +4,7 @@ import { Cards } from './cards.js';
 import { Charts } from './charts.js';
 import { connectControls } from './controls.js';
 import { impactsCsv, statesCsv } from './csv.js';
-import { embeddedLines, followFeed } from './feed.js';
+import { embeddedLines, embeddedRecords, followFeed } from './feed.js';
 import { Happened } from './happened.js';
 import { lookOf } from './looks.js';
 import { Match } from './match.js';
@@ -29,6 +29,7 @@ import './fantasticbits.js';
 import './pokerchiprace.js';
 import './bodies.js';
 import { hookOf } from './hook.js';
+import { outerPage } from './outer.js';
 
 const PANEL_MS = 100;           // while playing, texts change no more often than this
 const LINK_MS = 1000;           // nor does the link
@@ -37,6 +38,9 @@ const MOST_FOLLOWED = 12;       // bodies whose state is followed within a turn 
 const LONGEST_FRAME = 0.25;     // seconds; a page that was hidden goes on where it was
 
 const find = id => document.getElementById(id);
+
+const outer = outerPage();
+if (outer) addEventListener('message', ({ source, data }) => source === parent && typeof data?.go === 'string' && window.steward.go(data.go));
 
 export class Page {
   match = new Match();
@@ -57,9 +61,17 @@ export class Page {
 
   /** Takes one line of a replay: from the page itself or as it is played. */
   addLine(line) {
+    this.#addRecord(JSON.parse(line));
+  }
+
+  addRecords(records) {
+    records.forEach(record => this.#addRecord(record));
+  }
+
+  #addRecord(record) {
     const hadHeader = Boolean(this.match.header);
     const wasSparse = this.match.isSparse;
-    if (!this.match.addLine(line)) return;
+    if (!this.match.addRecord(record)) return;
     if (this.match.isSparse && !wasSparse) find('scene').textContent += ' · sparse: straight lines between kept states';
     if (!hadHeader) this.#build();
     else this.#grown = true;
@@ -91,7 +103,7 @@ export class Page {
     this.happened = new Happened(find('happened'), match, this.timeline, seek);
     this.table = new StateTable(find('state'), find('state-when'), match, look);
     this.ending = new Ending(find('ending'), match, this.series, seek);
-    find('scene').textContent = `${match.header.scene?.name ?? match.header.game} · seed ${match.header.seed}`;
+    find('scene').textContent = `${match.header.scene?.name ?? match.header.game} · seed ${match.header.seed}${packedWords(match.header)}`;
     if (!match.players.length) document.title = find('title').textContent = match.header.scene?.name ?? match.header.game;
     document.body.classList.toggle('drawingless', look.isUndrawn);
     new ResizeObserver(() => this.redrawAll()).observe(find('field'));
@@ -230,8 +242,10 @@ export class Page {
 
   #updateLink(now) {
     const link = `#t=${this.playback.time.toFixed(2)}`;
-    if (location.hash === link || this.isLinkKept) return;
+    if (this.isLinkKept || link === this.#shownLink) return;
     this.#lastLink = now;
+    this.#shownLink = link;
+    if (outer) return void parent.postMessage({ moment: link }, '*');
     try {
       history.replaceState(null, '', link);
     } catch {
@@ -239,8 +253,10 @@ export class Page {
     }
   }
 
+  #shownLink = '';
+
   /** Goes to the moment that a link names, #t=28.66, #turn=57, #fault or #fault=1 of a player; returns whether it names one. */
-  followLink(link = location.hash) {
+  followLink(link = outer?.link ?? location.hash) {
     const failed = /^#fault(?:=(\d+))?$/.exec(link);
     if (failed) {
       const fault = this.match.faults.find(each => failed[1] === undefined || each.player === Number(failed[1]));
@@ -275,13 +291,18 @@ export class Page {
   }
 }
 
+/** What the page does not have of a long replay. */
+function packedWords({ packed }) {
+  return packed ? ` · ${packed.every > 1 ? `every ${packed.every}. state, ` : ''}numbers rounded to the screen` : '';
+}
+
 async function showEmbedded(page, source) {
-  const lines = await embeddedLines(source);
+  const records = await embeddedRecords(source);
   const [errors, ...sent] = find('details').textContent.trim() ? await embeddedLines(find('details')) : ['[]'];
   page.isLinkKept = true;
   page.match.sent = sent.length ? sent.map(line => JSON.parse(line)) : null;
   JSON.parse(errors).forEach(([turn, player, line]) => page.match.errors.set(`${turn} ${player}`, line));
-  lines.forEach(line => page.addLine(line));
+  page.addRecords(records);
   page.isLinkKept = false;
   page.say(source.dataset.warning ?? '');
   page.differsFrom = Number(source.dataset.differsFrom ?? NaN);

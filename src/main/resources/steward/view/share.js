@@ -1,5 +1,6 @@
 // To hand on: a link to the moment, a picture of it, a clip of the next seconds.
 
+import { outerPage } from './outer.js';
 import { pictureOf } from './stage.js';
 import { nameOf } from './text.js';
 
@@ -17,11 +18,12 @@ export class Share {
   async link() {
     const { page } = this;
     const moment = `#t=${page.playback.time.toFixed(2)}`;
-    if (!ADDRESSES.test(location.protocol)) {
+    const outer = outerPage();
+    if (!outer && !ADDRESSES.test(location.protocol)) {
       page.tell(`This page has no address of its own; the moment is ${moment}`);
       return;
     }
-    const address = location.href.split('#')[0] + moment;
+    const address = outer ? `${outer.address}&${moment.slice(1)}` : location.href.split('#')[0] + moment;
     page.tell(await this.copy(address) ? 'Link copied' : address);
   }
 

@@ -64,9 +64,9 @@ record AuthorPage(TournamentCommand.Entry entry, int version, List<StoredGame> g
         List<StoredGame> bad = games.stream().filter(game -> own(game).fault() != null || own(game).rank() > 0)
             .sorted(Comparator.comparing(game -> own(game).fault() == null)).toList();
         EmbeddedReplays kept = EmbeddedReplays.of(bad, replays, Games.types(), (game, seat) ->
-            game.seats().get(seat).version() == version);
+            game.seats().get(seat).version() == version, game -> entry.name()).beside(file, Games.types());
         ReplayPage.Shell shell = ReplayPage.shell();
-        boolean any = !kept.replays().isEmpty();
+        boolean any = kept.count() > 0;
         StringBuilder page = new StringBuilder(any ? Html.headWithReplays(entry.name(), shell)
             : Html.head(entry.name())).append("<p>")
             .append(Html.escape(entry.ready().program().source().getFileName().toString()))
@@ -117,10 +117,10 @@ record AuthorPage(TournamentCommand.Entry entry, int version, List<StoredGame> g
                 .append(result(game));
             reasons(page, game);
             page.append("<td>");
-            if (kept.replays().containsKey(game.id())) {
+            if (kept.has(game.id())) {
                 boolean failed = own(game).fault() != null;
-                page.append("<a href=\"#").append(failed ? "fault=" + game.seats().indexOf(own(game))
-                        : "turn=" + game.turns())
+                page.append("<a href=\"#game=").append(game.id()).append(failed ? "&amp;fault=" + game.seats().indexOf(own(game))
+                        : "&amp;turn=" + game.turns())
                     .append("\" data-game=").append(game.id()).append(" data-title=\"")
                     .append(Html.escape(entry.name() + (against.isEmpty() ? "" : " against " + against))).append("\">")
                     .append(failed ? "the failure" : "the end").append("</a>");

@@ -9,7 +9,7 @@ final class Html {
 
     static final String END = "</main></body></html>\n";
     private static final String STYLE = "/steward/tournament/page.css";
-    private static final String SCRIPT = "/steward/tournament/author.js";
+    private static final String SCRIPT = PageTemplate.script("/steward/tournament/author.js");
 
     /** The page without scripts up to its heading. */
     static String head(String title) {
@@ -18,13 +18,13 @@ final class Html {
 
     /** The page up to its heading, with a script that puts pages of matches together. */
     static String headWithReplays(String title, ReplayPage.Shell shell) {
-        return head(title, "; script-src " + PageTemplate.hash(Resources.text(SCRIPT)) + " " + shell.scriptHash(),
+        return head(title, "; script-src " + PageTemplate.hash(SCRIPT) + " " + shell.scriptHash(),
             " " + shell.styleHash());
     }
 
     /** The end of a page with replays. @param data JSON for a script element */
     static String endWithReplays(String data) {
-        return "<script type=\"application/json\" id=\"data\">" + data + "</script><script>" + Resources.text(SCRIPT)
+        return "<script type=\"application/json\" id=\"data\">" + data + "</script><script>" + SCRIPT
             + "</script>" + END;
     }
 

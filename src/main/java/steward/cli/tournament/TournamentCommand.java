@@ -31,6 +31,7 @@ import steward.cli.options.TimeLimitOptions;
 import steward.cli.options.WatchOptions;
 import steward.cli.shared.FailedException;
 import steward.cli.shared.Games;
+import steward.cli.shared.Pages;
 import steward.cli.streams.Json;
 import steward.contest.Contest;
 import steward.contest.Hiccups;
@@ -420,10 +421,12 @@ public final class TournamentCommand extends ProgramCommand {
         int from = Math.max(0, played.games().size() - PageCommand.LISTED);
         List<StoredGame> games = new ArrayList<>(played.games().subList(from, played.games().size()));
         Collections.reverse(games);
+        Map<Integer, String> names = played.names();
         ByteArrayOutputStream html = new ByteArrayOutputStream();
         LeaguePage.write(new LeagueView(played.season(), ratings, played.path(), games, Double.NaN, List.of()),
-            league.replays(), EmbeddedReplays.of(games, league.replays(), Games.types(), (game, seat) -> false), html,
-            "Tournament");
+            league.replays(), EmbeddedReplays.of(games, league.replays(), Games.types(), (game, seat) -> false, game ->
+                Pages.title(game.seats().stream().map(seat -> names.get(seat.version())).toList()))
+                .beside(file, Games.types()), html, "Tournament");
         OutputFiles.replace(file, html.toByteArray());
     }
 }

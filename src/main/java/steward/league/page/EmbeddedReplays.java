@@ -3,27 +3,30 @@ package steward.league.page;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.BiPredicate;
+import java.util.function.Function;
 import steward.game.GameTypes;
-import steward.json.JsonObject;
 import steward.league.StoredGame;
-import steward.replay.ReplayException;
+import steward.replay.page.PageReplays;
 import steward.replay.page.ReplayPage;
 import tools.jackson.core.JsonGenerator;
 
 /**
- * Kept replays that a league's page contains, by game; the page builds the page of a match from them.
+ * Kept replays of a league's page, by game: those that it contains, and those that have a page beside it.
  *
- * @param replays as they stand in a page
- * @param errors  lines of stderr that the page shows
+ * @param kept   those in the page, and those that are too many for it
+ * @param linked addresses of pages beside it, by game
+ * @param errors lines of stderr that the page shows
  */
-public record EmbeddedReplays(Map<Long, ReplayPage.Embedded> replays, ErrorLines errors) {
+public record EmbeddedReplays(PageReplays kept, Map<Long, String> linked, ErrorLines errors) {
 
-    /** Replays that a page holds at most, together, in bytes of the page: it is still opened in a moment. */
-    private static final long MOST_BYTES = 24 << 20;
+    /** As the other one does it, with plain titles. */
+    public static EmbeddedReplays of(List<StoredGame> games, Path folder, GameTypes types,
+                                     BiPredicate<StoredGame, Integer> stderr) {
+        return of(games, folder, types, stderr, game -> "Game " + game.id());
+    }
 
     /**
      * The kept replays that can be read, up to a size.
@@ -32,41 +35,34 @@ public record EmbeddedReplays(Map<Long, ReplayPage.Embedded> replays, ErrorLines
      * @param folder of the replays
      * @param types  games with which they are played again, so that the pages have what bots were sent; or {@code null}
      * @param stderr whether what the bot of a seat wrote there may be seen; {@code null} for all
+     * @param titles of the pages of games
      */
     public static EmbeddedReplays of(List<StoredGame> games, Path folder, GameTypes types,
-                                     BiPredicate<StoredGame, Integer> stderr) {
-        Map<Long, ReplayPage.Embedded> embedded = new LinkedHashMap<>();
-        long bytes = 0;
-        for (StoredGame game : games) {
-            if (game.replay() == null || !Files.isRegularFile(folder.resolve(game.replay()))) {
-                continue;
-            }
-            try {
-                ReplayPage.Embedded replay = ReplayPage.embedded(folder.resolve(game.replay()), types,
-                    stderr == null ? null : seat -> stderr.test(game, seat));
-                bytes += replay.replay().length() + replay.details().length();
-                if (bytes > MOST_BYTES) {
-                    break;
-                }
-                embedded.put(game.id(), replay);
-            } catch (IOException | ReplayException damaged) {
-                continue;                              // the page is about more; it says where the file is
-            }
-        }
-        return new EmbeddedReplays(embedded, new ErrorLines(folder, types, stderr));
+                                     BiPredicate<StoredGame, Integer> stderr, Function<StoredGame, String> titles) {
+        List<PageReplays.Kept> kept = games.stream()
+            .filter(game -> game.replay() != null && Files.isRegularFile(folder.resolve(game.replay())))
+            .map(game -> new PageReplays.Kept(game.id(), folder.resolve(game.replay()), titles.apply(game),
+                stderr == null ? null : seat -> stderr.test(game, seat))).toList();
+        return new EmbeddedReplays(PageReplays.of(kept, types), Map.of(), new ErrorLines(folder, types, stderr));
     }
 
-    /** The fields {@code replays} and {@code shell}. */
+    /** Writes pages for those that are too many for a page, beside it. */
+    public EmbeddedReplays beside(Path page, GameTypes types) throws IOException {
+        return new EmbeddedReplays(kept, kept.writeBeside(page, types), errors);
+    }
+
+    /** Returns how many replays a page holds. */
+    public int count() {
+        return kept.embedded().size();
+    }
+
+    /** True if a game can be watched from the page. */
+    public boolean has(long game) {
+        return kept.embedded().containsKey(game) || linked.containsKey(game);
+    }
+
+    /** The fields {@code replays}, {@code linked} and {@code shell}. */
     public void write(JsonGenerator out, ReplayPage.Shell shell) {
-        out.writeObjectPropertyStart("replays");
-        replays.forEach((game, replay) ->
-            JsonObject.writeTexts(out, Long.toString(game), List.of(replay.replay(), replay.details())));
-        out.writeEndObject();
-        if (!replays.isEmpty()) {
-            out.writeObjectPropertyStart("shell");
-            out.writeStringProperty("before", shell.before());
-            out.writeStringProperty("after", shell.after());
-            out.writeEndObject();
-        }
+        kept.write(out, shell, linked);
     }
 }

@@ -58,7 +58,7 @@ public final class LeaguePage {
         page.put("policy", page.policy("'none'", " " + shell.scriptHash(), " " + shell.styleHash()));
         page.put("source", "");
         Function<StoredGame, String> where = game -> game.replay() == null ? null
-            : replays.replays().containsKey(game.id()) ? IN_PAGE : folder.resolve(game.replay()).toString();
+            : replays.has(game.id()) ? IN_PAGE : folder.resolve(game.replay()).toString();
         String data = json(out -> {
             LeagueJson.view(out, view, where, replays.errors());
             replays.write(out, shell);

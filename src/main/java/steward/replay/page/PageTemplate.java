@@ -149,6 +149,11 @@ public final class PageTemplate {
         return html.replace("&quot;", "\"").replace("&gt;", ">").replace("&lt;", "<").replace("&amp;", "&");
     }
 
+    /** The script of another page: a module with all that it imports. */
+    public static String script(String module) {
+        return PageScript.of(module, null);
+    }
+
     /** The hash of a style sheet or script, as a policy has it. */
     public static String hash(String text) {
         byte[] digest = Sha256.of(text.getBytes(StandardCharsets.UTF_8));

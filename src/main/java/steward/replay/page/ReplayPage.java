@@ -27,7 +27,7 @@ import tools.jackson.core.JacksonException;
 /**
  * Writes a replay as one HTML page that shows the match and works offline. Page, styles, script and replay are in a
  * single file. The replay is embedded as gzip in base64, whose alphabet cannot end a script element; the browser
- * unpacks it.
+ * unpacks it. A long one is packed further, see {@link PackedTurns}.
  *
  * <p>A replay that was cut off is embedded up to the cut, and the page says so.
  */
@@ -61,7 +61,8 @@ public final class ReplayPage {
         page.put("save", "");
         page.put("source", (warning == null ? "" : "data-warning=\"" + PageTemplate.escape(warning) + "\"")
             + differs(whole, source, extras.types()));
-        page.write(html, out -> embed(whole, out));
+        String text = PackedTurns.of(whole);
+        page.write(html, out -> out.write(text.getBytes(StandardCharsets.US_ASCII)));
     }
 
     /**
@@ -122,7 +123,7 @@ public final class ReplayPage {
         byte[] bytes = ReplayReader.asWritten(Files.readAllBytes(replay));
         byte[] whole = check(bytes, replay.toString()) == null ? bytes : upToCut(bytes);
         byte[] seen = stderr == null ? whole : OwnStderr.of(whole, stderr);
-        return new Embedded(embedded(seen), embedded(PageDetails.of(seen, replay.toString(), types)));
+        return new Embedded(PackedTurns.of(seen), embedded(PageDetails.of(seen, replay.toString(), types)));
     }
 
     /** Bytes as they stand in a page: gzip in base64. */

@@ -86,13 +86,27 @@ class LeaguePageTest {
                 }
             }
             assertEquals(List.of(), browser.complaints());
-            browser.click("#games button.link");
-            browser.lastWindow();
+            browser.click("#games a.link");
+            browser.enterFrame();
             assertTrue(browser.text("h1").contains(" against "), browser.text("h1"));
             assertTrue(browser.is("[...document.querySelectorAll('#cards .fault')].some(fault => !fault.hidden)"),
                 "a game in which a bot failed opens at that turn");
             assertTrue(browser.is("[...document.querySelectorAll('#cards .sent-box')].some(sent => !sent.hidden)"),
                 "what was sent is there");
+            browser.run("steward.seek(1)");
+            browser.leaveFrame();
+            browser.await("the address does not name game and moment", () ->
+                browser.is("/^#game=\\d+&t=1\\.00$/.test(location.hash)"));
+            String address = (String) browser.run("return location.hash");
+            browser.run("history.back()");
+            browser.await("Back does not close the game", () ->
+                browser.is("!document.querySelector('iframe') && location.hash === ''"));
+            browser.open(folder.resolve("page.html"), address);
+            browser.enterFrame();
+            browser.await("the game is not at the moment of its address", () -> browser.number("steward.time()") == 1);
+            browser.leaveFrame();
+            browser.open(folder.resolve("page.html"), "#game=999");
+            assertEquals("Game 999 is not in this page: it is not among the games of this page", browser.text("#notice"));
             assertEquals(List.of(), browser.complaints());
         }
     }
@@ -172,8 +186,8 @@ class LeaguePageTest {
             assertEquals(2, rows(browser, "#games"));
             assertTrue(browser.is("document.querySelector('#games .faulty').title.includes('script')"));
             assertTrue(browser.is("!window.owned && document.images.length === 0"));
-            browser.click("#games button.link");
-            browser.lastWindow();
+            browser.click("#games a.link");
+            browser.enterFrame();
             browser.run("steward.seek(steward.lastTurn())");
             assertTrue(browser.text("body").contains("<img src=x"), browser.text("body"));
             assertTrue(browser.is("!window.owned && document.images.length === 0"));

@@ -147,9 +147,9 @@ class TournamentPagesTest {
         try (PageTestBrowser browser = PageTestBrowser.start()) {
             browser.openPlain(page);
             assertTrue(browser.text("table.games").contains("failed in turn 5: exited with status 1"));
-            assertTrue(browser.is("document.querySelector('[data-game=\"2\"]').hash === '#fault=0'"));
+            assertTrue(browser.is("document.querySelector('[data-game=\"2\"]').hash === '#game=2&fault=0'"));
             browser.click("[data-game=\"1\"]");
-            browser.lastWindow();
+            browser.enterFrame();
             browser.await("it does not stand at the end", () ->
                 browser.is("steward.turn() === Math.min(12, steward.lastTurn())"));
             assertTrue(browser.text("#cards").contains("my own"), browser.text("#cards"));

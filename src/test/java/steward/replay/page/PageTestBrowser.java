@@ -244,13 +244,13 @@ public final class PageTestBrowser implements AutoCloseable {
     }
 
     /** Turns to the page in the only frame of this page, and waits until it is ready. */
-    void enterFrame() {
+    public void enterFrame() {
         driver.switchTo().frame(0);
         await("the page in the frame is not ready", () -> is("window.steward && window.steward.ready"));
     }
 
     /** Turns back to the page that holds the frame. */
-    void leaveFrame() {
+    public void leaveFrame() {
         driver.switchTo().defaultContent();
     }
 

@@ -6,7 +6,9 @@ import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -24,14 +26,16 @@ import steward.league.page.LeaguePage;
 import steward.league.page.LeagueView;
 import steward.league.rating.LeagueTable;
 import steward.league.rating.RatingPath;
+import steward.replay.page.PageReplays;
 import steward.text.TextFormat;
 
 /** {@code steward league page}: writes the league as one HTML file. */
 @Command(name = "page", description = "Writes a league as one self-contained page for a browser.",
     footer = {
         "", "The page has the table, the crosstable, the ratings over games, the last games,",
-        "and why each bot lost (click on its name). The latest kept replays are one",
-        "click away.",
+        "and why each bot lost (click on its name). Kept replays are one click away: 24 MB",
+        "of them in the page, the others as pages of their own beside it. A moment of a",
+        "game has an address: night.html#game=276&t=20.",
         "", "Example:",
         "  steward league page night --out night.html --open"})
 public final class PageCommand extends ProgramCommand {
@@ -65,13 +69,15 @@ public final class PageCommand extends ProgramCommand {
                     + "another name");
             }
             ByteArrayOutputStream html = new ByteArrayOutputStream();
-            int replays = write(opened, reference.table(opened.games().results(), opened.entries()), html);
+            EmbeddedReplays replays = write(opened, reference.table(opened.games().results(), opened.entries()), path,
+                html);
             try {
                 OutputFiles.replace(path, html.toByteArray());
             } catch (IOException problem) {
                 throw new FailedException(path + ": cannot be written: " + OutputFiles.reason(path, problem));
             }
-            streams.out().println("Page: " + path + ", " + TextFormat.count(replays, "replay") + " in it");
+            streams.out().println("Page: " + path + ", " + TextFormat.count(replays.count(), "replay") + " in it"
+                + (replays.linked().isEmpty() ? "" : ", " + replays.linked().size() + " in " + PageReplays.folder(path)));
             streams.out().flush();
             if (open) {
                 Pages.open(streams, path.toAbsolutePath().toUri());
@@ -80,17 +86,21 @@ public final class PageCommand extends ProgramCommand {
         return ExitStatus.DONE;
     }
 
-    /** Writes the page; returns how many replays are in it. */
-    static int write(LeagueOpening.Opened opened, LeagueTable table, OutputStream html) {
+    /** Writes the page, and beside its file, if it has one, pages of games that it does not hold. */
+    static EmbeddedReplays write(LeagueOpening.Opened opened, LeagueTable table, Path file, OutputStream html) {
         List<StoredGame> games = games(opened);
         Path folder = opened.folder().replays();
-        EmbeddedReplays replays = EmbeddedReplays.of(games, folder, Games.types(), null);
+        Map<Integer, String> names = new HashMap<>();
+        opened.entries().forEach(entry -> names.put(entry.version(), entry.name()));
         try {
+            EmbeddedReplays replays = EmbeddedReplays.of(games, folder, Games.types(), null, game ->
+                Pages.title(game.seats().stream().map(seat -> names.getOrDefault(seat.version(), "?")).toList()));
+            replays = file == null ? replays : replays.beside(file, Games.types());
             RatingPath path = opened.games().path(opened.entries(), table.reference());
             LeaguePage.write(new LeagueView(opened.season(), table, path, games, Double.NaN, opened.workers(),
                 WhyCommand.ofPage(opened, games)), folder,
                 replays, html, title(opened.folder().path()));
-            return replays.replays().size();
+            return replays;
         } catch (IOException problem) {
             throw new FailedException("the page cannot be written: " + problem.getMessage());
         }

@@ -76,7 +76,7 @@ public final class TableCommand extends ProgramCommand {
                 streams.out().print(csv(table, own));
             } else if (html) {
                 ByteArrayOutputStream page = new ByteArrayOutputStream();
-                PageCommand.write(opened, table, page);
+                PageCommand.write(opened, table, null, page);
                 streams.out().print(page.toString(StandardCharsets.UTF_8));
             } else {
                 TableText.whole(table, opened.season(), opened.workers(), streams.outColour())
