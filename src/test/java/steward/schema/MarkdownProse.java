@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.regex.Pattern;
 
-/** Sentences of a page of Markdown: of paragraphs, items of lists, headings and cells of tables, without code blocks. */
+/** Sentences of a page of Markdown: of paragraphs, list items, headings and cells of tables, without code blocks. */
 final class MarkdownProse {
 
     private static final Pattern BEGINS_UNIT = Pattern.compile("(?:#+|[-*>]|\\d+\\.) .*");

@@ -124,9 +124,9 @@ public final class StabilityPage {
             return;
         }
         out.append("\n## How long a path is true\n\n").append(ChartFiles.tag(TruePathPlot.PNG, TruePathPlot.DARK_PNG,
-            "True impacts of each disc, by rung and number of discs")).append("\n\nDiscs move in a box until an impact is "
-            + "another than in truth, or at another time.\nEach impact multiplies any rounding, also that of the state "
-            + "between turns. So the number of\nimpacts of each disc counts, not that of turns.");
+            "True impacts of each disc, by rung and number of discs")).append("\n\nDiscs move in a box until an impact "
+            + "is another than in truth, or at another time.\nEach impact multiplies any rounding, also that of the "
+            + "state between turns. So the number of\nimpacts of each disc counts, not that of turns.");
         int least = Integer.MAX_VALUE;
         int most = 0;
         int steps = 0;

@@ -114,7 +114,7 @@ class PublishedTradeoffTest {
         rows.add(2, beaten("step/4"));
         String page = TradeoffPage.text(new TradeoffResult("m", "2030-01-02", rows));
         assertTrue(page.contains("**`step/2` and more** are never on the front"), page);
-        assertTrue(page.contains("` on bowl has the widest range of the rungs that cost at least a tenth of `double`: "),
+        assertTrue(page.contains("` on bowl has the widest range of the rungs that cost at least a tenth of `double`"),
             page);
     }
 
