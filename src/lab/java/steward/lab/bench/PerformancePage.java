@@ -22,8 +22,8 @@ public final class PerformancePage {
                 + " counts by the wall clock.\n\n")
             .append("Machines differ, and one machine differs from hour to hour. So compare the ratios: they are"
                 + " between figures of one run, measured in turns.\nEach ratio is to the first line of its group; a"
-                + " ratio above 1 is faster. Unless a section says otherwise, time is CPU time of the\nthread that works."
-                + " Each figure is the median of several rounds after a warm-up.\n");
+                + " ratio above 1 is faster. Unless a section says otherwise, time is CPU time of"
+                + " the\nthread that works. Each figure is the median of several rounds after a warm-up.\n");
         for (Section section : sections) {
             List<Row> own = rows.stream().filter(row -> row.section().equals(section.name())).toList();
             if (!own.isEmpty()) {

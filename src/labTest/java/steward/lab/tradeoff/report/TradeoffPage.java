@@ -15,8 +15,8 @@ public final class TradeoffPage {
         A *rung* is a setting of [accuracy](accuracy.md). A rung is named here if it decides every impact as in truth
         and 99%% of its turns are off by at most %s u. It is `double`, the default, unless that fails or another rung
         costs less in every JVM, by more than %.0f%%. Wrong impacts are missed or invented. The error is that of 99%% of
-        the turns. If heaps of more than 12 come to rest, `exact` stands for the truth. The last column measures your scene
-        beside this one.
+        the turns. If heaps of more than 12 come to rest, `exact` stands for the truth. The last column measures your
+        scene beside this one.
         """;
     private static final String MEANING = """
         ## What was measured
