@@ -6,9 +6,9 @@ import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.JsonParser;
 
 /**
- * Writes and reads all JSON of one {@link Game}: frames and answers, commands and states, the drawing. A replay keeps
- * commands and states complete and in full precision. The {@code write} methods, all but {@link #writeCommand}, add
- * fields to an object that the caller has opened and closes; numbers go through {@link JsonNumbers}.
+ * JSON of one {@link Game}, all of it written and read: frames and answers, commands and states, the drawing. A replay
+ * keeps commands and states complete and in full precision. The {@code write} methods, all but {@link #writeCommand},
+ * add fields to an object that the caller has opened and closes; numbers go through {@link JsonNumbers}.
  *
  * <p>In some games the part of a faulty answer before its fault takes effect all the same, such as the lines before a
  * bad one. The part that was read then is a partial command.

@@ -1,7 +1,7 @@
 package steward.game;
 
 /**
- * Splits the messages of one player's pods, units or chips in the order in which a view shows them. A replay keeps them
+ * Messages of one player's pods, units or chips, split in the order in which a view shows them. A replay keeps them
  * joined by {@value #BETWEEN}, without saying whose is which: a message is given to the first that shows one.
  */
 public final class ShownMessages {

@@ -5,7 +5,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import steward.text.ViewLines;
 
-/** Reads the seed of a game of the site's server: the line {@code seed=NUMBER}, 64 bits, of its referee's input. */
+/** Reader of the seed of a game of the site's server: the line {@code seed=NUMBER}, 64 bits, of its referee's input. */
 public final class ShownSeed {
 
     private static final Pattern LINE = Pattern.compile("(?m)^\\s*seed=(-?[0-9]{1,19})\\s*$");

@@ -4,7 +4,7 @@ import java.util.List;
 import steward.scene.Scene;
 
 /**
- * Writes the views and summaries that the site's server would have shown of a game of ours, frame by frame.
+ * Writer of the views and summaries that the site's server would have shown of a game of ours, frame by frame.
  * Verification compares them word by word with the recorded ones.
  *
  * <p>The word {@link #ANY} in a line stands for one word that is not compared, and {@link #REST} for all words from

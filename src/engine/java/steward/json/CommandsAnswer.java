@@ -9,9 +9,10 @@ import tools.jackson.core.JsonParser;
 import tools.jackson.core.JsonToken;
 
 /**
- * Reads an array of commands, one object for each body of a player. It is part of an answer, beside an optional {@code
- * message}, or of a replay. Commands may have a target {@code x}, {@code y}; the other fields are the game's. A game's
- * sentences about a command begin with {@code .field: } or {@code : }; the place of the command is put before them.
+ * Reader of an array of commands, one object for each body of a player. The array is part of an answer, beside an
+ * optional {@code message}, or of a replay. Commands may have a target {@code x}, {@code y}; the other fields are the
+ * game's. A game's sentences about a command begin with {@code .field: } or {@code : }; the place of the command is put
+ * before them.
  */
 public abstract class CommandsAnswer<C> extends JsonAnswer {
 

@@ -4,7 +4,7 @@ import steward.physics.Bodies;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.io.SerializedString;
 
-/** Writes shapes of a drawing and of a state as JSON, for all games; {@link WallJson} writes walls. */
+/** Writer of the shapes of drawings and states as JSON, for all games; {@link WallJson} writes walls. */
 public final class DrawingJson {
 
     private static final SerializedString ID = new SerializedString("id");

@@ -11,9 +11,9 @@ import tools.jackson.core.JsonToken;
 import tools.jackson.core.ObjectReadContext;
 
 /**
- * Reads answers that are one object of a game's own fields and an optional {@code message}, token by token. An error is
- * returned as a sentence, because wrong answers are frequent and not exceptional: it names the field, what was found
- * and what was expected. A valid answer without a message allocates nothing.
+ * Reader of answers that are one object of a game's own fields and an optional {@code message}, token by token. An
+ * error is returned as a sentence, because wrong answers are frequent and not exceptional: it names the field, what was
+ * found and what was expected. A valid answer without a message allocates nothing.
  */
 public abstract class JsonAnswer {
 

@@ -8,9 +8,9 @@ import tools.jackson.core.StreamWriteFeature;
 import tools.jackson.core.json.JsonFactory;
 
 /**
- * Writes numbers of frames and replays: the shortest decimal that reads back as the same double, whole numbers without
- * a fraction. The text must not depend on the JDK (whose own conversion changed in 19). Jackson writes it, or, without
- * allocating, {@link ShortestDecimal}, whose text is the same.
+ * Writer of the numbers of frames and replays: the shortest decimal that reads back as the same double, whole numbers
+ * without a fraction. The text must not depend on the JDK (whose own conversion changed in 19). Jackson writes it, or,
+ * without allocating, {@link ShortestDecimal}, whose text is the same.
  */
 public final class JsonNumbers {
 

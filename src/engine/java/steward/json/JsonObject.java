@@ -6,7 +6,7 @@ import java.util.function.IntConsumer;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.ObjectWriteContext;
 
-/** Writes a JSON object from its first brace to its last. */
+/** Writer of a JSON object from its first brace to its last. */
 public final class JsonObject {
 
     private JsonObject() { }

@@ -7,7 +7,7 @@ import steward.physics.Segment;
 import steward.physics.Wall;
 import tools.jackson.core.JsonGenerator;
 
-/** Writes walls of a drawing as JSON, in the shapes of scene files, for all games. */
+/** Writer of a drawing's walls as JSON, in the shapes of scene files, for all games. */
 public final class WallJson {
 
     private WallJson() { }

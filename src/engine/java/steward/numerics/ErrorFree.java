@@ -1,8 +1,8 @@
 package steward.numerics;
 
 /**
- * Computes the rounding error of a sum or a product, which is itself a double. {@code a + b = s + sumError(a, b, s)}
- * and {@code a b = p + productError(a, b, p)} hold exactly.
+ * Rounding error of a sum or a product, which is itself a double. {@code a + b = s + sumError(a, b, s)} and
+ * {@code a b = p + productError(a, b, p)} hold exactly.
  *
  * <p>Ranges. The sum's error is exact unless the sum overflows. The product's is exact if the product is 0 or its
  * magnitude is from 2^-968 up to the largest double (below, the error has digits under 2^-1074 and is rounded to them).

@@ -3,7 +3,8 @@ package steward.numerics;
 import java.math.BigInteger;
 
 /**
- * Writes the shortest decimal that reads back as the same double, among equals the nearest to it, without allocating:
+ * Writer of the shortest decimal that reads back as the same double, among equals the nearest to it, without
+ * allocating:
  * <pre>-12.5   0.001   3.141592653589793</pre>
  *
  * <p>It covers only the numbers that are frequent in frames and replays: not whole, no power of two, magnitude from

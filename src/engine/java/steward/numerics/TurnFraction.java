@@ -1,10 +1,10 @@
 package steward.numerics;
 
 /**
- * Converts an angle in radians to the fraction of a full turn that is left without whole turns. The error is below
- * 2^-203 for every finite double from 2^-28 on. The method is that of M. Payne and R. Hanek, "Radian Reduction for
- * Trigonometric Functions" (1983): only a window of the digits of 2 / pi has to be multiplied. Digits outside it give
- * whole turns, or are too small to count.
+ * Angle in radians as a fraction of a full turn, without the whole turns. The error is below 2^-203 for every finite
+ * double from 2^-28 on. The method is that of M. Payne and R. Hanek, "Radian Reduction for Trigonometric Functions"
+ * (1983): only a window of the digits of 2 / pi has to be multiplied. Digits outside it give whole turns, or are too
+ * small to count.
  */
 final class TurnFraction {
 

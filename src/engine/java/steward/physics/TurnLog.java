@@ -5,7 +5,7 @@ import java.util.Objects;
 import steward.Internal;
 
 /**
- * Records the impacts, path knots and facts of a turn, and whether the bound on impacts was reached. Its flat arrays
+ * Log of the impacts, path knots and facts of a turn, and of whether the bound on impacts was reached. Its flat arrays
  * are reused from turn to turn. All impacts are counted, and the first are kept, up to a number; all knots are kept,
  * since a path without one of its corners is another path.
  */

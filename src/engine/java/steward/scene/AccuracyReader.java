@@ -12,7 +12,7 @@ import steward.physics.event.StepAdvance;
 import steward.scene.json.Block;
 import steward.scene.json.SceneException;
 
-/** Reads the block {@code accuracy} of a scene: a rung of the ladder, or a demand from which a rung is chosen. */
+/** Reader of a scene's block {@code accuracy}: a rung of the ladder, or a demand from which a rung is chosen. */
 final class AccuracyReader {
 
     private static final String ERROR = "maxPositionError";

@@ -22,10 +22,10 @@ import steward.scene.json.SceneException;
 import steward.scene.json.SourcePosition;
 
 /**
- * Copies CSV files into a scene, so that leagues, replays and workers have them. In a block of a scene {@code "csv":
- * "NAME"} names a file in the scene's folder; it becomes {@code "csv": {"file": "NAME", "lines": ["x,y,radius",
- * "1,2,3"]}}. If the table has states by turn, its first column is {@code turn}, and only the last turn is copied; then
- * {@code "from"} is the line of its first row.
+ * Lines of CSV files, copied into a scene, so that leagues, replays and workers have them. In a block of a scene
+ * {@code "csv": "NAME"} names a file in the scene's folder; it becomes
+ * {@code "csv": {"file": "NAME", "lines": ["x,y,radius", "1,2,3"]}}. If the table has states by turn, its first column
+ * is {@code turn}, and only the last turn is copied; then {@code "from"} is the line of its first row.
  */
 final class CsvLines {
 

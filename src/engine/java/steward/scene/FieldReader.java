@@ -11,7 +11,7 @@ import steward.physics.Wall;
 import steward.scene.json.Block;
 import steward.text.NearestName;
 
-/** Reads the block {@code field}. */
+/** Reader of a scene's block {@code field}. */
 final class FieldReader {
 
     /** Kinds of walls in a list; a box is four of them. */

@@ -15,8 +15,9 @@ import steward.scene.json.JsonValue.JsonObject;
 import steward.scene.json.JsonValue.JsonText;
 
 /**
- * Resolves files of a scene's own referee that are in the scene's folder, as for CSV files. If a word of its command or
- * an entry of its class path is the relative path of a file there, it becomes a path from the current folder.
+ * Paths of files that a scene's own referee names in the scene's folder, resolved as for CSV files. If a word of its
+ * command or an entry of its class path is the relative path of a file there, it becomes a path from the current
+ * folder.
  */
 final class RefereeWords {
 

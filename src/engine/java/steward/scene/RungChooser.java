@@ -10,7 +10,7 @@ import steward.scene.AccuracyFigures.OfRung;
 import steward.scene.json.Block;
 import steward.scene.json.Wording;
 
-/** Chooses a rung for a scene that states a demand, by its figures, and gives the reason. */
+/** Choice of a rung for a scene that states a demand, by the scene's figures, with the reason. */
 final class RungChooser {
 
     private final AccuracyDemand demand;

@@ -18,7 +18,7 @@ import steward.scene.json.Wording;
 import steward.text.Utf8Text;
 import steward.text.Utf8Text.NotUtf8Exception;
 
-/** Finds scene files: by path, or by the name of a shipped scene. */
+/** Files of scenes, found by path, or by the name of a shipped scene. */
 public final class SceneFiles {
 
     /** The scenes that come with the program; a test compares the list with their folder. */

@@ -14,7 +14,7 @@ import steward.scene.json.Block;
 import steward.scene.json.JsonTree;
 import steward.scene.json.SceneException;
 
-/** Reads the fields and blocks that scenes of all games share. */
+/** Reader of the fields and blocks that scenes of all games share. */
 public final class SceneReader {
 
     private static final int MOST_PLAYERS = 16;

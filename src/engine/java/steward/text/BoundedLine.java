@@ -3,7 +3,9 @@ package steward.text;
 import java.io.IOException;
 import java.io.Reader;
 
-/** Reads lines of an input that may be endless: a line that is too long is abandoned before it fills the memory. */
+/**
+ * Reader of lines from an input that may be endless: a line that is too long is abandoned before it fills the memory.
+ */
 public final class BoundedLine {
 
     private BoundedLine() { }

@@ -5,8 +5,8 @@ import java.util.Locale;
 import java.util.Optional;
 
 /**
- * Finds the known word that a misspelt one was probably meant to be. It has the fewest insertions, deletions,
- * replacements and swaps of adjacent letters (the restricted edit distance of Damerau and Levenshtein), ignoring case.
+ * Known word that a misspelt one was probably meant to be. It has the fewest insertions, deletions, replacements and
+ * swaps of adjacent letters (the restricted edit distance of Damerau and Levenshtein), ignoring case.
  */
 public final class NearestName {
 

@@ -3,7 +3,7 @@ package steward.text;
 import java.math.BigDecimal;
 import java.math.RoundingMode;
 
-/** Formats numbers and texts for commands, the same in every locale. */
+/** Format of numbers and texts for commands, the same in every locale. */
 public final class TextFormat {
 
     private static final double NANOS_PER_MS = 1e6;

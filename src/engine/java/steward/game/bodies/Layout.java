@@ -7,7 +7,8 @@ import steward.scene.Bumper;
 import steward.scene.Field;
 
 /**
- * Places the discs of a scene: listed ones first, then those of each fill.
+ * Layout of a scene's discs: listed ones, which {@link #check} tests, and those of fills, which the seed draws into
+ * free room.
  *
  * @param field  its walls and bumpers are where no disc can be
  * @param listed in their order

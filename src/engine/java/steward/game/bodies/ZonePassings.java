@@ -5,7 +5,7 @@ import steward.physics.Bodies;
 import steward.physics.TurnLog;
 
 /**
- * Finds entries of discs into zones during a turn from the paths of their centres: start, knots of the turn's log, end.
+ * Entries of discs into zones during a turn, from the paths of their centres: start, knots of the turn's log, end.
  * Entries are in the order of time, then of ids, then of zones.
  */
 final class ZonePassings {

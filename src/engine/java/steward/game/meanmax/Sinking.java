@@ -6,8 +6,8 @@ import steward.physics.Reaction;
 import steward.physics.TurnSink;
 
 /**
- * Decides what happens when a destroyer touches a tanker: the tanker sinks, unless tar has made it heavy. If it sinks
- * inside the arena, its wreck takes an id. Reads and alters the bodies alone; the rest are facts.
+ * Reaction of a tanker that a destroyer touches: the tanker sinks, unless tar has made it heavy. If it sinks inside the
+ * arena, its wreck takes an id. Reads and alters the bodies alone; the rest are facts.
  */
 public final class Sinking implements Reaction {
 

@@ -8,7 +8,7 @@ import steward.scene.Scene;
 import steward.scene.json.Block;
 import steward.scene.json.SceneException;
 
-/** Checks that pods, walls, bumpers and checkpoints of a race do not overlap; errors are located in the file. */
+/** Check that pods, walls, bumpers and checkpoints of a race do not overlap; errors are located in the file. */
 public final class PlaceCheck {
 
     /** Rounding of two start places brings them nearer by at most sqrt(2). */

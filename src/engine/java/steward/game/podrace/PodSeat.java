@@ -1,8 +1,8 @@
 package steward.game.podrace;
 
 /**
- * Passes the commands of one player's bot to a pod race without JSON, with the same checks as for a line of JSON. Pods
- * are numbered over all players, as in {@link PodRace#pod}.
+ * Seat of one player in a pod race, which takes the bot's commands without JSON, checked as a line of JSON would be.
+ * Pods are numbered over all players, as in {@link PodRace#pod}.
  */
 public final class PodSeat {
 

@@ -1,7 +1,7 @@
 package steward.game.podrace;
 
 /**
- * Ranks the players of a pod race: players who are in come first, then more checkpoints passed, then the distance to
+ * Ranking of a pod race's players: players who are in come first, then more checkpoints passed, then the distance to
  * the next one. For both a player's best pod counts, and checkpoints are counted on behind the finish. All players who
  * are out share the last rank.
  */

@@ -1,6 +1,6 @@
 package steward.game.podrace;
 
-/** Computes the start positions of pods. */
+/** Start positions of pods, computed from the first two checkpoints. */
 public final class StartPlaces {
 
     /** Distance of the inner start places from checkpoint 0, in u, and of each further pair from the last. */

@@ -5,9 +5,9 @@ import steward.physics.Reaction;
 import steward.physics.TurnSink;
 
 /**
- * Decides what happens when two chips touch, under the common law. Chips of the same radius bounce; otherwise the
- * bigger eats the smaller, and then every chip that it overlaps. A chip passes the one that it was just ejected from.
- * It alters the bodies alone.
+ * Reaction of two chips that touch, under the common law. Chips of the same radius bounce; otherwise the bigger eats
+ * the smaller, and then every chip that it overlaps. A chip passes the one that it was just ejected from. It alters the
+ * bodies alone.
  */
 public final class ChipEating implements Reaction {
 

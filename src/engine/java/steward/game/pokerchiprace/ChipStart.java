@@ -6,8 +6,8 @@ import steward.numerics.JavaRandom;
 import steward.numerics.SineCosine;
 
 /**
- * Draws a start as the published referee does, with Java's generator. First it draws the most neutral chips, and number
- * and radius of each player's chips; then places, until all chips of the players have one.
+ * Start of a Poker Chip Race, drawn with Java's generator as the published referee does. First it draws the most
+ * neutral chips, and number and radius of each player's chips; then places, until all chips of the players have one.
  */
 final class ChipStart {
 

@@ -12,7 +12,7 @@ import steward.physics.time.LowParts;
  */
 
 /**
- * Moves all bodies in free flight from one impact to the next and to the end of the turn. Times are plain doubles or
+ * Free flight of all bodies from one impact to the next and to the end of the turn. Times are plain doubles or
  * double-doubles. With double-doubles each coordinate is rounded once, when it is stored; {@link LowParts} keeps its
  * rounding error.
  */

@@ -4,7 +4,7 @@ import java.util.Arrays;
 import steward.physics.ImpactLaw;
 import steward.physics.time.SimultaneousImpacts;
 
-/** Collects the predicted impacts of a scan and selects those that happen next. */
+/** Queue of the predicted impacts of a scan, which selects those that happen next. */
 abstract sealed class ImpactQueue permits ImpactQueue.OneAtATime, ImpactQueue.WithinWindow, RefiningQueue {
 
     /** Offers an impact at an absolute time within the turn; b is an index, or {@code ~wall}. */

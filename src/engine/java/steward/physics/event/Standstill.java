@@ -10,7 +10,7 @@ import steward.physics.TurnSink;
 import steward.physics.time.PairTime;
 
 /**
- * Plays the rest of a turn whose impacts have reached their bound, without impulses. The two bodies of a new contact,
+ * Remainder of a turn whose impacts have reached their bound, played without impulses. The two bodies of a new contact,
  * or the body at a wall, stop for the rest of the turn. Every step stops at least one more body, so it ends.
  */
 final class Standstill {

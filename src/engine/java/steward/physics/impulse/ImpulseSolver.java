@@ -4,8 +4,8 @@ import steward.physics.Bodies;
 import steward.physics.Wall;
 
 /**
- * Computes impulses in one arithmetic, and everything at an impact that depends on signs and roundings. The order of
- * steps and the record belong to the law: {@link Collision}. One instance serves one thread; a result belongs to the
+ * Solver for impulses in one arithmetic, and for everything at an impact that depends on signs and roundings. The order
+ * of steps and the record belong to the law: {@link Collision}. One instance serves one thread; a result belongs to the
  * last call.
  */
 abstract sealed class ImpulseSolver permits PlainSolver, ExactSolver {

@@ -5,8 +5,8 @@ import steward.physics.TurnSink;
 import steward.physics.Wall;
 
 /**
- * Computes the impulses of a heap that comes to rest ({@link Rest}). It solves the system of its contacts, ascending by
- * ids, applies the impulses one after the other, and records one impact for each contact that exchanges an impulse.
+ * Solver for the impulses of a heap that comes to rest ({@link Rest}). It solves the system of its contacts, ascending
+ * by ids, applies the impulses one after the other, and records one impact for each contact that exchanges an impulse.
  *
  * <p>Afterwards the contacts of the system part at 2^-42 of its speeds, so that rounding leaves no approach. If they
  * cannot part, in a gap that is just filled or too narrow, velocities below 2^-40 of the speeds become 0.

@@ -6,7 +6,7 @@ import steward.physics.PhysicsParts;
 import steward.physics.Wall;
 
 /**
- * Decides which impacts give nothing back, by the first sentence of {@link Rest}. A body has to be seen before it is
+ * Law of the impacts that give nothing back, by the first point of {@link Rest}. A body has to be seen before it is
  * asked about; the largest kinetic energy of each in the turn is kept from one look to the next.
  */
 final class RestLaw {

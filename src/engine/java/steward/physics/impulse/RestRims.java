@@ -5,9 +5,9 @@ import steward.physics.Bodies;
 import steward.physics.Wall;
 
 /**
- * Handles the rims of arenas in a heap at rest ({@link Rest}): a path may end on a rim, not beyond it. The condition on
- * the velocity is that of the tangent at the end of the path, which depends on the velocity: normals are turned until
- * they fit.
+ * Rims of arenas in a heap at rest ({@link Rest}): a path may end on a rim, not beyond it. The condition on the
+ * velocity is that of the tangent at the end of the path, which depends on the velocity: normals are turned until they
+ * fit.
  */
 final class RestRims {
 

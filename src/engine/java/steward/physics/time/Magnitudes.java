@@ -14,7 +14,7 @@ import steward.physics.Wall;
  */
 
 /**
- * Checks that squares and fourth powers of a turn's numbers are in the range of doubles, so that plain arithmetic is
+ * Check that squares and fourth powers of a turn's numbers are in the range of doubles, so that plain arithmetic is
  * safe. Otherwise a square is silently 0 or infinite. A turn with numbers outside these ranges is computed in the exact
  * arithmetic on every rung, which scales by powers of two; numbers that are out of range for that too are refused by
  * name. The check is made once, at the start of a turn.

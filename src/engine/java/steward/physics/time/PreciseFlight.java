@@ -3,8 +3,8 @@ package steward.physics.time;
 import steward.numerics.ErrorFree;
 
 /**
- * Computes a coordinate in free flight between two double-double times, rounded once. Besides the returned doubles,
- * results are in {@link #elapsedLow} and {@link #placeLow}. One instance serves one thread.
+ * Coordinate in free flight between two double-double times, rounded once. Besides the returned doubles, results are in
+ * {@link #elapsedLow} and {@link #placeLow}. One instance serves one thread.
  */
 public final class PreciseFlight {
 

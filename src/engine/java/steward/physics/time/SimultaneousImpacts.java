@@ -7,9 +7,9 @@ import steward.numerics.DoubleDouble;
 import steward.physics.Wall;
 
 /**
- * Decides which impacts happen at the same instant in the arithmetic {@code EXACT}. Of impacts whose times are too
- * close for double-doubles, it finds the earliest and all that have exactly the same time, in the order of their ids.
- * Their states are those before the first of them reacts. Allocates; it is needed only if times are {@link #NEAR}.
+ * Search for the impacts that happen at the same instant in the arithmetic {@code EXACT}. Of impacts whose times are
+ * too close for double-doubles, it finds the earliest and all that have exactly the same time, in the order of their
+ * ids. Their states are those before the first of them reacts. Allocates; it is needed only if times are {@link #NEAR}.
  */
 public final class SimultaneousImpacts {
 

@@ -19,7 +19,7 @@ import tools.jackson.core.ObjectWriteContext;
 import tools.jackson.core.json.JsonFactory;
 import tools.jackson.core.json.JsonWriteFeature;
 
-/** Parses JSON text to values with their positions, within {@link JsonLimits}, and writes them. */
+/** Parser and writer of JSON text as values with their positions, within {@link JsonLimits}. */
 public final class JsonTree {
 
     /** Names and texts are written in ASCII: a scene then survives any encoding. */

@@ -5,7 +5,7 @@ import java.util.Locale;
 import java.util.stream.Collectors;
 import steward.text.NearestName;
 
-/** Formats numbers, ranges and choices for errors and plans. */
+/** Wording of numbers, ranges and choices in errors and plans. */
 public final class Wording {
 
     private Wording() { }

@@ -7,8 +7,8 @@ import steward.numerics.SplitMix64;
 import tools.jackson.core.JsonParser;
 
 /**
- * Reads the thrusts that a player commands from JSON, in answers and replays. They are {@code thrusts}, an array with
- * one object for each disc of the player, {@code {"x":1,"y":-2.5}}, ascending by ids.
+ * Reader of the thrusts that a player commands, from the JSON of answers and replays. They are {@code thrusts}, an
+ * array with one object for each disc of the player, {@code {"x":1,"y":-2.5}}, ascending by ids.
  */
 final class BodiesAnswer extends CommandsAnswer<Thrust> {
 

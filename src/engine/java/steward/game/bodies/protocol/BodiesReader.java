@@ -14,7 +14,7 @@ import steward.scene.Field;
 import steward.scene.Scene;
 import steward.scene.json.Block;
 
-/** Reads the blocks {@code bodies} and {@code play} of a scene, and checks the places of the listed discs. */
+/** Reader of a scene's blocks {@code bodies} and {@code play}, with a check of the places of the listed discs. */
 final class BodiesReader {
 
     private static final int MOST_TURNS = 1_000_000;

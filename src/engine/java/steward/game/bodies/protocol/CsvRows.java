@@ -19,9 +19,10 @@ import steward.scene.json.SceneException;
 import steward.scene.json.SourcePosition;
 
 /**
- * Converts rows of a CSV file to the blocks of a list of discs. The first line names the fields, with or without their
- * units, as in {@code x [u]}. Errors are located in the file, by line and column. Cells are split at commas and have no
- * quotes; an empty cell is an absent field. The columns {@code turn} and {@code id} of a table of states are ignored.
+ * Converter of a CSV file's rows to the blocks of a list of discs. The first line names the fields, with or without
+ * their units, as in {@code x [u]}. Errors are located in the file, by line and column. Cells are split at commas and
+ * have no quotes; an empty cell is an absent field. The columns {@code turn} and {@code id} of a table of states are
+ * ignored.
  */
 final class CsvRows {
 

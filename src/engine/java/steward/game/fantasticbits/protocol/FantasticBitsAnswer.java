@@ -18,8 +18,8 @@ import tools.jackson.core.JsonParser;
 import tools.jackson.core.JsonToken;
 
 /**
- * Reads the commands of a player's two wizards from JSON, in answers and replays: {@code wizards}, an array of two,
- * each
+ * JSON of the commands of two wizards in answers and replays, read, checked and written: {@code wizards}, an array of
+ * two, each
  * <pre>{"x":1,"y":2,"power":150}   {"x":1,"y":2,"throw":500}   {"spell":"accio","target":5}</pre>
  */
 final class FantasticBitsAnswer extends CommandsAnswer<WizardCommand> {

@@ -18,7 +18,7 @@ import steward.physics.TeeSink;
 import steward.scene.Scene;
 
 /**
- * Writes views of Fantastic Bits in the form of the published referee:
+ * Writer of views of Fantastic Bits in the form of the published referee:
  * <pre>
  * line 0      the number of the frame
  * frame 0     Fantastic Bits

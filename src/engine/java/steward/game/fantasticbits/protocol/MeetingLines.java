@@ -10,7 +10,7 @@ import steward.game.fantasticbits.EntityKind;
 import steward.physics.Bodies;
 import steward.physics.TurnSink;
 
-/** Collects the lines of a view about meetings of two bodies, or of a body and a wall, while a turn is played. */
+/** Lines of a view about meetings of two bodies, or of a body and a wall, collected while a turn is played. */
 final class MeetingLines implements TurnSink {
 
     private final Bodies bodies;

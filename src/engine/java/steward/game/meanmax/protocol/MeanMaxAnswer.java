@@ -9,7 +9,7 @@ import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.JsonParser;
 
 /**
- * Reads the commands of a player's three looters from JSON, in answers and replays: {@code looters}, an array of
+ * JSON of the commands of three looters in answers and replays, read, checked and written: {@code looters}, an array of
  * reaper, destroyer and doof, each
  * <pre>{"x":1,"y":2,"power":300}   {"x":1,"y":2,"skill":true}   {"wait":true}</pre>
  */

@@ -11,7 +11,7 @@ import steward.physics.Bodies;
 import steward.physics.Motion;
 import steward.physics.TurnSink;
 
-/** Collects the lines of a view about the impacts of a turn and the units at its end, while the turn is played. */
+/** Lines of a view about the impacts of a turn and the units at its end, collected while the turn is played. */
 final class MeanMaxMoments implements TurnSink {
 
     private final Bodies bodies;

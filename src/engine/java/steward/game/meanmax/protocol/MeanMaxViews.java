@@ -22,7 +22,7 @@ import steward.physics.TeeSink;
 import steward.scene.Scene;
 
 /**
- * Writes views of Mean Max as the server shows them:
+ * Writer of views of Mean Max as the server shows them:
  * <pre>
  * line 0      the number of the frame
  * frame 0     meanmax, players, radius of the arena, of the water, looters of a player          one a line

@@ -8,7 +8,7 @@ import steward.json.RawJson;
 import tools.jackson.core.JsonParser;
 
 /**
- * Reads one answer of a pod-race bot, and its commands in a replay:
+ * Reader of one answer of a pod-race bot, and of its commands in a replay:
  * <pre>{"pods":[{"x":1,"y":2.5,"thrust":100},{"x":1,"y":2,"shield":true}],"message":"optional"}</pre>
  */
 public final class PodRaceAnswer extends CommandsAnswer<Void> {

@@ -12,7 +12,7 @@ import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.ObjectNode;
 
 /**
- * Reads the map of a pod race from a server's recording: its first view has the checkpoints, {@code refereeInput} may
+ * Reader of a pod race's map from a server's recording: the first view has the checkpoints, {@code refereeInput} may
  * too.
  */
 final class PodRaceView implements ServerView {

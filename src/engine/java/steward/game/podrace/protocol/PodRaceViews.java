@@ -13,7 +13,7 @@ import steward.game.podrace.PodRaceSettings;
 import steward.physics.Impact;
 
 /**
- * Writes views of the server for a race of two players with two pods each:
+ * Writer of the server's views for a race of two players with two pods each:
  * <pre>
  * line 0      the number of the frame, perhaps with words around it
  * frame 0     CodersStrikeBack

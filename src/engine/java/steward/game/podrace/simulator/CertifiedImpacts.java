@@ -5,11 +5,11 @@ import steward.physics.event.FarPairs;
 import steward.physics.event.ScanPairs;
 
 /**
- * Plays the impacts of a turn from velocities that are accurate only to 2^-27, with a bound on all errors that follow.
- * Either every decision (which pairs meet, in which order, the result of each rounding, which checkpoints are passed)
- * is certified to be the game's, or this class gives up and the turn is played from the game's own directions. It also
- * gives up if proofs would be long: impacts within the same time window, grazing impacts, overlaps later than at the
- * start, high speeds, many impacts. Allocates nothing.
+ * Certified play of a turn's impacts from velocities that are accurate only to 2^-27, with a bound on all errors that
+ * follow. Either every decision (which pairs meet, in which order, the result of each rounding, which checkpoints are
+ * passed) is certified to be the game's, or this class gives up and the turn is played from the game's own directions.
+ * It also gives up if proofs would be long: impacts within the same time window, grazing impacts, overlaps later than
+ * at the start, high speeds, many impacts. Allocates nothing.
  */
 final class CertifiedImpacts {
 

@@ -12,9 +12,7 @@ import steward.physics.event.OfficialAdvance;
 import steward.scene.Plan;
 import steward.scene.Scene;
 
-/**
- * Plays the official turn of a match with the kernel of {@link PodRaceSimulator}; impacts are recorded if asked for.
- */
+/** Official turn of a match, played with the kernel of {@link PodRaceSimulator}; impacts are recorded if asked for. */
 public final class MatchTurn implements TurnKernel {
 
     private static final List<Motion.Step> MOTION =

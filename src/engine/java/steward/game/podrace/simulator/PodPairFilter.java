@@ -3,7 +3,7 @@ package steward.game.podrace.simulator;
 import steward.physics.event.FarPairs;
 import steward.physics.event.OfficialAdvance;
 
-/** Finds pairs of pods that cannot meet in a turn, from their places and velocities in {@link PodTurn}'s array. */
+/** Filter of pairs of pods that cannot meet in a turn, by their places and velocities in {@link PodTurn}'s array. */
 final class PodPairFilter {
 
     /** True if no pair of four pods can meet, by the coarse test without a loop; true for most turns. */

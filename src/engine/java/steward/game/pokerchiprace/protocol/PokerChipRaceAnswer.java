@@ -8,8 +8,8 @@ import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.JsonParser;
 
 /**
- * Reads the commands of a player's chips from JSON, in answers and replays: {@code chips}, an array in the order of the
- * player's list, each
+ * JSON of a player's chip commands in answers and replays, read, checked and written: {@code chips}, an array in the
+ * order of the player's list, each
  * <pre>{"x":1,"y":2}   {"wait":true}</pre>
  */
 final class PokerChipRaceAnswer extends CommandsAnswer<ChipCommand> {

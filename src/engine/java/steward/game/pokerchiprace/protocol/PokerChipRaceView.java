@@ -8,8 +8,8 @@ import steward.scene.SceneFiles;
 import steward.text.ViewLines;
 
 /**
- * Reads scene and seed of a Poker Chip Race from a server's recording. The first view has the number of players, {@code
- * refereeInput} a line {@code seed=} and the settings of the start.
+ * Reader of scene and seed of a Poker Chip Race from a server's recording. The first view has the number of players,
+ * {@code refereeInput} a line {@code seed=} and the settings of the start.
  */
 final class PokerChipRaceView implements ServerView {
 

@@ -25,7 +25,7 @@ import steward.scene.Scene;
 import tools.jackson.core.io.NumberOutput;
 
 /**
- * Writes views of the Poker Chip Race as the server shows them:
+ * Writer of views of the Poker Chip Race as the server shows them:
  * <pre>
  * line 0      the number of the frame
  * frame 0     PokerChipRace, then players, width, height, most turns

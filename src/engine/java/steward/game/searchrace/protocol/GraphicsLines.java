@@ -9,7 +9,7 @@ import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
 /**
- * Writes views of the site's toolkit for games as lines in a fixed order. The toolkit itself writes the updates of a
+ * Views of the site's toolkit for games, written as lines in a fixed order. The toolkit itself writes the updates of a
  * frame, and the attributes of an update, in the order of a hash table. Line 0 of a view has its number, line 1 is
  * JSON:
  * <pre>

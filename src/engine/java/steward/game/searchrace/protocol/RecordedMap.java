@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.regex.Pattern;
 import steward.scene.SceneFiles;
 
-/** Finds the map of a race from its recorded lines: the first lines are all checkpoints of three laps. */
+/** Map of a race, found from its recorded lines: the first lines are all checkpoints of three laps. */
 final class RecordedMap {
 
     private static final String SCENE = "search-race";

@@ -7,7 +7,7 @@ import tools.jackson.core.JsonParser;
 import tools.jackson.core.JsonToken;
 
 /**
- * Reads one answer, {@code {"x":1,"y":2.5,"thrust":100}} or {@code {"turn":-18,"thrust":200}}, also from a replay.
+ * Reader of one answer, {@code {"x":1,"y":2.5,"thrust":100}} or {@code {"turn":-18,"thrust":200}}, also from a replay.
  * There {@code "debug":true} says that the answer's message asked for times.
  */
 final class SearchRaceAnswer extends JsonAnswer {

@@ -10,9 +10,7 @@ import steward.game.ServerView;
 import steward.text.ViewLines;
 import tools.jackson.databind.JsonNode;
 
-/**
- * Reads the map of a search race from a server's recording: its views have no title, but checkpoints with tooltips.
- */
+/** Reader of a search race's map from a server's recording: the views have no title, but checkpoints with tooltips. */
 final class SearchRaceView implements ServerView {
 
     private static final Pattern CHECKPOINT = Pattern.compile("Checkpoint\nx = (-?[0-9]{1,7})\ny = (-?[0-9]{1,7})");

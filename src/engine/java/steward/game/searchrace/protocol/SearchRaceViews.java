@@ -16,11 +16,11 @@ import steward.game.searchrace.SearchRace;
 import steward.numerics.StrictAngles;
 
 /**
- * Writes views of the search race as the server shows them, as {@link GraphicsLines}. Places are in pixels, angles in
- * whole degrees cut off, scales have six digits; each value is written the first time and when it changes. The form is
- * that of the published referee, Illedan/CGSearchRace, with the site's toolkit, as its demonstration shows it; no game
- * of the server itself was at hand. Entities are numbered as the referee makes them. The tooltips have whole places; a
- * race that is finished is declared so in one more frame, in which nobody is asked.
+ * Writer of views of the search race as the server shows them, as {@link GraphicsLines}. Places are in pixels, angles
+ * in whole degrees cut off, scales have six digits; each value is written the first time and when it changes. The form
+ * is that of the published referee, Illedan/CGSearchRace, with the site's toolkit, as its demonstration shows it; no
+ * game of the server itself was at hand. Entities are numbered as the referee makes them. The tooltips have whole
+ * places; a race that is finished is declared so in one more frame, in which nobody is asked.
  */
 final class SearchRaceViews implements ViewWriter {
 

@@ -40,10 +40,10 @@ import steward.physics.time.SimultaneousImpacts;
  */
 
 /**
- * Predicts the next impact of a body among its neighbours in adjacent cells. A prediction is stored only with the body
- * that searched: of two bodies, the one that searched last has tested the other, so that the earlier of their events is
- * never later than their impact. An impact after an earlier one of the neighbour is not stored; the searches after that
- * impact find it again.
+ * Search for the next impact of a body among its neighbours in adjacent cells. A prediction is stored only with the
+ * body that searched: of two bodies, the one that searched last has tested the other, so that the earlier of their
+ * events is never later than their impact. An impact after an earlier one of the neighbour is not stored; the searches
+ * after that impact find it again.
  */
 final class CellSearch extends ImpactSearch {
 

@@ -7,7 +7,7 @@ import static steward.physics.event.cells.Crowd.ROW;
 import static steward.physics.event.cells.Crowd.X;
 
 /**
- * Prefetches the memory that the next events of a large crowd will need. Events that follow each other in time are far
+ * Prefetch of the memory that the next events of a large crowd will need. Events that follow each other in time are far
  * apart in space, and each would wait for several lines of memory, one after the other. Here the lines of many events
  * are read in stages; within a stage no line depends on another, so that the processor waits for several at once; and
  * no branch depends on a line that has yet to come. It changes nothing but the speed.

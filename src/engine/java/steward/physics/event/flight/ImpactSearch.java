@@ -10,10 +10,10 @@ import steward.physics.time.SimultaneousImpacts;
 import steward.physics.time.TimeOfImpact;
 
 /**
- * Finds the earliest impact of a body: compares each offered impact with the best so far. Impacts are offered by a way
- * to find neighbours. A time of impact is computed from the positions at the later start of the two flights, so that it
- * is the same whenever and from whichever of the two it is searched for. Ties go to the lowest pair, bodies before
- * walls.
+ * Search for the earliest impact of a body: each offered impact is compared with the best so far. Impacts are offered
+ * by a way to find neighbours. A time of impact is computed from the positions at the later start of the two flights,
+ * so that it is the same whenever and from whichever of the two it is searched for. Ties go to the lowest pair, bodies
+ * before walls.
  *
  * <p>In the arithmetic {@code EXACT} decisions are exact and times are double-doubles. If two of these are so near that
  * they may be the same time, {@link SimultaneousImpacts} decides.

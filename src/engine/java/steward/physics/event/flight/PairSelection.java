@@ -5,7 +5,7 @@ import steward.physics.Contacts;
 import steward.physics.PhysicsParts;
 
 /**
- * Selects pairs that can react: not kinds that ignore each other, passing pairs, or two infinite masses.
+ * Selection of pairs that can react: not kinds that ignore each other, passing pairs, or two infinite masses.
  *
  * @param contacts what contacts mean in the scene
  */
