@@ -5,8 +5,9 @@ import java.io.InputStream;
 import java.util.Arrays;
 
 /**
- * Reads a bot's answers, line by line, with blocking reads into one buffer. Bytes beyond an answer stay in the buffer,
- * or in the pipe, for the next turn. A byte order mark at the very beginning, as some libraries write it, is skipped.
+ * Reader of a bot's answers, line by line, with blocking reads into one buffer. Bytes beyond an answer stay in the
+ * buffer, or in the pipe, for the next turn. A byte order mark at the very beginning, as some libraries write it, is
+ * skipped.
  *
  * <p>When a process exits, the JDK moves the rest of the pipe to memory. It holds the stream's monitor meanwhile, as
  * reads do: no output is lost, and the end of the stream comes after it.

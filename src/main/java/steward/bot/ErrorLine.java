@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.regex.Pattern;
 
 /**
- * Finds the line of a program's stderr that explains its failure. A line is recognised by the form in which
+ * Line of a program's stderr that explains the program's failure. A line is recognised by the form in which
  * interpreters, virtual machines and C libraries write errors, never by a word alone: a bot may print "no Error" as
  * often as it likes. Of a chain of causes the first cause is taken, of compiler errors the first, otherwise the last
  * line.

@@ -1,6 +1,6 @@
 package steward.bot;
 
-/** Finds character boundaries in UTF-8 bytes that may be cut in the middle of a character. */
+/** Character boundaries in UTF-8 bytes that may be cut in the middle of a character. */
 public final class Utf8 {
 
     private Utf8() { }

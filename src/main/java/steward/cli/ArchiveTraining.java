@@ -6,7 +6,7 @@ import steward.cli.shared.ExitStatus;
 import steward.cli.streams.Streams;
 
 /**
- * Runs typical commands one after the other, to record the classes they load in an archive that makes later starts
+ * Run of typical commands, one after the other, to record the classes they load in an archive that makes later starts
  * faster. The launcher calls it; it exits with the status of the first command that fails.
  */
 final class ArchiveTraining {

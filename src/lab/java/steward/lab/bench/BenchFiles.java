@@ -14,7 +14,7 @@ import steward.lab.chart.MeasuredTable;
 import steward.lab.chart.MeasuredTable.Column;
 import tools.jackson.core.JsonGenerator;
 
-/** Writes the bench's table to files, each row as soon as it is measured. The page comes last. */
+/** Writer of the bench's table to files, each row as soon as it is measured. The page comes last. */
 public final class BenchFiles implements AutoCloseable {
 
     /** Name of the table for spreadsheets. */

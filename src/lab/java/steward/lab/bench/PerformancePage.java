@@ -7,7 +7,7 @@ import java.util.Locale;
 import java.util.Map;
 import steward.text.TextFormat;
 
-/** Writes the measured table as a page of the documentation. */
+/** Page of the documentation with the measured table. */
 public final class PerformancePage {
 
     private static final int WIDTH = 118;

@@ -38,7 +38,7 @@ import steward.scene.SceneKey;
  */
 
 /**
- * Measures the error of each rung after one turn over many states of seeded play of a scene, compared with the oracle.
+ * Measurement of each rung's error after one turn over many states of seeded play of a scene, compared with the oracle.
  * The error is the largest position error of a body before positions are rounded at the end of a turn (rounding would
  * hide most errors and magnify a few). States come in blocks, each from a play with a seed of its own, so that any
  * number of threads gives the same figures; finished blocks can be read at any time.

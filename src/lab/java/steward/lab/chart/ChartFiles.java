@@ -16,7 +16,7 @@ import java.util.List;
 import javax.imageio.ImageIO;
 import org.knowm.xchart.style.AxesChartStyler;
 
-/** Writes pictures to files, for light and for dark pages, and wraps their text. */
+/** Writer of pictures to files, for light and for dark pages, with wrapped text. */
 public final class ChartFiles {
 
     static {

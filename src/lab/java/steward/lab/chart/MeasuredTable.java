@@ -17,7 +17,7 @@ import steward.text.CsvRow;
 import tools.jackson.core.JsonGenerator;
 
 /**
- * Writes a table of measurements to two files. {@code NAME.csv} grows by each row; {@code NAME.json} is replaced by one
+ * Table of measurements, written to two files. {@code NAME.csv} grows by each row; {@code NAME.json} is replaced by one
  * with the row. Both are complete after each row, so that an interrupted run leaves its measurements.
  *
  * @param <R> a row

@@ -26,9 +26,9 @@ import steward.scene.AccuracyFigures;
 import steward.text.TextFormat;
 
 /**
- * Calibrates one scene: measures, writes the figures and prints them. Figures are written to a file beside the final
- * one and moved at the end, so that old figures stay until there are new ones. After an interruption, measured figures
- * are kept.
+ * Calibration run of one scene: it measures, writes the figures and prints them. Figures are written to a file beside
+ * the final one and moved at the end, so that old figures stay until there are new ones. After an interruption,
+ * measured figures are kept.
  */
 final class CalibrationRun {
 

@@ -11,7 +11,8 @@ import steward.lab.trial.Finding;
 import steward.text.TextFormat;
 
 /**
- * Prints the stability table as it is measured: each case with its requirement, and a line per rung with the result.
+ * Printer of the stability table as it is measured: each case with its requirement, and a line per rung with the
+ * result.
  */
 final class StabilityTable {
 

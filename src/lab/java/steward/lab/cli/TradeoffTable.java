@@ -7,7 +7,7 @@ import steward.lab.tradeoff.TradeoffRow;
 import steward.lab.tradeoff.TradeoffScene;
 import steward.text.TextFormat;
 
-/** Prints the trade-off scene by scene: a line per rung. */
+/** Printer of the trade-off, scene by scene: a line per rung. */
 record TradeoffTable(Streams streams) {
 
     private static final int RUNG = 19;

@@ -12,7 +12,7 @@ import steward.lab.chart.MeasuredTable;
 import steward.lab.chart.MeasuredTable.Column;
 import tools.jackson.core.JsonGenerator;
 
-/** Writes the stability table to files, each row as soon as it is known. */
+/** Writer of the stability table to files, each row as soon as it is known. */
 public final class StabilityFiles {
 
     /** Name of the table for spreadsheets. */

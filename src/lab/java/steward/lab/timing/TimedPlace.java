@@ -2,7 +2,10 @@ package steward.lab.timing;
 
 import java.util.concurrent.TimeUnit;
 
-/** Place where one kind of work is timed: a JVM of its own, or this one. */
+/**
+ * Place where one kind of work is timed, in this JVM or another: warmed up until times are steady, then measured in
+ * rounds.
+ */
 @FunctionalInterface
 public interface TimedPlace extends AutoCloseable {
 

@@ -18,7 +18,7 @@ import java.util.function.Function;
  */
 
 /**
- * Times several kinds of work against each other, each in a place of its own.
+ * Timing of several kinds of work against each other, each in a place of its own.
  *
  * @param <J> what a place needs to know
  */

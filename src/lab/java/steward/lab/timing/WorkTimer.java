@@ -6,7 +6,7 @@ import java.util.Arrays;
 import java.util.function.LongSupplier;
 import steward.numerics.Median;
 
-/** Times work in this JVM. */
+/** Timer of work in this JVM. */
 public final class WorkTimer implements TimedPlace {
 
     /** Seconds of a stretch while warming up. */

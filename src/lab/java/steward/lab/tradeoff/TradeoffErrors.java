@@ -9,7 +9,7 @@ import steward.physics.Bodies;
 import steward.physics.Motion;
 import steward.physics.TurnLog;
 
-/** Collects the errors of one rung, state by state. */
+/** Errors of one rung, collected state by state. */
 final class TradeoffErrors {
 
     private final Advance advance;

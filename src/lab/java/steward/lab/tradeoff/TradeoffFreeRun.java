@@ -10,7 +10,7 @@ import steward.physics.Bodies;
 import steward.physics.PhysicsParts;
 import steward.physics.TurnSink;
 
-/** Runs a scene freely on every rung and in truth, turn after turn, to find after how many turns a rung diverges. */
+/** Free run of a scene on every rung and in truth, turn after turn, to find after how many turns a rung diverges. */
 final class TradeoffFreeRun {
 
     /** A body farther than this from its true position, in u, has diverged. */

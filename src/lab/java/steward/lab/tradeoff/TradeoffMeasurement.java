@@ -13,7 +13,7 @@ import steward.physics.Bodies;
 import steward.physics.PhysicsParts;
 import steward.scene.Accuracy;
 
-/** Measures all rungs on one scene. Errors and costs come from the same states, which are drawn first. */
+/** Measurement of all rungs on one scene. Errors and costs come from the same states, which are drawn first. */
 public final class TradeoffMeasurement {
 
     private static final int LEAST_STATES = 3;

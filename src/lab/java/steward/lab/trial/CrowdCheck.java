@@ -18,9 +18,9 @@ import steward.physics.TurnSink;
  */
 
 /**
- * Plays a crowd for many impacts and checks, after each turn and at each impact, whether any was missed. It looks for
- * discs that overlap or have left the box by more than rounding, impacts of discs that do not touch, and drift of the
- * energy. It checks all pairs with code of its own.
+ * Check of a crowd that is played for many impacts: after each turn and at each impact, whether any was missed. It
+ * looks for discs that overlap or have left the box by more than rounding, impacts of discs that do not touch, and
+ * drift of the energy. It checks all pairs with code of its own.
  */
 public final class CrowdCheck {
 

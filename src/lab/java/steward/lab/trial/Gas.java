@@ -6,10 +6,10 @@ import steward.physics.Bodies;
 import steward.physics.Wall;
 
 /**
- * Builds crowds for measurements: equal discs of radius 1 and mass 1 in a square box with perfectly elastic walls.
- * Velocities are uniform in a square, always the same for the same seed. Discs start near the points of a lattice
- * (square, or triangular if that is too dense), each with a small random offset; after a few impacts each, no trace of
- * the lattice is left.
+ * Crowd for measurements: equal discs of radius 1 and mass 1 in a square box with perfectly elastic walls. Velocities
+ * are uniform in a square, always the same for the same seed. Discs start near the points of a lattice (square, or
+ * triangular if that is too dense), each with a small random offset; after a few impacts each, no trace of the lattice
+ * is left.
  */
 public final class Gas {
 

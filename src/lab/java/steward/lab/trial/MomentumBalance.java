@@ -8,7 +8,7 @@ import steward.physics.Bodies;
  */
 
 /**
- * Sums the change of momentum of every impact, to check that momentum is conserved. The change is m (v after - v
+ * Sum of the change of momentum of every impact, to check that momentum is conserved. The change is m (v after - v
  * before) from the stored velocities, in double-double arithmetic; the walls' share is what the bodies received from
  * them.
  */

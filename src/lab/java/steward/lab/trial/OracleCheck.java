@@ -11,7 +11,7 @@ import steward.physics.ImpactLaw;
 import steward.physics.Wall;
 
 /**
- * Plays one turn of many small worlds on a rung and by the oracle, and compares them. The engine must find the same
+ * Comparison of one turn of many small worlds, played on a rung and by the oracle. The engine must find the same
  * impacts and, to a tolerance relative to the largest number of its kind in the world, the same final state. If that is
  * allowed, it may throw an exception that names what it cannot do. NaN, infinity and a different result are failures.
  */

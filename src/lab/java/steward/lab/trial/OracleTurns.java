@@ -8,8 +8,8 @@ import steward.physics.Bodies;
 import steward.physics.PhysicsParts;
 
 /**
- * Compares turns of a rung with those of the oracle from the same states: errors of positions and velocities. If two
- * contacts meet at the same time but for rounding, either may be the first, and the turns part; few may be such.
+ * Comparison of a rung's turns with those of the oracle from the same states: errors of positions and velocities. If
+ * two contacts meet at the same time but for rounding, either may be the first, and the turns part; few may be such.
  */
 public final class OracleTurns {
 

@@ -3,7 +3,7 @@ package steward.lab.trial;
 import steward.numerics.SplitMix64;
 import steward.physics.Bodies;
 
-/** Draws random pairs of bodies that meet or nearly meet, for cases and tests. */
+/** Sampler of random pairs of bodies that meet or nearly meet, for cases and tests. */
 public final class PairSampler {
 
     private PairSampler() { }

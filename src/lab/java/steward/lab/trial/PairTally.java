@@ -14,7 +14,7 @@ import steward.physics.ImpactLaw;
 import steward.physics.TurnLog;
 
 /**
- * Plays the first impact of many pairs on a rung and compares it with {@link PairOracle} and {@link Oracle}. It counts
+ * Tally of the first impacts of many pairs on a rung, compared with {@link PairOracle} and {@link Oracle}. It counts
  * wrong decisions and keeps the worst errors in units in the last place.
  */
 public final class PairTally {

@@ -7,7 +7,8 @@ import steward.physics.Bodies;
 import steward.physics.TurnSink;
 
 /**
- * Observes turns without storing them: counts impacts, notes whether the impact limit was reported, measures overlaps.
+ * Observer of turns that stores none: it counts impacts, notes whether the impact limit was reported, and measures
+ * overlaps.
  */
 public class Probe implements TurnSink {
 

@@ -9,7 +9,7 @@ import java.util.Map;
 import java.util.regex.Pattern;
 
 /**
- * Reads small files of {@code /proc} into one buffer and parses numbers in them. Not thread-safe.
+ * Reader of small files of {@code /proc} into one buffer, and of the numbers in them. Not thread-safe.
  *
  * <p>A reader that {@linkplain #keep keeps} its files open reads each again from its beginning, in less than half the
  * time, since no path is looked up. The open file of a process that has ended is never that of a later process with the

@@ -8,8 +8,8 @@ import steward.bot.TimeSpent;
 import steward.bot.accounting.TreeSample.ThreadTimes;
 
 /**
- * Sums the use of time by a tree of processes between the first and the last of several samples. Reads no clock and no
- * files.
+ * Ledger of the time that a tree of processes used between the first and the last of several samples. Reads no clock
+ * and no files.
  *
  * <p>The kernel counts a thread's waiting for a processor only when the thread gets one. If a thread is runnable at two
  * samples and did not run in between, it has waited all the time; the kernel's later addition for it is then left out.

@@ -10,7 +10,7 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Measures the memory of a tree of processes, for machines where no control group counts it: mapped memory, and open
+ * Meter of the memory of a tree of processes, for machines where no control group counts it: mapped memory, and open
  * files in memory. Shared pages are counted for each process at first, and in proportion once the sum exceeds the
  * limit.
  *

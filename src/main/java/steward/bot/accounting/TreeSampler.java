@@ -12,8 +12,9 @@ import java.util.regex.Pattern;
 import steward.bot.accounting.TreeSample.ThreadTimes;
 
 /**
- * Samples a process and its descendants, in any namespaces, finding them anew each time. Children are read from {@code
- * /proc/PID/task/TID/children}; if the kernel has no such file, they are found by their parents among all processes.
+ * Sampler of a process and its descendants, in any namespaces, which are found anew each time. Children are read from
+ * {@code /proc/PID/task/TID/children}; if the kernel has no such file, they are found by their parents among all
+ * processes.
  *
  * <p>Caveat: without a PID namespace, a descendant whose parent has exited becomes another process's child and leaves
  * the tree. The CPU time of processes that nobody has waited for is lost when they exit.

@@ -5,9 +5,9 @@ import java.util.List;
 import java.util.stream.Collectors;
 
 /**
- * Splits a command line into words by the quoting rules of the POSIX shell, and joins words back into one line.
- * There is no shell: nothing is expanded, and {@code $}, {@code *}, {@code |}, {@code >} and {@code #} are ordinary
- * characters.
+ * Command line that is split into words by the quoting rules of the POSIX shell; words are also joined back into one
+ * line. There is no shell: nothing is expanded, and {@code $}, {@code *}, {@code |}, {@code >} and {@code #} are
+ * ordinary characters.
  *
  * <ul>
  * <li>Words are separated by spaces, tabs and newlines.

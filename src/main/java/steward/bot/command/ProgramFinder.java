@@ -7,7 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.regex.Pattern;
 
-/** Finds programs the way the system does: by path if the name has a slash, otherwise along {@code PATH}. */
+/** Search for programs as the system does it: by path if the name has a slash, otherwise along {@code PATH}. */
 public final class ProgramFinder {
 
     private static final String FALLBACK_PATH = "/usr/bin:/bin";

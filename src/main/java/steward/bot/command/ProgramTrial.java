@@ -11,7 +11,7 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Tries a program on this machine: starts it once, without input, and waits for its end.
+ * Trial of a program on this machine: it is started once, without input, and its end awaited.
  *
  * @param status of its exit, or {@value #NONE} if it did not start or did not end in time
  * @param line   the first line that is not blank of what it wrote to stdout or stderr; empty for none

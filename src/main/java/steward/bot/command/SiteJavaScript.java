@@ -6,8 +6,8 @@ import java.util.Set;
 import steward.files.Resources;
 
 /**
- * Builds the call of Node.js for a bot written for CodinGame's site, where {@code readline}, {@code print} and {@code
- * printErr} exist. A text before the bot defines them; it needs no file, which a sandbox would have to show.
+ * Call of Node.js for a bot written for CodinGame's site, where {@code readline}, {@code print} and {@code printErr}
+ * exist. A text before the bot defines them; it needs no file, which a sandbox would have to show.
  */
 public final class SiteJavaScript {
 

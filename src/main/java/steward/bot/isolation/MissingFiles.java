@@ -15,8 +15,8 @@ import steward.bot.command.Program;
 import steward.bot.command.ProgramFinder;
 
 /**
- * Guesses which files a program lacked at {@link SandboxLevel#STRICT}, from its command and its stderr: paths, programs
- * that were not found, modules of Python and Node.
+ * Guess of the files that a program lacked at {@link SandboxLevel#STRICT}, from its command and stderr: paths, missing
+ * programs, modules of Python and Node.
  */
 public final class MissingFiles {
 

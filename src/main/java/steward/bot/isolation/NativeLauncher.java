@@ -21,10 +21,10 @@ import steward.files.Sha256;
 import steward.files.UserFolders;
 
 /**
- * Finds or compiles {@value #SOURCE}, the small native program that starts bots in a sandbox and stops them while
- * others are asked. It is part of the jar (in a build with {@code -PbuiltLauncher}), or compiled once for each user by
- * the machine's C compiler and kept in the user's cache. Without either, a shell does the same (see {@link
- * ShellLauncher}), but starts several programs for every bot and cannot stop any.
+ * Small native program, {@value #SOURCE}, that starts bots in a sandbox and stops them while others are asked. It is
+ * part of the jar (in a build with {@code -PbuiltLauncher}), or compiled once for each user by the machine's C compiler
+ * and kept in the user's cache. Without either, a shell does the same (see {@link ShellLauncher}), but starts several
+ * programs for every bot and cannot stop any.
  *
  * <p>The program is used only if it belongs to this user and nobody else can write to it or to its folder. Its name
  * contains a digest of the source and a checksum of the program: a program that is damaged, or no longer runs, is

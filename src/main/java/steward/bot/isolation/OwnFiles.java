@@ -16,7 +16,7 @@ import steward.bot.command.ProgramFinder;
 import steward.files.UserFolders;
 
 /**
- * Finds the files that belong to a bot from its command. They are the folder of its program or its interpreter's whole
+ * Files that belong to a bot, found from its command. They are the folder of its program or its interpreter's whole
  * installation; folders and files that its arguments name, class paths included; the interpreter in a script's first
  * line; and the targets of symbolic links on the way.
  *

@@ -6,9 +6,7 @@ import steward.bot.command.ProgramFinder;
 import steward.bot.command.ProgramTrial;
 import steward.text.TextFormat;
 
-/**
- * Finds out which levels of isolation work on this machine. Each level is tried once per JVM, when it is asked for.
- */
+/** Levels of isolation that work on this machine. Each level is tried once per JVM, when it is asked for. */
 public final class SandboxSupport {
 
     /** How long a trial may take, in milliseconds. */

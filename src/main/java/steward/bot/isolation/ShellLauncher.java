@@ -7,8 +7,8 @@ import steward.bot.command.CommandLine;
 import steward.bot.command.ProgramFinder;
 
 /**
- * Starts bots in a sandbox by {@code setsid}, {@code unshare}, {@code setpriv} and a shell, if there is no {@link
- * NativeLauncher}; slower, with the same isolation.
+ * Launcher of bots in a sandbox by {@code setsid}, {@code unshare}, {@code setpriv} and a shell, if there is no
+ * {@link NativeLauncher}; slower, with the same isolation.
  */
 final class ShellLauncher {
 

@@ -7,7 +7,7 @@ import steward.bot.command.Program;
 import steward.bot.command.ProgramFinder;
 import steward.bot.command.ProgramTrial;
 
-/** Builds the call of {@code bwrap} for {@link SandboxLevel#STRICT}. */
+/** Call of {@code bwrap} for {@link SandboxLevel#STRICT}. */
 final class StrictSandbox {
 
     /** A private folder for temporary files, the only one that a bot can write to. */

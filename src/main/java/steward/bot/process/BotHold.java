@@ -7,8 +7,8 @@ import steward.bot.hold.WaitingMeter;
 import steward.bot.hold.WaitingSampler;
 
 /**
- * Holds one bot (stops its processes) while others are asked: always, or once the sampler finds that it uses the
- * processor. In a turn of a bot that is not held, this writes only two fields.
+ * Hold on one bot (its processes are stopped) while others are asked: always, or once the sampler finds that it uses
+ * the processor. In a turn of a bot that is not held, this writes only two fields.
  *
  * <p>The sampler never stops a bot that is asked: the asking thread first stores {@link #waitingSince}, then reads
  * {@link #held}; the sampler first stores {@link #held} and then, under the lock of the group, reads the other.

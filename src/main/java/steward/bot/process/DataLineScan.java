@@ -9,8 +9,8 @@ import java.util.List;
 import steward.bot.ErrorLine;
 
 /**
- * Finds important lines in the part of a bot's stderr that is dropped for its length. They carry data for rating tools
- * ({@code [TDATA]}, {@code [PDATA]}, {@code [PDATA+]}), or tell why the bot failed.
+ * Scan for important lines in the part of a bot's stderr that is dropped for its length. They carry data for rating
+ * tools ({@code [TDATA]}, {@code [PDATA]}, {@code [PDATA+]}), or tell why the bot failed.
  */
 final class DataLineScan {
 

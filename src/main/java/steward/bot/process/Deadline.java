@@ -3,8 +3,8 @@ package steward.bot.process;
 import java.util.concurrent.atomic.AtomicLong;
 
 /**
- * Decides for one player whether its answer or its deadline came first. The whole state is one number, so that every
- * decision is one compare-and-set:
+ * Deadline of one player, which decides whether the answer or the deadline came first. The whole state is one number,
+ * so that every decision is one compare-and-set:
  *
  * <pre>
  *            arm              complete

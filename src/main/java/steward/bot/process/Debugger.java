@@ -5,9 +5,9 @@ import java.util.List;
 import java.util.regex.Pattern;
 
 /**
- * Starts a debugger in place of a bot. A debugger reads its own commands from the input on which the bot expects its
- * frames. So the debugger gets the terminal, and its bot gets the two pipes, which are kept as descriptors 3 and 4 in
- * the meantime.
+ * Debugger that is started in place of a bot. A debugger reads its own commands from the input on which the bot expects
+ * its frames. So the debugger gets the terminal, and its bot gets the two pipes, which are kept as descriptors 3 and 4
+ * in the meantime.
  */
 public final class Debugger {
 

@@ -5,8 +5,8 @@ import steward.bot.accounting.TreeMemory;
 import steward.bot.hold.WaitingSampler;
 
 /**
- * Ends bots whose processes together exceed their memory limit, if no control group does so. It looks ten times a
- * second; for that long a bot may be above its limit.
+ * Watch that ends a bot whose processes together exceed their memory limit, if no control group does so. It looks ten
+ * times a second; for that long a bot may be above its limit.
  */
 final class MemoryWatch implements WaitingSampler.WaitingBot {
 

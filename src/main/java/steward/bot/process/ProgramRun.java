@@ -6,7 +6,7 @@ import java.util.OptionalInt;
 import java.util.concurrent.TimeUnit;
 import steward.bot.isolation.Launch;
 
-/** Runs a program once, without input and with its output in files. */
+/** Single run of a program, without input and with its output in files. */
 public final class ProgramRun {
 
     private ProgramRun() { }

@@ -11,8 +11,9 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * Ends processes that have left the group of their bot and still hold its stderr. That is an unnamed file, which
- * nothing bounds after the bot is over: they would fill the disk unseen. Only processes of the bot can have it.
+ * Processes to be ended, since they have left the group of their bot and still hold its stderr. That is an unnamed
+ * file, which nothing bounds after the bot is over: they would fill the disk unseen. Only processes of the bot can have
+ * it.
  *
  * <p>Caveats: for systems with {@code /proc}; elsewhere nothing is found. A process that has closed its stderr on
  * purpose, or runs as another user, is not found.

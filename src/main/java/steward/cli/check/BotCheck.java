@@ -18,7 +18,7 @@ import steward.match.TimeControl;
 import steward.text.TextFormat;
 
 /**
- * Checks one bot by a whole game against the weakest bundled bot and a game against players that never answer. If the
+ * Check of one bot by a whole game against the weakest bundled bot and a game against players that never answer. If the
  * bot is late, or nearly, it is tried again, at last without charging it for the processor time of other programs.
  *
  * @param contest with the bot as its only entrant

@@ -20,7 +20,7 @@ import steward.machines.check.WorkerBook;
 import steward.machines.serve.RemoteGames;
 import steward.machines.serve.WorkerSeen;
 
-/** Lets workers play games of a run, and reports on the workers. */
+/** Service that lets workers play games of a run, and reports on the workers. */
 final class ServedGames implements Serving.Service {
 
     private final RemoteGames games;

@@ -6,7 +6,7 @@ import steward.cli.shared.CallException;
 import steward.files.InputException;
 import steward.text.NearestName;
 
-/** Refuses calls whose options are out of range or exclude each other. */
+/** Check that refuses calls whose options are out of range or exclude each other. */
 public final class CallCheck {
 
     public static final int MOST_THREADS = 256;

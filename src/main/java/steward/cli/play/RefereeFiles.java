@@ -11,8 +11,8 @@ import steward.files.InputException;
 import steward.replay.ReplayHeader;
 
 /**
- * Decides which existing files an arena tool's call may replace. They are empty files, which tools make beforehand, and
- * files that an earlier call has written, since tools use the same names again. Other files are kept.
+ * Existing files that an arena tool's call may replace. They are empty files, which tools make beforehand, and files
+ * that an earlier call has written, since tools use the same names again. Other files are kept.
  */
 final class RefereeFiles {
 

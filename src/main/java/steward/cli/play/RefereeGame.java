@@ -26,8 +26,8 @@ import steward.match.MatchResult;
 import tools.jackson.core.JacksonException;
 
 /**
- * Plays one match for an arena tool, prints the scores, and writes the requested game result, replay and page. Existing
- * files are replaced if {@link RefereeFiles} permits it.
+ * One match for an arena tool: played, its scores printed, and the requested game result, replay and page written.
+ * Existing files are replaced if {@link RefereeFiles} permits it.
  *
  * @param log    for the game result in JSON, or {@code null}
  * @param replay for our replay, or {@code null}

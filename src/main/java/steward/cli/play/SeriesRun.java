@@ -19,7 +19,7 @@ import steward.contest.loss.Losses;
 import steward.text.TextFormat;
 
 /**
- * Plays a series and reports its result, also if it is interrupted.
+ * Run of a series, with a report of the result, also if it is interrupted.
  *
  * @param report how much is said
  * @param strict whether a bot that fails makes the exit status 1

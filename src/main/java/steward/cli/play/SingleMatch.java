@@ -27,7 +27,7 @@ import steward.replay.page.UnclosedOutputStream;
 import steward.text.TextFormat;
 
 /**
- * Plays one match and reports its result. If a bot lost on time because others used the processors, the match is played
+ * One match and the report of its result. If a bot lost on time because others used the processors, the match is played
  * again, unless it has been shown already: watched live, on the standard output, or in a pipe.
  *
  * @param report  how much is said

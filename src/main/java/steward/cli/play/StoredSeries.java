@@ -41,7 +41,7 @@ import steward.match.OwnLimits;
 import steward.text.TextFormat;
 
 /**
- * Stores games between the bots of a contest in a league ({@code --into}), each when it is over, and finds them again.
+ * Games between the bots of a contest, stored in a league ({@code --into}) when each is over, and found again there.
  */
 public final class StoredSeries implements AutoCloseable {
 

@@ -11,7 +11,7 @@ import steward.match.MatchListener;
 import steward.match.Turn;
 import steward.text.TextFormat;
 
-/** Prints news of a running match to a terminal: a line per headline, change of the lead and fault. */
+/** News of a running match on a terminal: a line per headline, change of the lead and fault. */
 final class TurnProgress implements MatchListener {
 
     private static final int NOBODY = -1;

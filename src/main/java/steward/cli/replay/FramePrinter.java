@@ -10,7 +10,7 @@ import steward.replay.ReplayReader;
 import steward.replay.feed.Feed;
 import steward.replay.feed.SentLines;
 
-/** Prints the lines that one bot was sent in a recorded match. */
+/** Printer of the lines that one bot was sent in a recorded match. */
 final class FramePrinter {
 
     /**

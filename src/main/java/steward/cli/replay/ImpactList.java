@@ -9,7 +9,7 @@ import steward.replay.RecordedTurn;
 import steward.replay.ReplayReader;
 import steward.text.TextFormat;
 
-/** Prints recorded impacts, one a line. */
+/** List of recorded impacts, printed one a line. */
 final class ImpactList {
 
     /** The impacts of a range of turns, both ends included. */

@@ -14,9 +14,9 @@ import steward.replay.ReplayReader;
 import steward.replay.page.PageTemplate;
 
 /**
- * Draws a match as an animated SVG picture for a README or a course page: no script, ten turns a second, in a loop.
- * Bodies move straight from the end of a turn through each of their impacts to the end of the next. It draws from the
- * game's own description and knows no game.
+ * Animated SVG picture of a match for a README or a course page: no script, ten turns a second, in a loop. Bodies move
+ * straight from the end of a turn through each of their impacts to the end of the next. It draws from the game's own
+ * description and knows no game.
  */
 final class MovingPicture {
 

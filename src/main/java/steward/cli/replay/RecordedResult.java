@@ -7,7 +7,7 @@ import steward.cli.streams.Json;
 import steward.match.MatchResult;
 import steward.replay.ReplayReader;
 
-/** Reads the result of a match back from its replay. */
+/** Result of a match, read back from its replay. */
 final class RecordedResult {
 
     /**

@@ -32,9 +32,9 @@ import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.ObjectNode;
 
 /**
- * Writes the viewer of CodinGame's SDK with a recorded match in it. Its files are the folders {@code view} on the class
- * path that the replay names, the project's own first. Files that the SDK's runner would add are written here: the list
- * of assets, and an empty demonstration.
+ * Viewer of CodinGame's SDK with a recorded match in it. Its files are the folders {@code view} on the class path that
+ * the replay names, the project's own first. Files that the SDK's runner would add are written here: the list of
+ * assets, and an empty demonstration.
  */
 final class SdkViewer {
 

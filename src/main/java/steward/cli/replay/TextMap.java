@@ -11,7 +11,7 @@ import steward.replay.RecordedTurn;
 import steward.replay.ReplayReader;
 
 /**
- * Draws the end of a recorded match with characters. It shows the field, its zones with their labels, the last
+ * Map of the end of a recorded match, drawn with characters. It shows the field, its zones with their labels, the last
  * positions of each player's bodies, a letter per body, and the final positions of the others. It draws from the game's
  * own description and knows no game.
  */

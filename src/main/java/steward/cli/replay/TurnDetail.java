@@ -16,7 +16,7 @@ import steward.replay.feed.SentLines;
 import steward.scene.json.SceneException;
 import steward.text.TextFormat;
 
-/** Prints everything that was recorded of one turn. */
+/** Printer of everything that was recorded of one turn. */
 final class TurnDetail {
 
     private static final double NANOS_PER_MS = 1e6;

@@ -20,8 +20,8 @@ import steward.scene.Time;
 import steward.text.TextFormat;
 
 /**
- * Prints a recorded match as a table, turn by turn: a row per body, or the answers if there are no bodies. The events
- * of the turn follow, and the result at the end. The columns are the scalars that the game records of a body.
+ * Table of a recorded match, turn by turn: a row per body, or the answers if there are no bodies. The events of the
+ * turn follow, and the result at the end. The columns are the scalars that the game records of a body.
  */
 final class TurnTable {
 

@@ -15,7 +15,7 @@ import steward.replay.verify.ViewCounts;
 import steward.text.TextFormat;
 
 /**
- * Prints the result of verifying a replay: what was compared, and the first difference.
+ * Report on the verification of a replay: what was compared, and the first difference.
  *
  * @param partial whether agreement up to a cut suffices
  * @param file    of the key that must have signed, or {@code null}

@@ -6,7 +6,7 @@ import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.ScheduledFuture;
 import java.util.concurrent.TimeUnit;
 
-/** Prints which answer the program is waiting for, once a turn, after it has waited for some time. */
+/** Notice of the answer that the program is waiting for, printed once a turn after some time. */
 final class WaitingNotice implements AutoCloseable {
 
     /** Answers come within milliseconds; a person begins to wonder after some seconds. */

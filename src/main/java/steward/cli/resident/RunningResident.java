@@ -10,7 +10,7 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * Finds this user's running resident referee through {@code /proc}.
+ * Running resident referee of this user, found through {@code /proc}.
  *
  * @param folder    the folder whose matches it plays
  * @param megabytes its memory

@@ -18,7 +18,7 @@ import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
 import steward.match.Protocol;
 
-/** Finds the opponents of a test: bots of a league, programs of a folder, or bots by their names. */
+/** Opponents of a test: bots of a league, programs of a folder, or bots by their names. */
 final class Pool {
 
     private static final String RUN = "run";

@@ -9,7 +9,7 @@ import steward.contest.repeat.Repeats;
 import steward.text.TextFormat;
 
 /**
- * Chooses seeds that tell two bots apart and are fair to all seats. Both bots have played each seed from all seats.
+ * Choice of seeds that tell two bots apart and are fair to all seats. Both bots have played each seed from all seats.
  * With d the difference of their mean points, -1..1, and s the greatest distance of a seat's mean points from 1/2, a
  * seed is worth |d| - 2 s. For two players that is 1 if one bot won from both sides, and 0 or less if the side decided.
  * Seeds worth more than 0 are chosen, the best first, equal ones in their order. A seed with a game in which one of the

@@ -23,7 +23,7 @@ import steward.cli.resident.RunningResident;
 import steward.live.Browser;
 import steward.text.TextFormat;
 
-/** Checks which features of this machine Steward and bots can use. */
+/** Checkup of this machine: which of its features Steward and bots can use. */
 final class Checkup {
 
     /** How long a program may take to tell its version, in milliseconds. */

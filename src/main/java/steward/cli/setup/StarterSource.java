@@ -15,7 +15,7 @@ import steward.game.BotStub.Input;
 import steward.game.BotStub.Kind;
 import steward.match.Protocol;
 
-/** Writes the source of a starter bot: a game's {@link BotStub} in the template of a language. */
+/** Source of a starter bot: a game's {@link BotStub} in the template of a language. */
 final class StarterSource {
 
     /** Number of fields in a line of source. */

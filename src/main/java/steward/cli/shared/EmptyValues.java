@@ -10,8 +10,7 @@ import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.RunLast;
 
 /**
- * Refuses a call in which an option or parameter that names a file is an empty text, as when a shell variable was not
- * set.
+ * Refusal of calls in which an option or parameter for a file is an empty text, as when a shell variable was not set.
  */
 public final class EmptyValues implements IExecutionStrategy {
 

@@ -19,7 +19,7 @@ import steward.replay.ReplayException;
 import steward.scene.json.SceneException;
 import steward.text.TextFormat;
 
-/** Turns exceptions of a command into a message and an exit status. */
+/** Handler that turns exceptions of a command into a message and an exit status. */
 public final class ErrorHandler implements IParameterExceptionHandler, IExecutionExceptionHandler {
 
     private static final String OPTION = "'(--?[^'=]+)[^']*'(?: \\([^)]*\\))?";

@@ -5,7 +5,7 @@ import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
 
 /**
- * Converts numbers of a call, with readable errors: the library's own converters name {@code int} and {@code long}.
+ * Converter of numbers of a call, with readable errors: the library's own converters name {@code int} and {@code long}.
  */
 public enum NumberConverter implements ITypeConverter<Number> {
 

@@ -15,7 +15,7 @@ import steward.replay.page.PageExtras;
 import steward.replay.page.ReplayPage;
 import steward.text.TextFormat;
 
-/** Writes and opens the pages that show a match, with their titles. */
+/** Pages that show a match, written and opened, with their titles. */
 public final class Pages {
 
     private static final int TITLE = 80;

@@ -4,7 +4,7 @@ import java.util.List;
 import steward.files.InputException;
 import steward.text.TextFormat;
 
-/** Finds the player of a recorded match that {@code --player} names: by a number, counted from 0, or by name. */
+/** Player of a recorded match that {@code --player} names: by a number, counted from 0, or by name. */
 public final class PlayerChoice {
 
     /** Characters of the list of names that are shown: they come from a file. */

@@ -3,7 +3,7 @@ package steward.cli.streams;
 import java.io.IOException;
 import java.util.concurrent.CompletableFuture;
 
-/** Waits until Enter is pressed at the terminal. */
+/** Wait for the Enter key at the terminal. */
 public final class EnterKey {
 
     private EnterKey() { }

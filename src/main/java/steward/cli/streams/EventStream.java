@@ -8,7 +8,7 @@ import java.time.Instant;
 import java.time.temporal.ChronoUnit;
 import java.util.function.Supplier;
 
-/** Writes a program's log: each line with its time, as text or as a JSON object. Thread-safe. */
+/** Stream of a program's log: each line with its time, as text or as a JSON object. Thread-safe. */
 final class EventStream extends OutputStream {
 
     private static final String PROGRAM = "steward: ";

@@ -3,8 +3,8 @@ package steward.cli.streams;
 import java.util.function.Supplier;
 
 /**
- * Prints where the replay is when a match ends by Ctrl-C. Nothing else is needed then: each turn was written when it
- * was played, and no bot outlives this process.
+ * Message that tells where the replay is when a match ends by Ctrl-C. Nothing else is needed then: each turn was
+ * written when it was played, and no bot outlives this process.
  */
 public final class Interruption implements AutoCloseable {
 

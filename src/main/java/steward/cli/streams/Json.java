@@ -20,8 +20,8 @@ import tools.jackson.core.io.SerializedString;
 import tools.jackson.core.json.JsonFactory;
 
 /**
- * Reads small JSON values without the start-up cost of a data-binding library, and builds the objects that commands
- * print. Read objects are maps in their written order, arrays are lists, numbers are doubles, null is null.
+ * Reader of small JSON values without the start-up cost of a data-binding library, and builder of the objects that
+ * commands print. Read objects are maps in their written order, arrays are lists, numbers are doubles, null is null.
  */
 public final class Json {
 

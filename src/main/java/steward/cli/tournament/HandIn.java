@@ -25,7 +25,7 @@ import steward.files.OutputFiles;
 import steward.text.TextFormat;
 
 /**
- * Copies a file or folder that somebody who is not trusted hands in. Only regular files are opened, and no link is
+ * File or folder that somebody who is not trusted hands in, to be copied. Only regular files are opened, and no link is
  * followed; everything else is left out and named. Size and number are checked before anything is copied.
  *
  * @param source  a file or a folder

@@ -22,10 +22,10 @@ import steward.scene.json.SceneException;
 import steward.text.TextFormat;
 
 /**
- * Pairs programs in the rounds of a Swiss tournament. A round is decided when the one before is over: the first of the
- * table meets the next one below that it has not met, and so on. A program that is left over, from below, has a bye;
- * nobody has a second bye before all have had one. A round is written to {@code rounds.json} before its first game. The
- * file holds for the versions that it names: with others the rounds begin anew.
+ * Pairings of programs in the rounds of a Swiss tournament. A round is decided when the one before is over: the first
+ * of the table meets the next one below that it has not met, and so on. A program that is left over, from below, has a
+ * bye; nobody has a second bye before all have had one. A round is written to {@code rounds.json} before its first
+ * game. The file holds for the versions that it names: with others the rounds begin anew.
  *
  * @param file   where they are kept
  * @param field  the programs with the numbers of their versions

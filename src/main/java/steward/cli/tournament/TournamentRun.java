@@ -26,7 +26,7 @@ import steward.league.store.SeasonOpening;
 import steward.text.TextFormat;
 
 /**
- * Plays the games of a tournament between the versions that were found at its start: what is left to play, and the
+ * Run of a tournament between the versions of programs that were found at its start: the games left to play, and the
  * table.
  */
 final class TournamentRun {

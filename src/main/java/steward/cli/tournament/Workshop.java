@@ -31,8 +31,9 @@ import steward.text.Utf8Text;
 import steward.text.Utf8Text.NotUtf8Exception;
 
 /**
- * Makes programs ready to run: copies each source into a folder of its own and compiles it once, in the sandbox. A
- * compiler writes its result to the standard output, so that it needs no place to write but temporary files.
+ * Workshop that makes programs ready to run: it copies each source into a folder of its own and compiles it once, in
+ * the sandbox. A compiler writes its result to the standard output, so that it needs no place to write but temporary
+ * files.
  *
  * @param folder    of all of them
  * @param isolation of compilers

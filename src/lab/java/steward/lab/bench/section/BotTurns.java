@@ -12,8 +12,8 @@ import steward.lab.timing.Stretch;
 import steward.lab.timing.TimedPlace;
 
 /**
- * Times turns of bots that only answer. A round starts them anew, asks each once, and then times turns, in which the
- * bots are asked one after the other as in a match; the unit is a turn. Without turns it times the start up to the
+ * Timing of turns of bots that only answer. A round starts them anew, asks each once, and then times turns, in which
+ * the bots are asked one after the other as in a match; the unit is a turn. Without turns it times the start up to the
  * first answer.
  *
  * @param command of the bots; answers every line with one

@@ -9,7 +9,7 @@ import steward.lab.bench.Row;
 import steward.lab.bench.Section;
 import steward.text.TextFormat;
 
-/** Prints the benchmarks' table row by row as it is measured. */
+/** Printer of the benchmarks' table, row by row as it is measured. */
 final class BenchTable {
 
     private static final int NAME = 42;

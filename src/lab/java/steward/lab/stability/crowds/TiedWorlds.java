@@ -19,7 +19,7 @@ import steward.physics.Wall;
  *     arena    the same for a disc that flies from inside to the rim of an arena.
  */
 
-/** Draws random worlds in which several impacts have exactly the same time, which is rarely a double. */
+/** Random worlds in which several impacts have exactly the same time, which is rarely a double. */
 public final class TiedWorlds {
 
     private static final int[][] TURNS = {{33, 56}, {16, 63}, {25, 60}, {39, 52}, {65, 0}};

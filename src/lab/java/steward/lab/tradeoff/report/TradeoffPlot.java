@@ -14,7 +14,7 @@ import steward.lab.tradeoff.TradeoffResult;
 import steward.lab.tradeoff.TradeoffRow;
 
 /**
- * Draws error against cost: a panel per scene, one under the other so that a phone shows them large, all with the same
+ * Plot of error against cost: a panel per scene, one under the other so that a phone shows them large, all with equal
  * logarithmic axes.
  */
 record TradeoffPlot(TradeoffResult result, List<String> scenes) implements Drawing {

@@ -11,7 +11,7 @@ import steward.lab.tradeoff.TradeoffResult;
 import steward.lab.tradeoff.TradeoffRow;
 import tools.jackson.core.JsonGenerator;
 
-/** Writes the measured trade-off to files, the rows of a scene together. The pictures come last. */
+/** Report of the measured trade-off in files, the rows of a scene together. The pictures come last. */
 public final class TradeoffReport implements AutoCloseable {
 
     /** Name of the table for spreadsheets. */

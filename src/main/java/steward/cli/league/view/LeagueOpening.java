@@ -31,7 +31,7 @@ import steward.league.store.GameQueries;
 import steward.league.store.GameStore;
 import steward.text.NearestName;
 
-/** Opens the scene, the season and the bots that a league's settings name. */
+/** Opening of the scene, the season and the bots that a league's settings name. */
 public final class LeagueOpening {
 
     private static final String TUNED = "tune.";

@@ -8,7 +8,10 @@ import steward.league.store.GameQueries;
 import steward.league.store.GameStore;
 import steward.machines.check.WorkerBook;
 
-/** Builds the {@link WorkerBook} of a league, its statistics by worker, from stored games, for display. */
+/**
+ * Reader of a league's stored games into a {@link WorkerBook}: which worker played what, and who is doubtful. It also
+ * makes the rows of the workers' table.
+ */
 public final class WorkerBooks {
 
     private WorkerBooks() { }
