@@ -27,8 +27,8 @@ import tools.jackson.core.ObjectReadContext;
 import tools.jackson.core.ObjectWriteContext;
 
 /**
- * Collects a match and writes it as one JSON object with the field names of CodinGame's own game result, for tools that
- * read it. Lists have one entry for the start and one for each turn, {@code null} if there is nothing:
+ * Log of a match, written as one JSON object with the field names of CodinGame's own game result, for tools that read
+ * it. Lists have one entry for the start and one for each turn, {@code null} if there is nothing:
  *
  * <ul>
  * <li>{@code errors}, {@code outputs}: what {@code "referee"}, {@code "0"}, {@code "1"}, ... wrote to stderr and to

@@ -8,7 +8,7 @@ import steward.match.MatchListener;
 import steward.match.Turn;
 
 /**
- * Collects data about single turns that bots write to stderr: {@code [TDATA][turn] name = value} about the match,
+ * Data about single turns that bots write to stderr: {@code [TDATA][turn] name = value} about the match,
  * {@code [PDATA][turn] name = value} about the player. Only the first {@value #MOST_CHARACTERS} characters are kept.
  */
 public final class LeagueAttributes implements MatchListener {

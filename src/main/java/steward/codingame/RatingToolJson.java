@@ -9,10 +9,10 @@ import steward.match.MatchResult;
 import tools.jackson.core.JsonGenerator;
 
 /**
- * Writes the result of a match as JSON for rating tools. Its fields are {@code ranks} (lower is better, ties share
- * one), {@code errors} (1 for a bot that failed), {@code faults} (the reason, or null), {@code test_data} (seed and
- * data of the match) and {@code player_data}, with numbers as numbers. {@code attributes} has all data once more: name,
- * player or null, turn or null, value as text.
+ * Result of a match as JSON for rating tools. Its fields are {@code ranks} (lower is better, ties share one),
+ * {@code errors} (1 for a bot that failed), {@code faults} (the reason, or null), {@code test_data} (seed and data of
+ * the match) and {@code player_data}, with numbers as numbers. {@code attributes} has all data once more: name, player
+ * or null, turn or null, value as text.
  */
 public final class RatingToolJson {
 

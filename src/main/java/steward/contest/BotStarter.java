@@ -6,7 +6,7 @@ import steward.bot.command.Program;
 import steward.bot.isolation.Isolation;
 import steward.contest.Contest.Entrant;
 
-/** Starts the players of a match from bots: as processes, or inside the JVM for measurements. */
+/** Starter of a match's players from bots: as processes, or inside the JVM for measurements. */
 public interface BotStarter {
 
     /**

@@ -10,7 +10,7 @@ import steward.match.MatchResult;
 import steward.match.TeeListener;
 
 /**
- * Plays one game for a tool that rates it, until an attempt counts (see {@link Attempts}).
+ * One game for a tool that rates it, played until an attempt counts (see {@link Attempts}).
  *
  * @param <T>       of the follower
  * @param result    of the last attempt

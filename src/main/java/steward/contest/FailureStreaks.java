@@ -5,7 +5,7 @@ import java.util.Map;
 import steward.text.TextFormat;
 
 /**
- * Counts, for each bot, games in a row that it failed in; after enough of them, further games tell nothing about its
+ * Counts, for each bot, of games in a row that it failed in; after enough of them, further games tell nothing about its
  * strength. Not thread-safe.
  */
 public final class FailureStreaks {

@@ -10,7 +10,7 @@ import steward.contest.loss.Losses;
 import steward.match.MatchResult;
 import steward.match.MatchResult.PlayerResult;
 
-/** Converts games of a series for {@link Losses}, the account of the games that one bot lost. */
+/** Converter of a series' games to {@link Losses}, the account of the games that one bot lost. */
 public final class Losers {
 
     private Losers() { }

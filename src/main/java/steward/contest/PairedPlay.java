@@ -16,7 +16,7 @@ import steward.contest.seeds.Seeds;
 import steward.match.MatchResult;
 
 /**
- * Plays games of a few bots seed after seed, each seed from all seats, until the results suffice or no seed is left.
+ * Play of a few bots' games seed after seed, each seed from all seats, until the results suffice or no seed is left.
  * Results are delivered to a receiver in the order of seeds, however many threads play. Games that are still being
  * played when the receiver has enough do not count.
  */

@@ -22,7 +22,7 @@ import steward.files.Sha256;
 import steward.match.Protocol;
 
 /**
- * Watches the files of the bots' programs while several games are played. If a file is missing or being written, it
+ * Watch over the files of the bots' programs while several games are played. If a file is missing or being written, it
  * waits until all files are present, have been unchanged for a second, are not cut off, and each program can be
  * started. Thread-safe.
  */

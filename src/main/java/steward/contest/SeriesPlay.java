@@ -17,9 +17,9 @@ import steward.match.MatchListener;
 import steward.match.MatchResult;
 
 /**
- * Plays the games of a series, several at the same time. A failure is reported with its game and does not end other
- * games. There is one exception: if a replay cannot be written (on a full disk, say), no further games are begun, and
- * those under way are played to their end.
+ * Play of a series' games, several at the same time. A failure is reported with its game and does not end other games.
+ * There is one exception: if a replay cannot be written (on a full disk, say), no further games are begun, and those
+ * under way are played to their end.
  *
  * <p>A game that was lost on time because others used the processors is played again at once (see {@link Attempts}).
  */

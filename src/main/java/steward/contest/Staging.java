@@ -26,7 +26,7 @@ import steward.replay.sign.SigningKey;
 import steward.scene.Time;
 
 /**
- * Prepares the matches of a contest: starts the bots, opens the replay and signs it.
+ * Preparation of a contest's matches: it starts the bots, opens the replay and signs it.
  *
  * @param key       signs replays; or {@code null}
  * @param isolation how bots are kept apart, asked for when bots are started

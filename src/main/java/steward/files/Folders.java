@@ -6,7 +6,7 @@ import java.nio.file.Path;
 import java.util.Comparator;
 import java.util.stream.Stream;
 
-/** Deletes folders with their contents. */
+/** Deletion of folders with their contents. */
 public final class Folders {
 
     private Folders() { }

@@ -17,7 +17,7 @@ import java.nio.file.attribute.PosixFilePermissions;
 import java.util.List;
 import java.util.Set;
 
-/** Opens the files for replays and pages before the match is played, so that errors are found early. */
+/** Files for replays and pages, opened before the match is played, so that errors are found early. */
 public final class OutputFiles {
 
     private OutputFiles() { }

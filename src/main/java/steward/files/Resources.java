@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 
-/** Reads files that come with the program, by their absolute names on the class path. */
+/** Files that come with the program, read by their absolute names on the class path. */
 public final class Resources {
 
     private Resources() { }

@@ -25,7 +25,7 @@ import tools.jackson.core.util.Separators.Spacing;
 import tools.jackson.databind.json.JsonMapper;
 
 /**
- * Finds the settings for a published referee, so that it can be played as a guest. Its folders and class files tell
+ * Search for the settings with which a published referee can be played as a guest. Its folders and class files tell
  * which league level has the full rules. Trial games with idle bots tell which numbers of players it allows, what is
  * equal when a game is played again, and whether its classes can be kept between games. Idle bots answer {@code WAIT}
  * and nothing else, so games between them never decide about levels.

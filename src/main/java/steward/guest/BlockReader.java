@@ -11,7 +11,7 @@ import java.util.regex.Matcher;
 import steward.text.TextFormat;
 
 /**
- * Reads blocks of lines from a referee's output, with a bound, so that a flood becomes a fault and cannot fill the
+ * Reader of blocks of lines from a referee's output, with a bound, so that a flood becomes a fault and cannot fill the
  * memory.
  */
 final class BlockReader {

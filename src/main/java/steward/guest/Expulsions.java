@@ -9,7 +9,7 @@ import java.util.stream.Collectors;
 import steward.text.TextFormat;
 
 /**
- * Detects which players a referee has thrown out of the game. The referee writes a line of the block SUMMARY in the
+ * Detector of players whom a referee has thrown out of the game. The referee writes a line of the block SUMMARY in the
  * SDK's form for errors, red and with the player in it. Then it either asks others twice without this player or gives
  * it the score -1. A negative score alone proves nothing: games have such scores.
  *

@@ -13,9 +13,9 @@ import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
 /**
- * JSON of a guest's answers and states in replays; its bots themselves speak lines only. A command is the lines of an
- * answer, with its time if the referee counts times. A state is everything that the referee has said since the last
- * answer.
+ * JSON of the answers and states of a {@link GuestGame} in replays; its bots themselves speak lines only. A command is
+ * the lines of an answer, with its time if the referee counts times. A state is everything that the referee has said
+ * since the last answer.
  */
 record GuestJson(GuestGame game) implements GameJson {
 

@@ -4,7 +4,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import steward.game.TextCodec;
 
-/** Passes lines between a guest's referee and the bots unchanged. */
+/** Line protocol between a guest's referee and the bots, whose lines pass unchanged. */
 record GuestText(GuestGame game) implements TextCodec {
 
     @Override

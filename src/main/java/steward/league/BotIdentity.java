@@ -23,9 +23,9 @@ import steward.contest.Contest;
 import steward.files.InputException;
 
 /**
- * Identifies the program of a bot by a hash. The hash covers the argument list, the bot's own time limits, the
- * environment passed to it, and its files. A file is read again only if its size, time or place on the disk has
- * changed. Not thread-safe.
+ * Identity of a bot's program: a hash. The hash covers the argument list, the bot's own time limits, the environment
+ * passed to it, and its files. A file is read again only if its size, time or place on the disk has changed. Not
+ * thread-safe.
  */
 public final class BotIdentity {
 

@@ -22,7 +22,7 @@ import steward.scene.json.JsonValue.JsonText;
 import steward.scene.json.SceneException;
 import steward.text.NearestName;
 
-/** Reads and checks league.json. An error gives line and column, what was found and what was expected. */
+/** Reader and checker of league.json. An error gives line and column, what was found and what was expected. */
 public final class LeagueReader {
 
     /** The version of the file's form. */

@@ -13,7 +13,7 @@ import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.ObjectWriteContext;
 import tools.jackson.core.json.JsonFactory;
 
-/** Writes league.json as a person would: one field a line, one bot a line. */
+/** Text of league.json as a person would write it: one field a line, one bot a line. */
 final class LeagueText {
 
     private static final JsonFactory JSON = new JsonFactory();

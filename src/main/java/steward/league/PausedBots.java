@@ -5,8 +5,8 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * Tells which bots are paused because they failed in many games in a row. Whether a bot is paused at a decision depends
- * on the results of earlier decisions alone, so that threads do not change it:
+ * Bots that are paused because they failed in many games in a row. Whether a bot is paused at a decision depends on the
+ * results of earlier decisions alone, so that threads do not change it:
  *
  * <ul>
  * <li>A bot plays if its last game at least {@code lag} decisions back was without failure; nothing is waited for.

@@ -9,10 +9,10 @@ import java.util.TreeMap;
 import steward.contest.repeat.Repeats;
 
 /**
- * Detects groups of bots that only repeat games: the last {@value steward.contest.repeat.Repeats#ENOUGH} games of a
- * group, in the order of decisions, equalled earlier ones. More games of such a group give no information. In a game
- * for one player, all bots are one group. An answer uses only games of decisions below a given number, so that it does
- * not depend on threads.
+ * Groups of bots that only repeat games: the last {@value steward.contest.repeat.Repeats#ENOUGH} games of a group, in
+ * the order of decisions, equalled earlier ones. More games of such a group give no information. In a game for one
+ * player, all bots are one group. An answer uses only games of decisions below a given number, so that it does not
+ * depend on threads.
  *
  * <p>Not thread-safe.
  */

@@ -3,7 +3,7 @@ package steward.live;
 import java.nio.charset.StandardCharsets;
 import java.util.Map;
 
-/** HTTP answers of the server as bytes; each ends with its connection. */
+/** HTTP heads and refusals of the live pages' server, as bytes; each answer ends with its connection. */
 final class Answers {
 
     static final int OK = 200;

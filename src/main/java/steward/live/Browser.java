@@ -9,7 +9,7 @@ import java.util.Locale;
 import java.util.concurrent.TimeUnit;
 import steward.bot.command.ProgramFinder;
 
-/** Opens the user's web browser through the system's own program for that. */
+/** Web browser of the user, opened through the system's own program for that. */
 public final class Browser {
 
     /**

@@ -12,7 +12,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import steward.replay.page.PageTemplate;
 
-/** Takes a screenshot of a page with a browser of the Chromium family that is on the PATH. */
+/** Screenshot of a page, taken with a browser of the Chromium family that is on the PATH. */
 public final class PagePicture {
 
     private static final List<String> BROWSERS = List.of("chromium", "chromium-browser", "google-chrome", "chrome",

@@ -3,7 +3,7 @@ package steward.live;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Counts the viewers of a match: how many may follow at the same time, and how much they still have to receive.
+ * Count of a match's viewers: how many may follow at the same time, and how much they still have to receive.
  * Thread-safe.
  */
 final class Viewers {

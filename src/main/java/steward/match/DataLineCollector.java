@@ -6,10 +6,10 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * Collects the data lines that bots write to stderr for rating tools. {@code [TDATA] key = value} is about the match;
- * {@code [PDATA] key = value} is about the player, and the last value counts; {@code [PDATA+] key = value} is summed
- * up. Other lines are skipped, and so is text beyond {@value #MOST} characters in all. A line that is incomplete when a
- * turn ends is completed in the next turn.
+ * Collector of the data lines that bots write to stderr for rating tools. {@code [TDATA] key = value} is about the
+ * match; {@code [PDATA] key = value} is about the player, and the last value counts; {@code [PDATA+] key = value} is
+ * summed up. Other lines are skipped, and so is text beyond {@value #MOST} characters in all. A line that is incomplete
+ * when a turn ends is completed in the next turn.
  */
 final class DataLineCollector {
 

@@ -3,7 +3,7 @@ package steward.match;
 import java.nio.charset.StandardCharsets;
 import steward.text.TextFormat;
 
-/** Escapes and shortens texts from players so that they are safe to print on a terminal and to store in a replay. */
+/** Texts from players, escaped and shortened so that they are safe to print on a terminal and to store in a replay. */
 public final class SafeText {
 
     /** Characters of a line that are quoted. */

@@ -14,8 +14,8 @@ import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.io.SerializedString;
 
 /**
- * Writes the part of a turn that follows from the commands: impacts, paths, events, the ending by the impact limit, the
- * state and its hash. Empty parts are left out. The writer records it; the verifier writes it again and compares.
+ * JSON of what follows from a turn's commands: impacts, paths, events, the ending by the impact limit, the state and
+ * its hash. Empty parts are left out. The writer records it; the verifier writes it again and compares.
  */
 public final class OutcomeJson {
 

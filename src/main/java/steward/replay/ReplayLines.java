@@ -16,9 +16,9 @@ import tools.jackson.core.ObjectWriteContext;
 import tools.jackson.core.io.SerializedString;
 
 /**
- * Writes the lines of a replay from the first byte to the hash: the part that is equal whenever the same game is
- * played. The writer adds {@code times} and the end of the line. The verifier compares byte by byte with the recording,
- * so that every line has exactly one accepted form.
+ * Lines of a replay from the first byte to the hash: the part that is equal whenever the same game is played. The
+ * writer adds {@code times} and the end of the line. The verifier compares byte by byte with the recording, so that
+ * every line has exactly one accepted form.
  *
  * <p>The hash of a line covers all bytes before it (see {@link InputHash}); it is the last field but {@code times}.
  */

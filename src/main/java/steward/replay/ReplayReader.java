@@ -27,8 +27,8 @@ import steward.scene.json.JsonProblem;
 import tools.jackson.core.JacksonException;
 
 /**
- * Reads a replay line by line, also if it is packed with gzip, has a byte order mark or Windows line ends. A file that
- * was cut off anywhere is read up to the cut: its last line, if it has no line end and is no complete object, is
+ * Reader of a replay, line by line, also if it is packed with gzip, has a byte order mark or Windows line ends. A file
+ * that was cut off anywhere is read up to the cut: its last line, if it has no line end and is no complete object, is
  * dropped, and {@link #warning} says so.
  *
  * <p>Throws {@link ReplayException} if a file is no replay, has a newer format, is damaged before its end, has a line

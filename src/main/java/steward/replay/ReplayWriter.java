@@ -19,8 +19,8 @@ import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.io.SerializedString;
 
 /**
- * Writes a match to a replay as it is played, one line at a time. Every complete line goes to the file in one piece, so
- * that a match that is killed leaves the turns it has played; {@link WriteBehind} says how soon.
+ * Writer of a match to a replay as the match is played, one line at a time. Every complete line goes to the file in one
+ * piece, so that a match that is killed leaves the turns it has played; {@link WriteBehind} says how soon.
  *
  * <p>A signed match names its signer in the header, and its signature follows the result, in one piece with it ({@link
  * LinesDigest} says what is signed). A match without a result has no signature.

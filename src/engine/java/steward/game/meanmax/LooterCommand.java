@@ -1,11 +1,12 @@
 package steward.game.meanmax;
 
 /**
- * A looter's command for a turn: wait, thrust toward a place, or cast its skill there.
+ * A looter's command for a turn: to wait, to thrust toward a place, or to use its skill at a place.
  *
- * @param x     the place it is about, in u; 0 for {@code WAIT}
- * @param y     the same
- * @param power of a thrust, at least 0; more than {@value #MOST_POWER} counts as {@value #MOST_POWER}
+ * @param action the kind of command
+ * @param x      the place of the thrust or skill, in u; 0 for {@code WAIT}
+ * @param y      as {@code x}
+ * @param power  of a thrust, at least 0; more than {@value #MOST_POWER} counts as {@value #MOST_POWER}
  */
 public record LooterCommand(Action action, double x, double y, double power) {
 

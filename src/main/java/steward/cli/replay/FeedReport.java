@@ -16,7 +16,7 @@ import steward.replay.feed.Takeover;
 import steward.replay.verify.ReplayDifference;
 import steward.text.TextFormat;
 
-/** Reports, turn by turn, whether a bot answers as recorded, and counts the differences. */
+/** Report, turn by turn, on whether a bot answers as recorded, with a count of the differences. */
 final class FeedReport {
 
     /** A turn can differ in every field; more are only counted. */

@@ -15,7 +15,7 @@ import steward.scene.SceneReader;
 import steward.scene.SceneText;
 import steward.scene.json.SceneException;
 
-/** List of the games that the program knows, with the scenes that come with them; reads scenes. */
+/** Scenes of all games that the program knows, for commands: opened, refused, or warned of if something is odd. */
 public final class Games {
 
     /** The game that commands play unless another is called for. */

@@ -11,8 +11,8 @@ import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
 /**
- * Finds the recording in a JSON file: {@code {"success":{"gameResult":{"frames":[...],...}}}} or any of the inner
- * objects. For another file, the error says what the file is.
+ * JSON file with a recording: {@code {"success":{"gameResult":{"frames":[...],...}}}} or any of the inner objects. For
+ * another file, the error says what the file is.
  */
 final class GameRecordingFile {
 

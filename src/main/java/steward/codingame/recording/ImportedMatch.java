@@ -22,7 +22,7 @@ import steward.replay.ReplayWriter;
 import steward.replay.ServerRecording;
 
 /**
- * Converts a recorded match of CodinGame's server to a replay of ours. Our referee plays the recorded lines as if bots
+ * Recorded match of CodinGame's server, converted to a replay of ours. Our referee plays the recorded lines as if bots
  * had just said them. The server's frames are kept beside, so that verifying the replay compares our rules and physics
  * with the server's.
  */

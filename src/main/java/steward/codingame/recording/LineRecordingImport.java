@@ -19,9 +19,9 @@ import steward.replay.ReplayWriter;
 import tools.jackson.databind.JsonNode;
 
 /**
- * Imports a game for one player that was recorded as lines sent and lines answered: {@code {"stdin":[..],
- * "stdout":[..]}}. Our referee plays the answers, and every line that the server sent is compared with ours while the
- * replay is written. The known games recognise their game and map by the first lines.
+ * Importer of a game for one player that was recorded as lines sent and lines answered:
+ * {@code {"stdin":[..], "stdout":[..]}}. Our referee plays the answers, and every line that the server sent is compared
+ * with ours while the replay is written. The known games recognise their game and map by the first lines.
  */
 record LineRecordingImport(List<String> sent, List<String> answers, GameSetup setup, String source)
     implements RecordingImport {

@@ -5,8 +5,8 @@ import java.util.Set;
 import steward.numerics.StateHash;
 
 /**
- * Detects games that repeat an earlier one, so that equal games count once. Games of the same players in the same seats
- * with the same transcript are one observation, whatever their seeds were. Not thread-safe.
+ * Detector of games that repeat an earlier one, so that equal games count once. Games of the same players in the same
+ * seats with the same transcript are one observation, whatever their seeds were. Not thread-safe.
  */
 public final class Repeats {
 

@@ -20,7 +20,7 @@ import steward.files.InputException;
 import steward.files.UserFolders;
 
 /**
- * Builds CodinGame's engine from a clone of its repository, for projects that name a version which no Maven repository
+ * CodinGame's engine, built from a clone of its repository, for projects that name a version which no Maven repository
  * has. It is installed under the version that the project names, in a Maven repository of its own in Steward's cache,
  * once for each tag and commit. The clone is only read.
  *

@@ -3,9 +3,9 @@ package steward.guest.project;
 import java.nio.file.Path;
 
 /**
- * Finds the league level that has the full rules of a contest, and the reason. It is the highest level that has a
- * folder, or the next one if class files compare the level with a greater number. Without folders it is the lowest
- * level above which class files distinguish no levels.
+ * League level that has the full rules of a contest, and the reason. It is the highest level that has a folder, or the
+ * next one if class files compare the level with a greater number. Without folders it is the lowest level above which
+ * class files distinguish no levels.
  *
  * @param level       chosen
  * @param reason      for people, without a full stop

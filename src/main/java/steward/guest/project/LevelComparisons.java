@@ -19,9 +19,9 @@ import steward.guest.project.ClassFile.Member;
 import steward.guest.project.ClassFile.Method;
 
 /**
- * Finds the numbers with which a contest's class files compare the league level. The level is followed from the calls
- * that return it through variables, fields, parameters and results. If its way is not plain, it is lost, so that a
- * comparison may be missed, but hardly one is invented.
+ * Numbers with which a contest's class files compare the league level. The level is followed from the calls that return
+ * it through variables, fields, parameters and results. If its way is not plain, it is lost, so that a comparison may
+ * be missed, but hardly one is invented.
  *
  * <p>An order such as {@code level > 4} or {@code level >= 5} changes at 5 and singles 5 out. An equality with 4, or a
  * case of a switch, singles 4 out and changes at 4 and 5.

@@ -18,7 +18,7 @@ import steward.files.InputException;
 import steward.files.Remedied.Remedy;
 
 /**
- * Compiles a referee's project with Maven, with the engine that it names or another one.
+ * Build of a referee's project with Maven, with the engine that the project names or another one.
  *
  * @param classPath the project first, absolute
  * @param engine    the engine if it was built from source, for people; or {@code null}

@@ -16,7 +16,7 @@ import steward.league.rating.LeagueTable.Row;
 import steward.league.rating.RatingPath;
 import tools.jackson.core.JsonGenerator;
 
-/** Writes a league as JSON, for programs and for its own page. */
+/** League as JSON, for programs and for its own page. */
 public final class LeagueJson {
 
     private static final double NANOS_PER_MS = 1e6;

@@ -28,7 +28,7 @@ import steward.replay.verify.Resimulation;
 import steward.scene.json.SceneException;
 
 /**
- * Converts stored games of a league for {@link steward.contest.loss.Losses}, the account of the games that one bot
+ * Converter of a league's stored games to {@link steward.contest.loss.Losses}, the account of the games that one bot
  * lost. How a game ended and who led when is found by playing its replay again. Without a replay only failures are
  * known.
  */

@@ -6,7 +6,7 @@ import java.util.function.IntPredicate;
 import java.util.function.Supplier;
 import steward.league.rating.Ratings;
 
-/** Ends a schedule by a {@link StopRule}, at a decision that depends neither on threads nor on interruptions. */
+/** End of a schedule by a {@link StopRule}, at a decision that depends neither on threads nor on interruptions. */
 public final class LeagueEnd implements IntPredicate {
 
     private final StopRule rule;

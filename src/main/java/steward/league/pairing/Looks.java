@@ -1,8 +1,8 @@
 package steward.league.pairing;
 
 /**
- * Tells at which decisions results are looked at anew: at first before every decision, later whenever there are about
- * 2% more. These decisions depend on their numbers alone, so that an interrupted league looks at the same ones.
+ * Decisions at which results are looked at anew: at first every one, later whenever there are about 2% more. These
+ * decisions depend on their numbers alone, so that an interrupted league looks at the same ones.
  */
 public final class Looks {
 

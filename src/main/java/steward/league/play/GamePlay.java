@@ -24,7 +24,7 @@ import steward.match.MatchListener;
 import steward.match.MatchResult;
 
 /**
- * Plays one game of the schedule, again if it was lost on time because others used the processors.
+ * Play of one game of the schedule, repeated if the game was lost on time because others used the processors.
  *
  * @param contest    of the scene, its limits and isolation
  * @param recordings where replays go

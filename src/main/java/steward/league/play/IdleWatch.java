@@ -10,7 +10,7 @@ import steward.bot.command.Platform;
 import steward.league.play.Roster.Member;
 
 /**
- * Watches for games that nobody plays, and reports that they wait for a machine or why they can never be played. Not
+ * Watch for games that nobody plays, which reports that they wait for a machine or why they can never be played. Not
  * thread-safe.
  */
 final class IdleWatch {

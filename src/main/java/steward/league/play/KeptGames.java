@@ -19,7 +19,7 @@ import steward.match.MatchListener;
 import steward.match.MatchResult;
 
 /**
- * Stores those replays of a league's games that its settings keep, in the league's folder.
+ * Replays that a league's settings keep, stored in the league's folder.
  *
  * @param folder the league's
  */

@@ -7,9 +7,7 @@ import steward.league.PausedBots;
 import steward.league.play.Roster.Member;
 import steward.league.store.GameQueries;
 
-/**
- * Pauses the bots of a run that failed in many games in a row, counting games of earlier runs too. Not thread-safe.
- */
+/** Pauses of a run's bots that failed in many games in a row, counting games of earlier runs too. Not thread-safe. */
 final class Pauses {
 
     private final int most;

@@ -9,9 +9,9 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 
 /**
- * Sends games of a run to other machines and takes their results. Games that belong together share a thread while they
- * are under way. A single thread waits for free places and for games: thousands of waiting threads, each looking
- * several times a second, would keep a processor busy.
+ * Play on other machines: games of a run are sent there and their results taken. Games that belong together share a
+ * thread while they are under way. A single thread waits for free places and for games: thousands of waiting threads,
+ * each looking several times a second, would keep a processor busy.
  */
 record RemotePlay(LeagueRun run, RemoteMachines remote) {
 

@@ -23,7 +23,10 @@ import steward.league.store.GameStore.Version;
 import steward.match.OwnLimits;
 import steward.text.TextFormat;
 
-/** Determines which program each bot is, and gives a bot whose program has changed a new version. Not thread-safe. */
+/**
+ * Reader of the roster: which program each bot is, and a new version for a bot whose program has changed. Not
+ * thread-safe.
+ */
 public final class RosterReader {
 
     /** A third version within so many games of a bot pauses it where a bot could have made it itself. */

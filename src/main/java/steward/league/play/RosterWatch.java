@@ -17,8 +17,8 @@ import steward.scene.json.SceneException;
 import steward.text.TextFormat;
 
 /**
- * Watches league.json and the files of the bots while a league is played. If an edit cannot be used, that is reported
- * and the earlier settings stay in force. Not thread-safe.
+ * Watch over league.json and the files of the bots while a league is played. If an edit cannot be used, that is
+ * reported and the earlier settings stay in force. Not thread-safe.
  */
 final class RosterWatch {
 

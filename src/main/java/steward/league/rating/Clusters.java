@@ -12,8 +12,8 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
 /**
- * Groups games of two and more players by seed: games of one seed whose bots are connected form one cluster. A cluster
- * counts even if some of its games are missing. The order in which games are added does not matter.
+ * Games of two and more players, grouped by seed: games of one seed whose bots are connected form one cluster. A
+ * cluster counts even if some of its games are missing. The order in which games are added does not matter.
  */
 final class Clusters {
 

@@ -10,7 +10,7 @@ import java.util.Set;
 import steward.league.rating.Results;
 
 /**
- * Groups games by seed and group of bots while they are read from the database. A cluster in which every bot has been
+ * Games grouped by seed and group of bots while they are read from the database. A cluster in which every bot has been
  * on every seat is only counted by its results, so that a million clusters take little memory and time.
  *
  * <p>Not thread-safe.

@@ -9,7 +9,7 @@ import java.util.Map;
 import java.util.stream.Collectors;
 import steward.league.Decision;
 
-/** Writes rows of decisions within a running transaction. Not thread-safe. */
+/** Writer of rows of decisions within a running transaction. Not thread-safe. */
 final class DecisionRows {
 
     private final Database database;

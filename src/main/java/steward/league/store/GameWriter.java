@@ -10,7 +10,7 @@ import steward.league.Decision;
 import steward.league.StoredGame;
 
 /**
- * Stores decisions and games in the order in which they arrive, on a thread of its own. Whatever arrives during a
+ * Writer of decisions and games in the order in which they arrive, on a thread of its own. Whatever arrives during a
  * transaction shares the next one: at a few games a second each game has its own, at thousands many share one.
  */
 public final class GameWriter implements AutoCloseable {

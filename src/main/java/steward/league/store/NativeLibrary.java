@@ -11,8 +11,8 @@ import org.sqlite.util.OSInfo;
 import steward.files.UserFolders;
 
 /**
- * Unpacks SQLite's native library once into the user's cache folder. By default, the library would unpack itself into
- * the temporary folder at every start, and a killed process would leave it there.
+ * Native library of SQLite, unpacked once into the user's cache folder. By default, the library would unpack itself
+ * into the temporary folder at every start, and a killed process would leave it there.
  */
 final class NativeLibrary {
 

@@ -16,8 +16,8 @@ import steward.league.StoredGame.StoredSeat;
 import steward.text.TextFormat;
 
 /**
- * Finds corrupt rows of a league's database, which no version of the program writes. Such a row breaks a rule of its
- * table (as rows of form 4 may), refers to a missing row, or differs from its {@link RowDigest}.
+ * Check for corrupt rows of a league's database, which no version of the program writes. Such a row breaks a rule of
+ * its table (as rows of form 4 may), refers to a missing row, or differs from its {@link RowDigest}.
  */
 final class RowCheck {
 

@@ -8,7 +8,7 @@ import steward.league.LeagueFolder;
 import steward.league.Season;
 import steward.text.TextFormat;
 
-/** Opens the season in which a league continues, or refuses if the settings have changed since its games. */
+/** Opening of the season in which a league continues, refused if the settings have changed since its games. */
 public final class SeasonOpening {
 
     private SeasonOpening() { }

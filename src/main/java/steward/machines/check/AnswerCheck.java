@@ -16,8 +16,8 @@ import steward.replay.feed.Feed;
 import steward.replay.verify.Resimulation;
 
 /**
- * Asks a deterministic bot the questions of a finished game again, without deadlines, and compares answer by answer. A
- * missed deadline cannot be repeated and proves nothing.
+ * Check that asks a deterministic bot the questions of a finished game again, without deadlines, and compares answer by
+ * answer. A missed deadline cannot be repeated and proves nothing.
  */
 public final class AnswerCheck {
 

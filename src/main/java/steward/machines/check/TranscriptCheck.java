@@ -36,9 +36,9 @@ import tools.jackson.core.JsonToken;
 import tools.jackson.core.ObjectReadContext;
 
 /**
- * Replays a game from its transcript (see {@link TranscriptWriter}), so that states, events and result follow from the
- * commands alone. The hash of states tells whether the other machine computed the same. Answer times are believed, and
- * so are other outputs of the bots: messages, standard error, data. Thread-safe.
+ * Check that replays a game from its transcript (see {@link TranscriptWriter}), so that states, events and result
+ * follow from the commands alone. The hash of states tells whether the other machine computed the same. Answer times
+ * are believed, and so are other outputs of the bots: messages, standard error, data. Thread-safe.
  */
 public final class TranscriptCheck {
 

@@ -18,7 +18,7 @@ import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.ObjectWriteContext;
 
 /**
- * Writes a game as a worker sends it to its league: a replay without everything that follows from scene, seed and
+ * Writer of a game as a worker sends it to its league: a replay without everything that follows from scene, seed and
  * commands. {@link TranscriptCheck} computes the rest. A transcript is several times shorter than a replay, and takes a
  * fraction of the time on both sides.
  *

@@ -9,8 +9,8 @@ import steward.league.StoredGame.StoredSeat;
 import steward.league.play.RemoteMachines;
 
 /**
- * Estimates how long a game takes, and so when to give a worker's game to others. A worker that keeps games must not
- * stop the schedule, which waits for its oldest games. Each time a game is taken away, its time is doubled.
+ * Estimate of how long a game takes, and so of when to give a worker's game to others. A worker that keeps games must
+ * not stop the schedule, which waits for its oldest games. Each time a game is taken away, its time is doubled.
  * Thread-safe.
  */
 final class GamePace {

@@ -6,8 +6,8 @@ import java.util.concurrent.TimeUnit;
 import steward.machines.wire.GameJob;
 
 /**
- * Computes how many games are sent to a worker in one job: as many as take half a second, by the slowest bots. A job
- * costs the broker as much as a short game costs a worker. Thread-safe.
+ * Number of games that are sent to a worker in one job: as many as take half a second, by the slowest bots. A job costs
+ * the broker as much as a short game costs a worker. Thread-safe.
  */
 final class JobSize {
 

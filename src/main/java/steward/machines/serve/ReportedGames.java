@@ -31,7 +31,7 @@ import steward.machines.check.TranscriptCheck;
 import steward.machines.wire.WorkerWord;
 import steward.replay.RecordedMatch;
 
-/** Turns transcripts from workers into stored games, or disproves them. Thread-safe. */
+/** Games that workers report: transcripts that become stored games, or are disproved. Thread-safe. */
 final class ReportedGames {
 
     /** Memory that one check may take, in bytes: the longest transcript, its last line, and what is read of it. */

@@ -13,8 +13,8 @@ import steward.machines.token.WorkerList;
 import steward.machines.token.WorkerPauses;
 
 /**
- * Admits workers by the league's list, which is read anew after each change of its file. Jobs are handed to workers
- * that are neither paused nor suspended, as many as they said they can play. Thread-safe.
+ * Admission of workers by the league's list, which is read anew after each change of its file. Jobs are handed to
+ * workers that are neither paused nor suspended, as many as they said they can play. Thread-safe.
  */
 final class WorkerAdmission implements Admission {
 

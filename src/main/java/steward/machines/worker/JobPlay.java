@@ -33,7 +33,7 @@ import steward.match.MatchResult;
 import steward.match.Protocol;
 import steward.match.TeeListener;
 
-/** Plays jobs of a league on a worker, with the league's scene and limits and the fetched bots. Thread-safe. */
+/** Play of a league's jobs on a worker, with the league's scene and limits and the fetched bots. Thread-safe. */
 final class JobPlay {
 
     /** Bytes of a report to which no more games are added. */

@@ -15,8 +15,8 @@ import steward.replay.verify.ReplayDifference;
 import steward.replay.verify.Resimulation;
 
 /**
- * Sends a bot everything that one player of a recorded match was sent, turn by turn, and compares its answers with the
- * recorded ones. The recorded commands are played, whatever the bot answers.
+ * Feed that sends a bot all that one player of a recorded match was sent, and compares its answers with the recorded
+ * ones. The recorded commands are played, whatever the bot answers.
  */
 public final class Feed {
 

@@ -21,9 +21,9 @@ import steward.replay.ReplayWriter;
 import steward.replay.verify.Resimulation;
 
 /**
- * Lets a bot take over from one player of a recorded match, and records the result as a new match. The others play
- * their recorded commands. Before the given turn the bot is sent the recorded game and the recorded commands are
- * played; from that turn on its own commands are played.
+ * Takeover of one player of a recorded match by a bot, recorded as a new match. The others play their recorded
+ * commands. Before the given turn the bot is sent the recorded game and the recorded commands are played; from that
+ * turn on its own commands are played.
  *
  * <p>The others do not react: their recorded commands are applied unchanged. The match ends by the rules, or when a
  * remaining player has neither a command nor a fault recorded; then the new recording has no result.

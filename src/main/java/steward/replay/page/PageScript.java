@@ -9,7 +9,7 @@ import java.util.regex.Pattern;
 import steward.files.Resources;
 
 /**
- * Combines the JavaScript modules of a page into one script, in the order of their imports. A browser that opens a file
+ * Script of a page, combined from its JavaScript modules in the order of their imports. A browser that opens a file
  * from disk loads no modules, and one script has one hash. They are combined when a page is written, not when Steward
  * is built, since a jar with a game may bring a module that imports others.
  *

@@ -25,9 +25,9 @@ import steward.text.TextFormat;
 import tools.jackson.core.JacksonException;
 
 /**
- * Writes a replay as one HTML page that shows the match and works offline. Page, styles, script and replay are in a
- * single file. The replay is embedded as gzip in base64, whose alphabet cannot end a script element; the browser
- * unpacks it. A long one is packed further, see {@link PackedTurns}.
+ * HTML page of a replay, which shows the match and works offline. Page, styles, script and replay are in a single file.
+ * The replay is embedded as gzip in base64, whose alphabet cannot end a script element; the browser unpacks it. A long
+ * replay is packed further, see {@link PackedTurns}.
  *
  * <p>A replay that was cut off is embedded up to the cut, and the page says so.
  */

@@ -22,7 +22,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import steward.files.InputException;
 
-/** Reads and writes PEM files: bytes in base64 between {@code -----BEGIN KIND-----} and {@code -----END KIND-----}. */
+/** PEM file, read and written: bytes in base64 between {@code -----BEGIN KIND-----} and {@code -----END KIND-----}. */
 final class PemFile {
 
     private static final int COLUMNS = 64;

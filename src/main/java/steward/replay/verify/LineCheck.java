@@ -19,8 +19,8 @@ import steward.replay.ReplayReader;
 import steward.replay.ServerRecording;
 
 /**
- * Compares recorded lines with a match that is played again. Every line is written again, from the recorded inputs and
- * the recomputed outcome, and its bytes up to {@code times} are compared: nothing can be added, left out, doubled,
+ * Comparison of recorded lines with a match that is played again. Every line is written again, from the recorded inputs
+ * and the recomputed outcome, and its bytes up to {@code times} are compared: nothing can be added, left out, doubled,
  * moved or spelled differently. If they differ, the first difference is found.
  */
 final class LineCheck {

@@ -4,7 +4,8 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 
 /**
- * Finds the parts of an ordinary turn line by their bytes, without parsing: a turn without faults, messages and stderr.
+ * Scanner that finds the parts of an ordinary turn line by their bytes, without parsing: a turn without faults,
+ * messages and stderr.
  *
  * <pre>
  * {"type":"turn","turn":7,"commands":[...],"outcome":{...},"turnHash":"0123456789abcdef",

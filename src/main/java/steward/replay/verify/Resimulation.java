@@ -31,7 +31,7 @@ import tools.jackson.core.JsonParser;
 import tools.jackson.core.JsonToken;
 import tools.jackson.core.ObjectReadContext;
 
-/** Plays a recorded match again, from its scene, seed, commands and faults. */
+/** Re-simulation of a recorded match from its scene, seed, commands and faults. */
 public final class Resimulation {
 
     /** Characters of a wrong name that errors show. */

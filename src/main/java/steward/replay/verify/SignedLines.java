@@ -4,7 +4,7 @@ import steward.replay.ReplayReader;
 import steward.replay.sign.LinesDigest;
 import steward.replay.sign.SignerKey;
 
-/** Digests the lines of a replay that names its signer, and checks the signature. */
+/** Digest of the lines of a replay that names its signer, and check of the signature. */
 final class SignedLines {
 
     private final ReplayReader replay;

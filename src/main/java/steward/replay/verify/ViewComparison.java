@@ -14,8 +14,8 @@ import steward.replay.ServerRecording;
 import steward.text.TextFormat;
 
 /**
- * Compares a server's frames, line by line and word by word, with the frames that it would have written for our game.
- * The comparison stops at the first difference, since the games differ from there on.
+ * Comparison of a server's frames, line by line and word by word, with the frames that it would have written for our
+ * game. The comparison stops at the first difference, since the games differ from there on.
  */
 final class ViewComparison {
 
