@@ -15,10 +15,11 @@ import tools.jackson.core.ObjectReadContext;
 import tools.jackson.core.io.JsonStringEncoder;
 
 /**
- * A long replay as a page holds it: its lines without the bodies of states, impacts and paths of turns; a line that
- * describes these; a zero byte, which no JSON has; and their numbers in tables, see {@link PackedTable}. If that is
- * still too large for a page, only every k-th turn has them, as in a sparse replay. A replay that is not long is held
- * as it is, to the last digit. What has anything but numbers stays in its line.
+ * A long replay as a page holds it: lines without the large lists of numbers, which follow in tables
+ * ({@link PackedTable}). The lists are the bodies of states, the impacts and the paths of turns. Between lines and
+ * tables stand a line that describes the tables and a zero byte, which no JSON has. If the whole is still too large for
+ * a page, only every k-th turn keeps its lists, as in a sparse replay. A list with anything but numbers stays in its
+ * line, and a replay that is not long is held as it is, to the last digit.
  */
 final class PackedTurns {
 

@@ -18,8 +18,7 @@ import steward.replay.ReplayReader;
 import tools.jackson.core.JsonGenerator;
 
 /**
- * Kept replays of a page of many games: those that the page holds, and behind a size those that become pages of their
- * own beside it.
+ * Kept replays of a page of many games: those in the page, and, beyond a size, others in pages of their own beside it.
  *
  * @param embedded as they stand in the page, by game
  * @param beyond   the others that can be read, the most important first
