@@ -36,6 +36,7 @@ class OldLeagueTest {
 
     @BeforeEach
     void unpack() throws IOException {
+        NativeLibrary.prepare(path);            // before the first connection, which this test makes by itself
         try (InputStream file = OldLeagueTest.class.getResourceAsStream("league-0.2.0.zip");
              ZipInputStream zip = new ZipInputStream(file)) {
             for (ZipEntry entry = zip.getNextEntry(); entry != null; entry = zip.getNextEntry()) {
