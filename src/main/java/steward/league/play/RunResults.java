@@ -26,10 +26,7 @@ final class RunResults {
      */
     RunResults(Season season, GameQueries queries, int from, boolean learns) {
         repeated = new RepeatedGroups(season.players() == 1);
-        known = learns ? new KnownResults(season, queries.resultsBefore(from)) : null;
-        if (learns) {
-            queries.known(from, known::add);
-        }
+        known = learns ? queries.known(from) : null;
     }
 
     RepeatedGroups repeated() {

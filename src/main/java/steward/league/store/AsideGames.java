@@ -1,9 +1,7 @@
 package steward.league.store;
 
-import java.sql.ResultSet;
-import java.sql.SQLException;
-import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Stream;
 import steward.league.StoredGame;
 
 /**
@@ -16,7 +14,6 @@ public final class AsideGames {
     /** As {@link GameRows} writes it. */
     private static final String COUNTS = "iif((SELECT count(*) > 1 AND count(fault) = count(*) AND min(answers) = "
         + "max(answers) FROM seat WHERE seat.game = game.id), " + GameRows.ALL_FAILED + ", 1)";
-    private static final String BEGINS = "counts = 0 AND substr(problem, 1, length(?)) = ? AND ";
     private static final String OF_MACHINE = "machine IN (SELECT id FROM machine WHERE substr(name, 1, length(?)) = ?)";
     private static final String OF_BOT = "id BETWEEN ? AND ? AND id IN (SELECT game FROM seat WHERE version IN "
         + "(SELECT id FROM version WHERE bot = ?))";
@@ -43,7 +40,7 @@ public final class AsideGames {
         String which = OF_MACHINE + " AND season = ?";
         return database.inTransaction(() -> {
             back(StoredGame.SUSPENDED, which, machine, machine, season);
-            return aside(why, which, machine, machine, season).stream().map(id -> games.game((long) id)).toList();
+            return aside(why, which, machine, machine, season).stream().map(games::game).toList();
         });
     }
 
@@ -82,8 +79,8 @@ public final class AsideGames {
     /** Forgiven games of a bot count again, and their further attempts no more. @return how many */
     public int takeBack(String bot, Range games) {
         return database.inTransaction(() -> {
-            List<Object> back = back(StoredGame.FORGIVEN, OF_BOT, games.first(), games.last(), bot);
-            for (Object game : back) {
+            List<Long> back = back(StoredGame.FORGIVEN, OF_BOT, games.first(), games.last(), bot);
+            for (long game : back) {
                 aside(StoredGame.REPLACED + game + ", an earlier attempt, counts again", "EXISTS (SELECT 1 "
                     + "FROM game o WHERE o.id = ? AND o.season = game.season AND o.lineup = game.lineup AND o.seed = "
                     + "game.seed AND o.attempt < game.attempt)", game);
@@ -92,33 +89,14 @@ public final class AsideGames {
         });
     }
 
-    private List<Object> aside(String why, String which, Object... values) throws SQLException {
-        List<Object> games = ids("counts > 0 AND " + which, values);
-        for (Object game : games) {
-            database.update("UPDATE game SET counts = 0, problem = ? WHERE id = ?", why, game);
-            RowDigest.seal(database, "game", "id = ?", game);
-        }
-        return games;
+    private List<Long> aside(String why, String which, Object... values) {
+        return RowDigest.sealed(database, "game", "UPDATE game SET counts = 0, problem = ? WHERE counts > 0 AND "
+            + which, Stream.concat(Stream.of(why), Stream.of(values)).toArray());
     }
 
-    private List<Object> back(String begin, String which, Object... values) throws SQLException {
-        List<Object> all = new ArrayList<>(List.of(begin, begin));
-        all.addAll(List.of(values));
-        List<Object> games = ids(BEGINS + which, all.toArray());
-        for (Object game : games) {
-            database.update("UPDATE game SET counts = " + COUNTS + ", problem = NULL WHERE id = ?", game);
-            RowDigest.seal(database, "game", "id = ?", game);
-        }
-        return games;
-    }
-
-    private List<Object> ids(String which, Object... values) throws SQLException {
-        List<Object> games = new ArrayList<>();
-        try (ResultSet row = database.query("SELECT id FROM game WHERE " + which, values)) {
-            while (row.next()) {
-                games.add(row.getLong(1));
-            }
-        }
-        return games;
+    private List<Long> back(String begin, String which, Object... values) {
+        return RowDigest.sealed(database, "game", "UPDATE game SET counts = " + COUNTS + ", problem = NULL WHERE "
+            + "counts = 0 AND substr(problem, 1, length(?)) = ? AND " + which,
+            Stream.concat(Stream.of(begin, begin), Stream.of(values)).toArray());
     }
 }

@@ -7,7 +7,9 @@ import java.sql.PreparedStatement;
 import java.sql.ResultSet;
 import java.sql.SQLException;
 import java.sql.Statement;
+import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import org.sqlite.SQLiteConfig;
 import org.sqlite.SQLiteErrorCode;
@@ -39,6 +41,16 @@ final class Database implements AutoCloseable {
         T run() throws SQLException;
     }
 
+    /** Reader of a row. */
+    interface RowReader {
+        void read(ResultSet row) throws SQLException;
+    }
+
+    /** Maker of a value from a row. */
+    interface RowMaker<T> {
+        T make(ResultSet row) throws SQLException;
+    }
+
     private Database(Path file, Connection connection) {
         this.file = file;
         this.connection = connection;
@@ -66,58 +78,38 @@ final class Database implements AutoCloseable {
         }
         refuseUnusable(file, folder.path(), write);
         LeagueFolder.refuseRemote(folder.path());
-        NativeLibrary.prepare(folder.path());
-        return connect(file, write, isImmutable(folder, write), patienceMs,
-            database -> database.prepare(write, durable));
-    }
-
-    private static boolean isImmutable(LeagueFolder folder, boolean write) {
-        return !write && !Files.isWritable(folder.path()) && Files.notExists(log(folder.database()));
-    }
-
-    /** True if a league's database is there, and of an older form. */
-    static boolean isBehind(LeagueFolder folder) {
-        Path file = folder.database();
-        boolean[] behind = new boolean[1];
-        NativeLibrary.prepare(folder.path());
-        connect(file, false, isImmutable(folder, false), PATIENCE_MS, database ->
-            behind[0] = SchemaVersion.isBehind(database.connection, file)
-                && SchemaVersion.number(database.connection, "user_version") > 0).close();
-        return behind[0];
-    }
-
-    /** Preparation of a connection before it is used. */
-    private interface Preparation {
-        void of(Database database) throws SQLException;
-    }
-
-    private static Database connect(Path file, boolean write, boolean immutable, int patienceMs,
-                                    Preparation preparation) {
-        SQLiteConfig config = new SQLiteConfig();
-        config.setBusyTimeout(patienceMs);
-        config.setOpenMode(SQLiteOpenMode.OPEN_URI);
-        if (!write) {
-            config.setReadOnly(true);
-        }
-        String address = "jdbc:sqlite:" + (immutable ? file.toUri().toString().replace("file:///", "file:/")
-            + "?immutable=1" : file.toString());
-        Connection connection = null;
+        Database database = connect(folder, write, patienceMs);
         try {
-            connection = config.createConnection(address);
-            Database database = new Database(file, connection);
-            preparation.of(database);
+            database.prepare(write, durable);
             return database;
-        } catch (SQLException problem) {
-            close(connection);
-            throw meaning(file, problem);
         } catch (InputException refused) {
-            close(connection);
+            database.close();
             throw refused;
         }
     }
 
-    private static Path log(Path file) {
-        return file.resolveSibling(file.getFileName() + "-wal");
+    /** True if a league's database is there, and of an older form. */
+    static boolean isBehind(LeagueFolder folder) {
+        try (Database database = connect(folder, false, PATIENCE_MS)) {
+            return SchemaVersion.isBehind(database) && database.number(SchemaVersion.FORM) > 0;
+        }
+    }
+
+    private static Database connect(LeagueFolder folder, boolean write, int patienceMs) {
+        NativeLibrary.prepare(folder.path());
+        Path file = folder.database();
+        boolean isImmutable = !write && !Files.isWritable(folder.path())
+            && Files.notExists(file.resolveSibling(file.getFileName() + "-wal"));
+        SQLiteConfig config = new SQLiteConfig();
+        config.setBusyTimeout(patienceMs);
+        config.setOpenMode(SQLiteOpenMode.OPEN_URI);
+        config.setReadOnly(!write);
+        try {
+            return new Database(file, config.createConnection("jdbc:sqlite:" + (isImmutable
+                ? file.toUri().toString().replace("file:///", "file:/") + "?immutable=1" : file.toString())));
+        } catch (SQLException problem) {
+            throw meaning(file, problem);
+        }
     }
 
     private static void refuseUnusable(Path file, Path folder, boolean write) {
@@ -130,35 +122,24 @@ final class Database implements AutoCloseable {
         }
     }
 
-    private String unfit() throws SQLException {
-        return SchemaVersion.number(connection, "user_version") == 0 ? "an empty database"
-            : "a database of an older form";
-    }
-
-    private void prepare(boolean write, boolean durable) throws SQLException {
+    private void prepare(boolean write, boolean durable) {
         execute("PRAGMA cache_size = -" + CACHE_KIB);
-        boolean behind = SchemaVersion.isBehind(connection, file);
-        if (!write) {
-            if (behind) {
-                throw new InputException(file + ": found " + unfit() + ", expected one that 'steward league run' "
-                    + "has made or 'steward league verify' has brought up to date");
-            }
-            return;
+        boolean behind = SchemaVersion.isBehind(this);
+        if (write) {
+            execute("PRAGMA journal_mode = WAL");
+            execute("PRAGMA synchronous = " + (durable ? "FULL" : "NORMAL"));
+            before = behind ? SchemaVersion.migrate(this) : null;
+            refer(true);
+        } else if (behind) {
+            throw new InputException(file + ": found " + (number(SchemaVersion.FORM) == 0 ? "an empty database"
+                : "a database of an older form") + ", expected one that 'steward league run' has made or 'steward "
+                + "league verify' has brought up to date");
         }
-        execute("PRAGMA journal_mode = WAL");
-        execute("PRAGMA synchronous = " + (durable ? "FULL" : "NORMAL"));
-        if (behind) {
-            before = SchemaVersion.migrate(this);
-        }
-        refer(true);
     }
 
     /** Has rows to which others refer kept, or not; between transactions. */
     void refer(boolean kept) {
-        with(() -> {
-            execute("PRAGMA foreign_keys = " + (kept ? "ON" : "OFF"));
-            return null;
-        });
+        execute("PRAGMA foreign_keys = " + (kept ? "ON" : "OFF"));
     }
 
     /** Translates an error of the database for a person. */
@@ -220,13 +201,17 @@ final class Database implements AutoCloseable {
     private void rollback() {
         try {
             execute("ROLLBACK");
-        } catch (SQLException gone) {
+        } catch (InputException gone) {
             return;                                    // the database has rolled back by itself
         }
     }
 
-    /** A statement that is kept for the next time. */
-    PreparedStatement statement(String sql, Object... values) throws SQLException {
+    /** A query for one user at a time, its statement kept for the next time; the result is to be closed. */
+    ResultSet query(String sql, Object... values) throws SQLException {
+        return statement(sql, values).executeQuery();
+    }
+
+    private PreparedStatement statement(String sql, Object... values) throws SQLException {
         PreparedStatement statement = prepared.get(sql);
         if (statement == null) {
             statement = connection.prepareStatement(sql);
@@ -238,30 +223,46 @@ final class Database implements AutoCloseable {
         return statement;
     }
 
-    /** A query for one user at a time; the result is to be closed. */
-    ResultSet query(String sql, Object... values) throws SQLException {
-        return statement(sql, values).executeQuery();
+    /** Reads all rows of a query. */
+    void each(String sql, RowReader reader, Object... values) {
+        with(() -> {
+            try (ResultSet row = query(sql, values)) {
+                while (row.next()) {
+                    reader.read(row);
+                }
+                return null;
+            }
+        });
+    }
+
+    /** Returns what is made of each row of a query. */
+    <T> List<T> list(String sql, RowMaker<T> maker, Object... values) {
+        List<T> made = new ArrayList<>();
+        each(sql, row -> made.add(maker.make(row)), values);
+        return made;
     }
 
     /** The first column of the first row, or {@code null}. */
-    Object value(String sql, Object... values) throws SQLException {
-        try (ResultSet result = query(sql, values)) {
-            return result.next() ? result.getObject(1) : null;
-        }
+    Object value(String sql, Object... values) {
+        List<Object> found = list(sql, row -> row.getObject(1), values);
+        return found.isEmpty() ? null : found.get(0);
     }
 
-    int update(String sql, Object... values) throws SQLException {
-        return statement(sql, values).executeUpdate();
+    /** The first column of a row that is there, and holds a whole number. */
+    long number(String sql, Object... values) {
+        return ((Number) value(sql, values)).longValue();
     }
 
-    void execute(String sql) throws SQLException {
-        try (Statement statement = connection.createStatement()) {
-            statement.execute(sql);
-        }
+    int update(String sql, Object... values) {
+        return with(() -> statement(sql, values).executeUpdate());
     }
 
-    Connection connection() {
-        return connection;
+    void execute(String sql) {
+        with(() -> {
+            try (Statement statement = connection.createStatement()) {
+                return statement.execute(sql);
+            }
+        });
     }
 
     Path file() {
@@ -273,18 +274,12 @@ final class Database implements AutoCloseable {
         return before;
     }
 
-    private static void close(Connection connection) {
+    @Override
+    public synchronized void close() {
         try {
-            if (connection != null) {
-                connection.close();
-            }
+            connection.close();
         } catch (SQLException gone) {
             return;
         }
-    }
-
-    @Override
-    public synchronized void close() {
-        close(connection);
     }
 }

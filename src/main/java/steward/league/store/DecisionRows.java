@@ -1,11 +1,8 @@
 package steward.league.store;
 
-import java.sql.ResultSet;
-import java.sql.SQLException;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Map;
 import java.util.stream.Collectors;
 import steward.league.Decision;
 
@@ -21,18 +18,13 @@ final class DecisionRows {
         this.lineups = lineups;
     }
 
-    void add(int season, Decision.News news) throws SQLException {
-        for (Decision each : news.made()) {
-            add(season, each);
-        }
-        for (Map.Entry<Integer, Boolean> each : news.dropped().entrySet()) {
-            database.update("UPDATE decision SET dropped = ? WHERE season = ? AND number = ?",
-                each.getValue() ? 1 : 0, season, each.getKey());
-            RowDigest.seal(database, "decision", "season = ? AND number = ?", season, each.getKey());
-        }
+    void add(int season, Decision.News news) {
+        news.made().forEach(each -> add(season, each));
+        news.dropped().forEach((number, is) -> RowDigest.sealed(database, "decision", "UPDATE decision SET dropped = ? "
+            + "WHERE season = ? AND number = ?", is ? 1 : 0, season, number));
     }
 
-    private void add(int season, Decision decision) throws SQLException {
+    private void add(int season, Decision decision) {
         Object[] row = {season, decision.number(), decision.seed(), lineups.number(text(decision.group())),
             decision.paused().isEmpty() ? null : text(decision.paused()), 0, 0L};
         row[row.length - 1] = RowDigest.of(Arrays.copyOf(row, row.length - 1));
@@ -48,25 +40,21 @@ final class DecisionRows {
      * Adds one for each decision that has games but no row: its first game says on which seed and who plays; where each
      * plays alone, all of its games do. Games that {@link RowCheck} refuses are passed over.
      */
-    void ofGames() throws SQLException {
-        List<Integer> seasons = new ArrayList<>();
-        List<Decision> decisions = new ArrayList<>();
-        try (ResultSet row = database.query("SELECT s.id, g.decision, g.seed, iif(s.players = 1, "
+    void ofGames() {
+        List<Runnable> found = new ArrayList<>();
+        database.each("SELECT s.id, g.decision, g.seed, iif(s.players = 1, "
             + "group_concat(l.versions, ' '), l.versions), min(g.id) FROM game g JOIN season s ON s.id = g.season "
             + "JOIN lineup l ON l.id = g.lineup WHERE l.versions NOT GLOB '*[^0-9 ]*' AND typeof(g.decision) = "
             + "'integer' AND g.decision BETWEEN 0 AND 2147483647 AND typeof(g.seed) = 'integer' AND NOT EXISTS (SELECT "
-            + "1 FROM decision o WHERE o.season = g.season AND o.number = g.decision) GROUP BY s.id, g.decision")) {
-            while (row.next()) {
-                String versions = row.getString(4);
-                if (versions != null && RowCheck.VERSIONS.matcher(versions).matches()) {
-                    seasons.add(row.getInt(1));
-                    decisions.add(new Decision(row.getInt(2), row.getLong(3), Arrays.stream(GameQueries
-                        .numbers(versions)).sorted().distinct().boxed().toList(), List.of()));
-                }
+            + "1 FROM decision o WHERE o.season = g.season AND o.number = g.decision) GROUP BY s.id, g.decision", row -> {
+            String versions = row.getString(4);
+            if (versions != null && RowCheck.VERSIONS.matcher(versions).matches()) {
+                int season = row.getInt(1);
+                Decision decision = new Decision(row.getInt(2), row.getLong(3), Arrays.stream(GameQueries
+                    .numbers(versions)).sorted().distinct().boxed().toList(), List.of());
+                found.add(() -> add(season, decision));
             }
-        }
-        for (int k = 0; k < decisions.size(); k++) {
-            add(seasons.get(k), decisions.get(k));
-        }
+        });
+        found.forEach(Runnable::run);                  // rows that are being read do not change
     }
 }

@@ -1,6 +1,5 @@
 package steward.league.store;
 
-import java.sql.SQLException;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -36,8 +35,8 @@ final class GameRows {
      *
      * @return how many are new
      */
-    int add(int season, List<StoredGame> games) throws SQLException {
-        long first = ((Number) database.value("SELECT coalesce(max(id), 0) + 1 FROM game")).longValue();
+    int add(int season, List<StoredGame> games) {
+        long first = database.number("SELECT coalesce(max(id), 0) + 1 FROM game");
         int added = 0;
         for (StoredGame game : games) {
             added += add(season, game, first + added) ? 1 : 0;
@@ -46,7 +45,7 @@ final class GameRows {
     }
 
     /** @param id of the game if it is new */
-    private boolean add(int season, StoredGame game, long id) throws SQLException {
+    private boolean add(int season, StoredGame game, long id) {
         Object[] row = {id, game.name(), season, game.decision() < 0 ? null : game.decision(), game.seed(),
             lineups.number(lineup(game)), game.ranks(), game.attempt(),
             !game.counts() ? 0 : game.allFailed() ? ALL_FAILED : 1, game.turns(), game.problem(), game.played(),
@@ -65,10 +64,7 @@ final class GameRows {
         if (database.update("INSERT INTO game (id, name, season, decision, seed, lineup, ranks, attempt, counts, "
                 + "turns, problem, played, machine, replay, transcript, digest) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
                 + "?, ?, ?, ?, ?, ?) ON CONFLICT (name) DO NOTHING", row) == 0) {
-            if (game.decision() >= 0 && database.update("UPDATE game SET decision = ? WHERE name = ? AND decision IS "
-                    + "NULL", game.decision(), game.name()) > 0) {
-                RowDigest.seal(database, "game", "name = ?", (Object) game.name());
-            }
+            adopt(game.name(), game.decision());
             return false;
         }
         for (Object[] seat : seats) {
@@ -76,6 +72,12 @@ final class GameRows {
                 + "worst_nanos, first_nanos, own) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)", seat);
         }
         return true;
+    }
+
+    /** Makes a game that is there, and of no decision, part of one; not of a negative number. */
+    List<Long> adopt(byte[] name, int decision) {
+        return RowDigest.sealed(database, "game", "UPDATE game SET decision = ?1 WHERE name = ?2 AND decision IS "
+            + "NULL AND ?1 >= 0", decision, name);
     }
 
     private static String lineup(StoredGame game) {

@@ -1,9 +1,6 @@
 package steward.league.store;
 
 import java.nio.file.Path;
-import java.sql.ResultSet;
-import java.sql.SQLException;
-import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
@@ -22,8 +19,6 @@ import steward.league.StoredGame;
 public final class GameStore implements AutoCloseable {
 
     private static final String VERSION = "version";
-    private static final String GAME = "game";
-    private static final String ID = "id = ?";
 
     private final Database database;
     private final GameRows gameRows;
@@ -107,64 +102,46 @@ public final class GameStore implements AutoCloseable {
 
     /** The number of a season that is there, by its key. */
     public Optional<Integer> season(Season season) {
-        return database.with(() -> Optional.ofNullable(database.value("SELECT id FROM season WHERE key = ?",
-            season.key())).map(id -> ((Number) id).intValue()));
+        return database.list("SELECT id FROM season WHERE key = ?", row -> row.getInt(1), season.key()).stream()
+            .findFirst();
     }
 
     /** The season that was opened last, if there is any. */
     public Optional<Season> lastSeason() {
-        return database.with(() -> {
-            try (ResultSet row = database.query("SELECT scene, scene_key, limits, rules, players, "
-                + "lower_is_better FROM season ORDER BY opened DESC, id DESC LIMIT 1")) {
-                return row.next() ? Optional.of(Season.of(row.getString(1), row.getString(2), row.getString(3),
-                    row.getString(4), row.getInt(5), row.getBoolean(6))) : Optional.empty();
-            }
-        });
+        return database.list("SELECT scene, scene_key, limits, rules, players, lower_is_better FROM season ORDER BY "
+            + "opened DESC, id DESC LIMIT 1", row -> Season.of(row.getString(1), row.getString(2), row.getString(3),
+            row.getString(4), row.getInt(5), row.getBoolean(6))).stream().findFirst();
     }
 
     /** Opens a season, new or again; it is the last one then. */
     public int open(Season season) {
-        return database.inTransaction(() -> {
-            long order = 1 + ((Number) database.value("SELECT coalesce(max(opened), 0) FROM season")).longValue();
-            database.update("INSERT INTO season (key, scene, scene_key, limits, rules, players, "
-                + "lower_is_better, opened) VALUES (?, ?, ?, ?, ?, ?, ?, ?) ON CONFLICT (key) DO UPDATE "
-                + "SET opened = excluded.opened", season.key(),
-                season.sceneName(), season.sceneKey(), season.limits(), season.rules(), season.players(),
-                season.lowerScoreIsBetter() ? 1 : 0, order);
-            RowDigest.seal(database, "season", "key = ?", season.key());
-            return ((Number) database.value("SELECT id FROM season WHERE key = ?", season.key())).intValue();
-        });
+        return database.inTransaction(() -> RowDigest.sealed(database, "season", "INSERT INTO season (key, scene, "
+            + "scene_key, limits, rules, players, lower_is_better, opened) VALUES (?, ?, ?, ?, ?, ?, ?, (SELECT 1 + "
+            + "coalesce(max(opened), 0) FROM season)) ON CONFLICT (key) DO UPDATE SET opened = excluded.opened",
+            season.key(), season.sceneName(), season.sceneKey(), season.limits(), season.rules(), season.players(),
+            season.lowerScoreIsBetter() ? 1 : 0).get(0).intValue());
     }
 
     /** Returns how many games a season has, of whatever kind. */
     public long games(int season) {
-        return database.with(() -> ((Number) database.value("SELECT count(*) FROM game WHERE season = ?", season))
-            .longValue());
+        return database.number("SELECT count(*) FROM game WHERE season = ?", season);
     }
 
     // ---- versions of bots ------------------------------------------------------------------------
 
     /** All versions, by number. */
     public List<Version> versions() {
-        return database.with(() -> {
-            List<Version> versions = new ArrayList<>();
-            try (ResultSet row = database.query("SELECT v.id, bot, number, command, random, "
-                + "(SELECT hash FROM identity i WHERE i.version = v.id ORDER BY i.began, hash LIMIT 1), "
-                + "max(began, coalesce((SELECT max(played) FROM game WHERE id IN (SELECT max(game) FROM seat WHERE "
-                + "season IN (SELECT id FROM season) AND version = v.id GROUP BY season)), 0)), paused, "
-                + "time_limit FROM version v ORDER BY v.id")) {
-                while (row.next()) {
-                    versions.add(new Version(row.getInt(1), row.getString(2), row.getInt(3), row.getString(4),
-                        row.getBoolean(5), row.getString(6), row.getLong(7), row.getBoolean(8),
-                        row.getString(9)));
-                }
-            }
-            return versions;
-        });
+        return database.list("SELECT v.id, bot, number, command, random, "
+            + "(SELECT hash FROM identity i WHERE i.version = v.id ORDER BY i.began, hash LIMIT 1), "
+            + "max(began, coalesce((SELECT max(played) FROM game WHERE id IN (SELECT max(game) FROM seat WHERE "
+            + "season IN (SELECT id FROM season) AND version = v.id GROUP BY season)), 0)), paused, "
+            + "time_limit FROM version v ORDER BY v.id", row -> new Version(row.getInt(1), row.getString(2),
+            row.getInt(3), row.getString(4), row.getBoolean(5), row.getString(6), row.getLong(7), row.getBoolean(8),
+            row.getString(9)));
     }
 
     public Optional<Version> version(String identity) {
-        Object id = database.with(() -> database.value("SELECT version FROM identity WHERE hash = ?", identity));
+        Object id = database.value("SELECT version FROM identity WHERE hash = ?", identity);
         return id == null ? Optional.empty()
             : versions().stream().filter(version -> version.id() == ((Number) id).intValue()).findFirst();
     }
@@ -186,16 +163,14 @@ public final class GameStore implements AutoCloseable {
             database.update("INSERT INTO version (bot, number, command, time_limit, random, began) VALUES (?, 1 + "
                 + "(SELECT coalesce(max(number), 0) FROM version WHERE bot = ?), ?, ?, ?, ?)", bot, bot, command,
                 timeLimit, random ? 1 : 0, now);
-            long id = ((Number) database.value("SELECT last_insert_rowid()")).longValue();
-            return addIdentity(id, identity, now);
+            return addIdentity(database.number("SELECT last_insert_rowid()"), identity, now);
         });
         return version(identity).orElseThrow();
     }
 
-    private Object addIdentity(long version, String identity, long now) throws SQLException {
+    private List<Long> addIdentity(long version, String identity, long now) {
         database.update("INSERT INTO identity (hash, version, began) VALUES (?, ?, ?)", identity, version, now);
-        RowDigest.seal(database, VERSION, ID, version);
-        return null;
+        return RowDigest.sealed(database, VERSION, "UPDATE version SET id = id WHERE id = ?", version);
     }
 
     /** Another identity of a version: a change that is said to change nothing. */
@@ -205,47 +180,35 @@ public final class GameStore implements AutoCloseable {
 
     /** Marks a version as one that draws by lot. @return the version with its mark */
     public Version markRandom(Version version) {
-        database.inTransaction(() -> {
-            database.update("UPDATE version SET random = 1 WHERE id = ?", version.id());
-            RowDigest.seal(database, VERSION, ID, version.id());
-            return null;
-        });
+        update("UPDATE version SET random = 1 WHERE id = ?", version.id());
         return version(version.identity()).orElseThrow();
     }
 
     /** Notes whether a version is paused. */
     public void pause(int version, boolean paused) {
-        database.inTransaction(() -> {
-            database.update("UPDATE version SET paused = ? WHERE id = ?", paused ? 1 : 0, version);
-            RowDigest.seal(database, VERSION, ID, version);
-            return null;
-        });
+        update("UPDATE version SET paused = ? WHERE id = ?", paused ? 1 : 0, version);
     }
 
     /** All versions of a bot under another name. */
     public void rename(String bot, String name) {
-        database.inTransaction(() -> {
-            database.update("UPDATE version SET bot = ? WHERE bot = ?", name, bot);
-            RowDigest.seal(database, VERSION, "bot = ?", name);
-            return null;
-        });
+        update("UPDATE version SET bot = ? WHERE bot = ?", name, bot);
+    }
+
+    private void update(String versions, Object... values) {
+        database.inTransaction(() -> RowDigest.sealed(database, VERSION, versions, values));
     }
 
     /** Returns how many games of any season a version has that count. */
     public long gamesOf(int version) {
-        return database.with(() -> ((Number) database.value("SELECT count(*) FROM seat WHERE season IN "
-            + "(SELECT id FROM season) AND version = ?", version)).longValue());
+        return database.number("SELECT count(*) FROM seat WHERE season IN (SELECT id FROM season) AND version = ?",
+            version);
     }
 
     // ---- games -----------------------------------------------------------------------------------
 
     /** Makes a game that is there part of a decision. */
     public void adopt(byte[] name, int decision) {
-        database.inTransaction(() -> {
-            database.update("UPDATE game SET decision = ? WHERE name = ? AND decision IS NULL", decision, name);
-            RowDigest.seal(database, GAME, "name = ?", (Object) name);
-            return null;
-        });
+        database.inTransaction(() -> gameRows.adopt(name, decision));
     }
 
     /**
@@ -261,9 +224,7 @@ public final class GameStore implements AutoCloseable {
     int add(int season, List<Decision.News> news, List<StoredGame> games) {
         try {
             return database.inTransaction(() -> {
-                for (Decision.News each : news) {
-                    decisionRows.add(season, each);
-                }
+                news.forEach(each -> decisionRows.add(season, each));
                 return gameRows.add(season, games);
             });
         } catch (InputException failed) {
@@ -274,13 +235,8 @@ public final class GameStore implements AutoCloseable {
 
     /** Forgets where a replay was. */
     public void withoutReplays(List<Long> games) {
-        database.inTransaction(() -> {
-            for (long game : games) {
-                database.update("UPDATE game SET replay = NULL WHERE id = ?", game);
-                RowDigest.seal(database, GAME, ID, game);
-            }
-            return null;
-        });
+        database.inTransaction(() -> games.stream().map(game -> RowDigest.sealed(database, "game", "UPDATE game SET "
+            + "replay = NULL WHERE id = ?", game)).toList());
     }
 
     /** Rows that no version of the program writes, at most so many. */
@@ -301,10 +257,8 @@ public final class GameStore implements AutoCloseable {
             do {
                 decisionRows.ofGames();
                 rows = RowCheck.of(database, Integer.MAX_VALUE);
-                for (BadRow row : rows) {
-                    database.execute("DELETE FROM " + row.table() + " WHERE " + row.key());
-                    dropped++;
-                }
+                rows.forEach(row -> database.execute("DELETE FROM " + row.table() + " WHERE " + row.key()));
+                dropped += rows.size();
                 gameRows.forget();
             } while (!rows.isEmpty());
             return dropped;
@@ -313,7 +267,7 @@ public final class GameStore implements AutoCloseable {
 
     /** Number of games of all seasons. */
     public long games() {
-        return database.with(() -> ((Number) database.value("SELECT count(*) FROM game")).longValue());
+        return database.number("SELECT count(*) FROM game");
     }
 
     /**
@@ -321,15 +275,8 @@ public final class GameStore implements AutoCloseable {
      * column's, or against its rules, are bad rows, whole as they are.
      */
     public String integrity() {
-        return database.with(() -> {
-            String found = null;
-            try (ResultSet row = database.query("PRAGMA integrity_check")) {
-                while (found == null && row.next()) {
-                    found = row.getString(1).matches("\\S+ value in \\S+|CHECK .*") ? null : row.getString(1);
-                }
-            }
-            return found == null ? "ok" : found;
-        });
+        return database.list("PRAGMA integrity_check", row -> row.getString(1)).stream()
+            .filter(found -> !found.matches("\\S+ value in \\S+|CHECK .*")).findFirst().orElse("ok");
     }
 
     /**
@@ -341,7 +288,7 @@ public final class GameStore implements AutoCloseable {
         // On a connection of its own: it must have no other statement, and others go on meanwhile.
         try (Database own = Database.open(new LeagueFolder(database.file().toAbsolutePath().getParent()), false,
                 false)) {
-            own.with(() -> own.update("VACUUM INTO ?", file.toString()));
+            own.update("VACUUM INTO ?", file.toString());
         }
     }
 

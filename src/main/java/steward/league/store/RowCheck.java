@@ -1,9 +1,6 @@
 package steward.league.store;
 
-import java.sql.ResultSet;
-import java.sql.SQLException;
 import java.util.Arrays;
-import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -39,11 +36,6 @@ final class RowCheck {
     /** By table and key, the first that was found of each. */
     private final Map<String, BadRow> found = new LinkedHashMap<>();
 
-    /** Judge of a row: returns what is expected in place of a value; {@code null} if it can be used. */
-    private interface Judge {
-        String expected(ResultSet row) throws SQLException;
-    }
-
     private RowCheck(Database database, int most) {
         this.database = database;
         this.most = most;
@@ -54,7 +46,7 @@ final class RowCheck {
      *
      * @param most after which it stops
      */
-    static List<BadRow> of(Database database, int most) throws SQLException {
+    static List<BadRow> of(Database database, int most) {
         if (RowDigest.isSound(database)) {
             return List.of();
         }
@@ -65,19 +57,16 @@ final class RowCheck {
     }
 
     /** Finds the rows that cannot be used in a database whose rows have no digests yet. */
-    static List<BadRow> withoutDigests(Database database) throws SQLException {
+    static List<BadRow> withoutDigests(Database database) {
         RowCheck check = new RowCheck(database, Integer.MAX_VALUE);
         check.rules();
         return List.copyOf(check.found.values());
     }
 
     /** The rules of the tables, which rows of an older form or of a damaged file may break, and what is none of SQL. */
-    private void rules() throws SQLException {
-        for (Map.Entry<String, String> table : SchemaVersion.TABLES.entrySet()) {
-            for (MatchResult column : COLUMN.matcher(table.getValue()).results().toList()) {
-                rules(table.getKey(), column);
-            }
-        }
+    private void rules() {
+        SchemaVersion.TABLES.forEach((name, table) -> COLUMN.matcher(table).results().forEach(column ->
+            rules(name, column)));
         refuse("game", "decision", "decision IS NOT NULL AND NOT EXISTS (SELECT 1 FROM decision o WHERE o.season = "
             + "t.season AND o.number = t.decision)", "a row of the table decision of this season");
         refuse("version", "id", "NOT EXISTS (SELECT 1 FROM identity o WHERE o.version = t.id)", "one that a row of the "
@@ -88,11 +77,7 @@ final class RowCheck {
                 row.getString(5), row.getString(6), row.getString(7), row.getInt(8), row.getBoolean(9)).key();
             return key == null || key.equals(row.getString(3)) ? null : "'" + key + "', which follows from the row";
         });
-        Set<Integer> versions = new HashSet<>();
-        look("version", "id", "id", "1", row -> {
-            versions.add(row.getInt(3));
-            return null;
-        });
+        Set<Integer> versions = Set.copyOf(database.list("SELECT id FROM version", row -> row.getInt(1)));
         look("lineup", "versions", "versions", "1", row -> {
             boolean isForm = row.getString(3) != null && VERSIONS.matcher(row.getString(3)).matches();
             return !isForm ? "numbers of versions, apart by blanks" : versions.containsAll(Arrays.stream(GameQueries
@@ -115,7 +100,7 @@ final class RowCheck {
         }
     }
 
-    private void rules(String table, MatchResult line) throws SQLException {
+    private void rules(String table, MatchResult line) {
         String column = line.group(1);
         String expected = line.group(6) == null ? EXPECTED.get(line.group(2)) : line.group(6);
         refuse(table, column, "typeof(" + column + ") <> '" + line.group(2).toLowerCase(Locale.ROOT) + "'"
@@ -136,21 +121,22 @@ final class RowCheck {
     }
 
     /** Finds the rows of a table of which a condition is true. */
-    private void refuse(String table, String column, String bad, String expected) throws SQLException {
+    private void refuse(String table, String column, String bad, String expected) {
         look(table, column, "1", bad, row -> expected);
     }
 
-    /** @param more columns for the judge, from the third on: the first two are key and value */
-    private void look(String table, String column, String more, String which, Judge judge) throws SQLException {
-        try (ResultSet row = database.query("SELECT " + KEYS.getOrDefault(table, "'id = ' || id") + ", quote(" + column
-                + "), " + more + " FROM " + table + " t WHERE " + which)) {
-            while (found.size() < most && row.next()) {
-                String expected = judge.expected(row);
+    /**
+     * @param more  columns for the judge, from the third on: the first two are key and value
+     * @param judge returns what is expected in place of the value; {@code null} if it can be used
+     */
+    private void look(String table, String column, String more, String which, Database.RowMaker<String> judge) {
+        database.each("SELECT " + KEYS.getOrDefault(table, "'id = ' || id") + ", quote(" + column + "), " + more
+            + " FROM " + table + " t WHERE " + which, row -> {
+                String expected = judge.make(row);
                 if (expected != null) {
                     add(new BadRow(table, row.getString(1), column, shortened(row.getString(2)), expected));
                 }
-            }
-        }
+            });
     }
 
     private void add(BadRow row) {

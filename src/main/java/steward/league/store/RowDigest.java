@@ -24,10 +24,9 @@ final class RowDigest {
     /**
      * A table whose rows have digests. A column of any table that is called like one of them refers to its rows.
      *
-     * @param part  the table whose rows belong to a row of this one, or {@code null}
-     * @param owner its column with the id of the row to which they belong
+     * @param part the table whose rows belong to a row of this one, by a column of this one's name; or {@code null}
      */
-    private record Table(String name, String part, String owner) {
+    private record Table(String name, String part) {
 
         /** The column {@code id}, or both that are the key of a decision. */
         String id() {
@@ -56,12 +55,11 @@ final class RowDigest {
 
     private static final String DECISION = "decision";
     /** Each stands behind those to which it refers. */
-    private static final List<Table> TABLES = List.of(new Table("season", null, null),
-        new Table("version", "identity", "version"), new Table("machine", null, null), new Table("lineup", null, null),
-        new Table(DECISION, null, null), new Table("game", "seat", "game"));
+    private static final List<Table> TABLES = List.of(new Table("season", null), new Table("version", "identity"),
+        new Table("machine", null), new Table("lineup", null), new Table(DECISION, null), new Table("game", "seat"));
     /** Whole numbers from 0 to 2^31 - 1 in every row. */
-    private static final Set<String> SMALL = Set.of("season", "version", "seat", "rank", "lineup", "attempt", "counts",
-        "dropped");
+    private static final Set<String> SMALL = Set.of("season", "version", "seat", "rank", "lineup", "number", "attempt",
+        "counts", "turns", "dropped", "answers");
     /** Stands for a value that is not there. */
     private static final long NOTHING = 0x6E6F7468696E67L;
 
@@ -73,16 +71,12 @@ final class RowDigest {
     /**
      * A column.
      *
-     * @param isAlways true if it has a value in each row: then one call asks for it
+     * @param half     which half of the numbers that are fetched by twos has it; 0 if it is fetched alone
+     * @param place    where it is fetched alone
+     * @param lacks    its bit in the first half, number 0, which is set where it has no value
      * @param referred the rows to which it refers; {@code null} if it refers to none, or they are not known
-     * @param lower    place of the column that is fetched with it as the lower half of one number, or -1
      */
-    private record Column(String name, Kind kind, boolean isAlways, Rows referred, int lower) {
-
-        String expression(Column... columns) {
-            return lower < 0 ? name : "(" + name + " << 32) + " + columns[lower].name;
-        }
-    }
+    private record Column(String name, Kind kind, int half, int place, int lacks, Rows referred) { }
 
     /** Rows by ascending id, each with a digest as it is stored and as it is computed. */
     private static final class Rows {
@@ -128,9 +122,7 @@ final class RowDigest {
     static long of(Object... values) {
         StateHash hash = new StateHash();
         for (Object value : values) {
-            if (value == null) {
-                hash.add(NOTHING);
-            } else if (value instanceof Double number) {
+            if (value instanceof Double number) {
                 hash.add(number + 0.0);                                   // SQLite does not keep the sign of 0
             } else if (value instanceof Number whole) {
                 hash.add(whole.longValue());
@@ -142,8 +134,8 @@ final class RowDigest {
     }
 
     private static void add(StateHash hash, byte[] bytes) {
-        hash.add((long) bytes.length);
-        for (int from = 0; from < bytes.length; from += Long.BYTES) {
+        hash.add(bytes == null ? NOTHING : bytes.length);
+        for (int from = 0; bytes != null && from < bytes.length; from += Long.BYTES) {
             long word = 0;
             for (int k = from; k < Math.min(bytes.length, from + Long.BYTES); k++) {
                 word = word << Byte.SIZE | bytes[k] & 0xFF;
@@ -152,33 +144,32 @@ final class RowDigest {
         }
     }
 
-    /** Gives rows of a table the digests that they should have. */
-    static void seal(Database database, String table, String where, Object... values) throws SQLException {
+    /**
+     * Runs a statement that changes rows of a table, or adds some, and gives them the digests that they should have.
+     *
+     * @return the ids of these rows
+     */
+    static List<Long> sealed(Database database, String table, String statement, Object... values) {
         Table of = TABLES.stream().filter(each -> each.name().equals(table)).findFirst().orElseThrow();
-        List<Long> ids = new ArrayList<>();
-        try (ResultSet row = database.query("SELECT " + of.id() + " FROM " + table + " WHERE " + where, values)) {
-            while (row.next()) {
-                ids.add(row.getLong(1));
-            }
-        }
-        for (long id : ids) {
-            set(database, of, rows(database, of, null, " WHERE " + of.which(), " WHERE " + of.owner() + " = ?", id));
-        }
+        List<Long> ids = database.list(statement + " RETURNING " + of.id(), row -> row.getLong(1), values);
+        ids.forEach(id -> set(database, of, rows(database, of, null, " WHERE " + of.which(), " WHERE " + table + " = ?",
+            id)));
+        return ids;
     }
 
     /** Gives all rows their digests, but those that cannot be used: an earlier form had none. */
-    static void sealAll(Database database, List<BadRow> unusable) throws SQLException {
+    static void sealAll(Database database, List<BadRow> unusable) {
         for (Table table : TABLES) {
             set(database, table, rows(database, table, null, "", ""));
             for (BadRow row : unusable) {
                 String which = row.table().equals(table.name()) ? row.key() : row.table().equals(table.part())
-                    ? "id IN (SELECT " + table.owner() + " FROM " + table.part() + " WHERE " + row.key() + ")" : "0";
+                    ? "id IN (SELECT " + table.name() + " FROM " + table.part() + " WHERE " + row.key() + ")" : "0";
                 database.execute("UPDATE " + table.name() + " SET digest = 0 WHERE " + which);
             }
         }
     }
 
-    private static void set(Database database, Table table, Rows rows) throws SQLException {
+    private static void set(Database database, Table table, Rows rows) {
         for (int k = 0; k < rows.size; k++) {
             database.update("UPDATE " + table.name() + " SET digest = ?2 WHERE " + table.which(), rows.ids[k],
                 rows.computed[k]);
@@ -186,7 +177,7 @@ final class RowDigest {
     }
 
     /** True if all rows have their digests, and none refers to another that is not there. */
-    static boolean isSound(Database database) throws SQLException {
+    static boolean isSound(Database database) {
         Map<String, Rows> known = new HashMap<>();
         boolean sound = true;
         for (Table table : TABLES) {
@@ -196,7 +187,7 @@ final class RowDigest {
     }
 
     /** Finds rows whose digest is another one. */
-    static void check(Database database, Consumer<BadRow> taker) throws SQLException {
+    static void check(Database database, Consumer<BadRow> taker) {
         for (Table table : TABLES) {
             Rows rows = rows(database, table, null, "", "");
             for (int k = 0; k < rows.size; k++) {
@@ -211,7 +202,7 @@ final class RowDigest {
 
     /** @param known the rows of tables, those of this one are added; {@code null} if nobody asks for references */
     private static Rows rows(Database database, Table table, Map<String, Rows> known, String where, String partWhere,
-                             Object... values) throws SQLException {
+                             Object... values) {
         Rows rows = new Rows();
         scan(database, table, false, known, where + " ORDER BY " + table.order(), rows, values);
         if (known != null) {
@@ -223,100 +214,71 @@ final class RowDigest {
         return rows;
     }
 
-    /** Reads a table, or its part; each value once, since fetching it costs more than finding it. */
+    /** Reads a table, or its part: few values a row, since fetching one costs more than finding it. */
     private static void scan(Database database, Table table, boolean isPart, Map<String, Rows> known, String which,
-                             Rows rows, Object... values) throws SQLException {
+                             Rows rows, Object... values) {
         String name = isPart ? table.part() : table.name();
-        Column[] columns = columns(database, name, known);
-        List<String> names = Arrays.stream(columns).map(Column::name).toList();
-        boolean isDecision = name.equals(DECISION);
-        List<String> fetched = new ArrayList<>(isPart ? List.of() : isDecision ? List.of(table.id(), "digest")
-            : List.of("digest"));
-        int digestAt = fetched.size();
-        int[] places = new int[columns.length];
-        Set<Integer> lower = Arrays.stream(columns).map(Column::lower).collect(Collectors.toSet());
-        for (int k = 0; k < columns.length; k++) {
-            if (!lower.contains(k)) {
-                fetched.add(columns[k].expression(columns));
-                places[k] = fetched.size();
-            }
-        }
-        int idAt = names.indexOf(isPart ? table.owner() : "id");
-        int seasonAt = names.indexOf("season");
-        int decisionAt = names.indexOf(DECISION);
-        long[] found = new long[columns.length];
-        StateHash hash = new StateHash();
-        try (ResultSet row = database.query("SELECT " + String.join(", ", fetched) + " FROM " + name + which, values)) {
-            while (row.next()) {
-                hash.reset();
-                long id = isDecision ? row.getLong(1) : 0;
-                if (isDecision) {
-                    hash.add(id >> Integer.SIZE);
-                    hash.add((long) (int) id);
-                }
-                for (int k = 0; k < columns.length; k++) {
-                    if (columns[k].lower() >= 0) {
-                        long both = row.getLong(places[k]);
-                        found[columns[k].lower()] = (int) both;
-                        found[k] = both >> Integer.SIZE;
-                        hash.add(found[k]);
-                    } else if (places[k] == 0) {
-                        hash.add(found[k]);
-                    } else {
-                        found[k] = add(hash, row, places[k], columns[k]);
-                    }
-                    rows.broken |= columns[k].referred() != null && found[k] != NOTHING && columns[k].referred()
-                        .find(k == decisionAt ? found[seasonAt] << Integer.SIZE | found[k] : found[k]) < 0;
-                }
-                id = idAt < 0 ? id : found[idAt];
-                if (isPart) {
-                    rows.addPart(id, hash.value());
-                } else {
-                    rows.add(id, row.getLong(digestAt), hash.value());
-                }
-            }
-        }
-    }
-
-    /** Adds a value. @return what it refers to if it is a whole number */
-    private static long add(StateHash hash, ResultSet row, int place, Column column) throws SQLException {
-        if (column.kind() == Kind.TEXT || column.kind() == Kind.BLOB) {
-            byte[] bytes = row.getBytes(place);
-            if (bytes == null) {
-                hash.add(NOTHING);
-            } else {
-                add(hash, bytes);
-            }
-            return NOTHING;
-        }
-        if (column.kind() == Kind.REAL) {
-            hash.add(row.getDouble(place) + 0.0);
-            return NOTHING;
-        }
-        long whole = row.getLong(place);
-        long value = whole == 0 && !column.isAlways() && row.wasNull() ? NOTHING : whole;
-        hash.add(value);
-        return value;
-    }
-
-    /** The columns of a table, but its digest and the two that are the id of a decision. */
-    private static Column[] columns(Database database, String table, Map<String, Rows> known) throws SQLException {
         List<Column> columns = new ArrayList<>();
-        int upper = -1;
-        try (ResultSet row = database.query("SELECT name, type, \"notnull\" OR pk FROM pragma_table_info(?1) "
-            + "WHERE name <> 'digest' AND NOT (?1 = '" + DECISION + "' AND name IN ('season', 'number'))", table)) {
-            while (row.next()) {
-                Column column = new Column(row.getString(1), Kind.valueOf(row.getString(2)), row.getBoolean(3),
-                    known == null ? null : known.get(row.getString(1)), -1);
-                boolean isSmall = SMALL.contains(column.name());
-                if (isSmall && upper >= 0) {
-                    Column other = columns.get(upper);
-                    columns.set(upper, new Column(other.name(), other.kind(), true, other.referred(), columns.size()));
-                }
-                upper = !isSmall ? upper : upper < 0 ? columns.size() : -1;
-                columns.add(column);
-            }
+        List<String> fetched = new ArrayList<>(isPart ? List.of() : List.of("digest"));
+        List<String> halves = new ArrayList<>(List.of("0"));
+        database.each("SELECT name, type, \"notnull\" OR pk FROM pragma_table_info(?) WHERE name <> 'digest'", row -> {
+            String column = row.getString(1);
+            boolean isSmall = SMALL.contains(column);
+            int bit = row.getBoolean(3) ? 0 : 1 << columns.size();
+            (isSmall ? halves : fetched).add(column);
+            halves.set(0, halves.get(0) + (bit == 0 ? "" : " + iif(" + column + " IS NULL, " + bit + ", 0)"));
+            columns.add(new Column(column, Kind.valueOf(row.getString(2)), isSmall ? halves.size() - 1 : 0, fetched.size(), bit,
+                known == null ? null : known.get(column)));
+        }, name);
+        int alone = fetched.size();
+        for (int k = 0; k < halves.size(); k += 2) {
+            fetched.add("(" + halves.get(k) + " << 32) | " + (k + 1 < halves.size() ? halves.get(k + 1) : "0"));
         }
-        return columns.toArray(new Column[0]);
+        List<String> names = columns.stream().map(Column::name).toList();
+        int idAt = names.indexOf(isPart ? table.name() : "id");
+        int seasonAt = names.indexOf("season");
+        long[] pairs = new long[fetched.size() - alone];
+        long[] found = new long[columns.size()];
+        StateHash hash = new StateHash();
+        database.each("SELECT " + String.join(", ", fetched) + " FROM " + name + which, row -> {
+            hash.reset();
+            for (int k = 0; k < pairs.length; k++) {
+                pairs[k] = row.getLong(alone + 1 + k);
+            }
+            for (int k = 0; k < found.length; k++) {
+                Column column = columns.get(k);
+                if (column.half() > 0) {
+                    long pair = pairs[column.half() / 2];
+                    found[k] = column.half() % 2 == 0 ? pair >> Integer.SIZE : (int) pair;
+                    hash.add(found[k]);
+                } else {
+                    found[k] = add(hash, row, column, (pairs[0] >> Integer.SIZE & column.lacks()) != 0);
+                }
+                rows.broken |= column.referred() != null && found[k] != NOTHING && column.referred().find(
+                    column.name().equals(DECISION) ? found[seasonAt] << Integer.SIZE | found[k] : found[k]) < 0;
+            }
+            long id = idAt >= 0 ? found[idAt] : found[seasonAt] << Integer.SIZE | found[seasonAt + 1];
+            if (isPart) {
+                rows.addPart(id, hash.value());
+            } else {
+                rows.add(id, row.getLong(1), hash.value());
+            }
+        }, values);
+    }
+
+    /** Adds a value that is fetched alone. @return what it refers to if it is a whole number */
+    private static long add(StateHash hash, ResultSet row, Column column, boolean isLacking) throws SQLException {
+        if (isLacking) {
+            hash.add(NOTHING);
+        } else if (column.kind() == Kind.INTEGER) {
+            long whole = row.getLong(column.place());
+            hash.add(whole);
+            return whole;
+        } else if (column.kind() == Kind.REAL) {
+            hash.add(row.getDouble(column.place()) + 0.0);
+        } else {
+            add(hash, row.getBytes(column.place()));
+        }
+        return NOTHING;
     }
 }

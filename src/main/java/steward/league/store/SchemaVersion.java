@@ -1,10 +1,6 @@
 package steward.league.store;
 
 import java.nio.file.Path;
-import java.sql.Connection;
-import java.sql.ResultSet;
-import java.sql.SQLException;
-import java.sql.Statement;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -23,6 +19,8 @@ final class SchemaVersion {
     /** "Stwd": tells a league's database from others. */
     static final int APPLICATION = 0x53747764;
 
+    /** The statement that asks for the form. */
+    static final String FORM = "PRAGMA user_version";
     private static final int OLDEST = 4;
     /** The newest one. */
     static final int NEWEST = 5;
@@ -142,16 +140,16 @@ final class SchemaVersion {
      *
      * @return whether there is nothing in it yet, or it is of form 4
      */
-    static boolean isBehind(Connection connection, Path file) throws SQLException {
-        int found = number(connection, "user_version");
-        if (found > 0 ? number(connection, "application_id") != APPLICATION
-                : number(connection, "schema_version") > 0) {
-            throw new InputException(file + ": found a database of another program, expected a league's");
+    static boolean isBehind(Database database) {
+        long found = database.number(FORM);
+        if (found > 0 ? database.number("PRAGMA application_id") != APPLICATION
+                : database.number("PRAGMA schema_version") > 0) {
+            throw new InputException(database.file() + ": found a database of another program, expected a league's");
         }
         if (found > NEWEST || found > 0 && found < OLDEST) {
-            throw new InputException(file + ": found a database of form " + found + ", expected " + OLDEST + " or "
-                + NEWEST + (found > NEWEST ? ": it is of a newer Steward" : ": 'steward league run' of Steward 0.2.0 "
-                + "brings it to form " + OLDEST));
+            throw new InputException(database.file() + ": found a database of form " + found + ", expected " + OLDEST
+                + " or " + NEWEST + (found > NEWEST ? ": it is of a newer Steward" : ": 'steward league run' of "
+                + "Steward 0.2.0 brings it to form " + OLDEST));
         }
         return found < NEWEST;
     }
@@ -161,37 +159,31 @@ final class SchemaVersion {
      *
      * @return a copy of it as it was, or {@code null} if there was nothing in it
      */
-    static Path migrate(Database database) throws SQLException {
-        int before = number(database.connection(), "user_version");
-        Path copy = before == 0 ? null : OutputFiles.copyBeside(database.file(), "before-form-" + NEWEST);
+    static Path migrate(Database database) {
+        boolean isNew = database.number(FORM) == 0;
+        Path copy = isNew ? null : OutputFiles.copyBeside(database.file(), "before-form-" + NEWEST);
         if (copy != null) {
             database.update("VACUUM INTO ?", copy.toString());
         }
-        database.execute("BEGIN IMMEDIATE");
-        if (before == 0) {
-            for (String table : TABLES.values()) {
-                database.execute(table);
+        return database.inTransaction(() -> {
+            if (isNew) {
+                TABLES.values().forEach(database::execute);
+                INDEXES.forEach(database::execute);
+            } else {
+                from4(database);
             }
-            for (String index : INDEXES) {
-                database.execute(index);
-            }
-        } else {
-            from4(database);
-        }
-        database.execute("PRAGMA application_id = " + APPLICATION);
-        database.execute("PRAGMA user_version = " + NEWEST);
-        database.execute("COMMIT");
-        return copy;
+            database.execute("PRAGMA application_id = " + APPLICATION);
+            database.execute(FORM + " = " + NEWEST);
+            return copy;
+        });
     }
 
     /**
      * Rows stay where they are, also those that the rules refuse: {@link RowCheck} finds these. What SQLite stores of a
      * strict table with rules is the same.
      */
-    private static void from4(Database database) throws SQLException {
-        for (String column : ADDED) {
-            database.execute("ALTER TABLE " + column);
-        }
+    private static void from4(Database database) {
+        ADDED.forEach(column -> database.execute("ALTER TABLE " + column));
         database.execute("DROP INDEX game_by_result");
         database.execute(ALL_FAILED);
         database.execute(TABLES.get("decision"));
@@ -200,17 +192,8 @@ final class SchemaVersion {
             + "game.season AND o.number = game.decision)");    // imported ones
         RowDigest.sealAll(database, RowCheck.withoutDigests(database));
         database.execute("PRAGMA writable_schema = ON");
-        for (Map.Entry<String, String> table : TABLES.entrySet()) {
-            database.update("UPDATE sqlite_schema SET sql = ? WHERE type = 'table' AND name = ?", table.getValue(),
-                table.getKey());
-        }
+        TABLES.forEach((name, table) -> database.update("UPDATE sqlite_schema SET sql = ? WHERE type = 'table' AND "
+            + "name = ?", table, name));
         database.execute("PRAGMA writable_schema = RESET");
-    }
-
-    static int number(Connection connection, String pragma) throws SQLException {
-        try (Statement statement = connection.createStatement();
-             ResultSet result = statement.executeQuery("PRAGMA " + pragma)) {
-            return result.getInt(1);
-        }
     }
 }

@@ -1,6 +1,5 @@
 package steward.league.store;
 
-import java.sql.SQLException;
 import java.util.HashMap;
 import java.util.Map;
 
@@ -27,17 +26,15 @@ final class TextRows {
     }
 
     /** The number of a text, which is added if it is not there; it is kept only once it is surely stored. */
-    long number(String text) throws SQLException {
+    long number(String text) {
         Long number = known.get(text);
         if (number != null) {
             return number;
         }
-        String find = "SELECT id FROM " + table + " WHERE " + column + " = ?";
-        Object found = database.value(find, text);
+        Object found = database.value("SELECT id FROM " + table + " WHERE " + column + " = ?", text);
         if (found == null) {
-            database.update("INSERT INTO " + table + " (" + column + ") VALUES (?)", text);
-            RowDigest.seal(database, table, column + " = ?", text);
-            return ((Number) database.value(find, text)).longValue();
+            return RowDigest.sealed(database, table, "INSERT INTO " + table + " (" + column + ") VALUES (?)", text)
+                .get(0);
         }
         known.put(text, ((Number) found).longValue());
         return ((Number) found).longValue();

@@ -105,8 +105,7 @@ class LargeLeagueTest {
         Schedule schedule = MadeUpGames.schedule(queries, playing);
         if (adaptive) {
             int settled = Looks.settled(queries.nextDecision(), lag);
-            KnownResults known = new KnownResults(SEASON, queries.resultsBefore(settled));
-            queries.known(settled, known::add);
+            KnownResults known = queries.known(settled);
             schedule.play(playing, versions -> new AdaptivePairing(versions, 2, lag, StopRule.NONE,
                 before -> Ratings.of(known.before(before), versions)));
         } else {

@@ -76,8 +76,8 @@ public final class MadeUpGames {
     static int add(GameStore store, int season, List<StoredGame> games) {
         Map<Integer, Decision> made = new LinkedHashMap<>();
         for (StoredGame game : games) {
-            boolean isMade = game.decision() < 0 || store.database().with(() -> store.database().value("SELECT 1 FROM "
-                + "decision WHERE season = ? AND number = ?", season, game.decision())) != null;
+            boolean isMade = game.decision() < 0 || store.database().value("SELECT 1 FROM decision WHERE season = ? "
+                + "AND number = ?", season, game.decision()) != null;
             if (!isMade) {
                 made.merge(game.decision(), decision(game), (one, other) -> new Decision(one.number(), one.seed(),
                     Stream.concat(one.group().stream(), other.group().stream()).distinct().sorted().toList(),

@@ -50,7 +50,7 @@ class OldLeagueTest {
 
     private static int form(Path database) throws SQLException {
         try (Connection connection = DriverManager.getConnection("jdbc:sqlite:" + database)) {
-            return SchemaVersion.number(connection, "user_version");
+            return connection.createStatement().executeQuery(SchemaVersion.FORM).getInt(1);
         }
     }
 

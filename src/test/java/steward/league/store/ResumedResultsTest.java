@@ -84,10 +84,8 @@ class ResumedResultsTest {
                 assertEquals(1000, queries.nextDecision());
                 int settled = Looks.settled(900, LAG);
                 assertTrue(settled > 800, settled + "");
-                KnownResults one = new KnownResults(season);
-                queries.known(0, one::add);
-                KnownResults other = new KnownResults(season, queries.resultsBefore(settled));
-                queries.known(settled, other::add);
+                KnownResults one = queries.known(0);
+                KnownResults other = queries.known(settled);
                 List<Integer> versions = bots.stream().map(Version::id).toList();
                 for (int before : new int[] {settled, settled + 3, 1000}) {
                     Ratings found = Ratings.of(other.before(before), versions);
