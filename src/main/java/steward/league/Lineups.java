@@ -20,13 +20,6 @@ final class Lineups {
         return lineups;
     }
 
-    /** Returns these versions in ascending order: the group, whatever the seats. */
-    static int[] sorted(int... lineup) {
-        int[] sorted = lineup.clone();
-        Arrays.sort(sorted);
-        return sorted;
-    }
-
     /** The group of a decision; where each plays alone, none: all play. */
     static List<Integer> group(int players, int... versions) {
         return players == 1 ? List.of() : Arrays.stream(versions).sorted().boxed().toList();

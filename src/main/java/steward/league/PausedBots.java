@@ -3,10 +3,12 @@ package steward.league;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.function.BiPredicate;
+import java.util.function.Consumer;
 
 /**
  * Bots that are paused because they failed in many games in a row. Whether a bot is paused at a decision depends on the
- * results of earlier decisions alone, so that threads do not change it:
+ * results of earlier decisions alone, of earlier runs too: neither threads nor interruptions change it.
  *
  * <ul>
  * <li>A bot plays if its last game at least {@code lag} decisions back was without failure; nothing is waited for.
@@ -14,7 +16,8 @@ import java.util.TreeMap;
  * complete the row, the decision waits for that game.
  * </ul>
  *
- * <p>A decision ends the row if the bot played one of its games without failure. Not thread-safe.
+ * <p>A decision ends the row if the bot played one of its games without failure. So does a person who lets it play
+ * again. Not thread-safe.
  */
 public final class PausedBots {
 
@@ -27,19 +30,18 @@ public final class PausedBots {
 
     private final int most;
     private final int lag;
+    private final int first;
     private final Map<Integer, Row> rows = new HashMap<>();
 
     /** Games of a version. */
     private static final class Row {
         private final TreeMap<Integer, Count> decisions = new TreeMap<>();
-        /** Earlier failures do not matter. */
-        private int since;
-        /** Games in a row in which it failed, in decisions that are not in the map any more. */
-        private int failures;
-        private boolean hasEarlier;
+        private boolean isKnown;
         private boolean stopped;
-        /** The last decision without failure that does not matter to the next one any more, or -1. */
-        private int fine = -1;
+        /** Failures in decisions below this one do not matter. */
+        private int since;
+        /** Games in a row in which it failed, in decisions that are not in the map any more; -1 if there are none. */
+        private int failures = -1;
     }
 
     /** Games of a version in a decision. */
@@ -50,28 +52,46 @@ public final class PausedBots {
     }
 
     /**
-     * @param most how many games in a row pause a bot; 0 for never
-     * @param lag  of the schedule, in decisions
+     * @param most  how many games in a row pause a bot; 0 for never
+     * @param lag   of the schedule, in decisions
+     * @param first the first decision that this run makes
      */
-    public PausedBots(int most, int lag) {
+    public PausedBots(int most, int lag, int first) {
         this.most = most;
         this.lag = lag;
+        this.first = first;
     }
 
     private Row row(int version) {
         return rows.computeIfAbsent(version, any -> new Row());
     }
 
-    /** Lets a version play again: its failures in decisions below this one do not matter. */
-    public void resume(int version, int decision) {
+    /**
+     * Takes how a version is to play from now on.
+     *
+     * @param since   the first decision in which its failures matter: it was let play again then
+     * @param stopped whether it is paused whatever its results are
+     * @param earlier called once: tells of its games of earlier runs, each with its decision and whether it failed, as
+     *                long as more are wanted. They come in the reverse order of their ends, which is that of decisions
+     *                but for {@code lag}
+     */
+    public void use(int version, int since, boolean stopped, Consumer<BiPredicate<Integer, Boolean>> earlier) {
         Row row = row(version);
-        row.stopped = false;
-        if (decision > row.since) {
-            row.since = decision;
-            row.failures = 0;
-            row.hasEarlier = false;
-            row.decisions.headMap(decision).clear();
+        row.stopped = stopped;
+        if (since > row.since) {
+            row.since = since;
+            row.failures = -1;
+            row.decisions.headMap(since).clear();
         }
+        if (most > 0 && !row.isKnown) {
+            int[] fine = {-1};                         // ends the row, as no decision to come waits for it
+            earlier.accept((decision, failed) -> {
+                over(decision, version, failed);
+                fine[0] = Math.max(fine[0], !failed && decision <= first - lag ? decision : -1);
+                return decision >= fine[0] - lag;
+            });
+        }
+        row.isKnown = true;
     }
 
     /** True if a version was let play again after a decision. */
@@ -79,44 +99,16 @@ public final class PausedBots {
         return decision < row(version).since;
     }
 
-    /** Pauses a version whatever its results are, until it is resumed. */
-    public void pause(int version) {
-        row(version).stopped = true;
-    }
-
-    /** A game that will be played. */
-    void expect(Schedule.Task task) {
-        for (int version : task.lineup()) {
-            count(task.decision(), version).open++;
-        }
-    }
-
-    /** A game that was expected is over, or will not be played. */
-    void forget(Schedule.Task task) {
+    /** Takes that a game will be played, or not any more: it is over, or held. */
+    void expect(Schedule.Task task, boolean is) {
         for (int version : task.lineup()) {
             Count count = count(task.decision(), version);
-            count.open = Math.max(0, count.open - 1);
+            count.open = Math.max(0, count.open + (is ? 1 : -1));
         }
-    }
-
-    /**
-     * A game of a version was over before this run. Its games come in the reverse order of their ends, which is that of
-     * decisions but for {@code lag}.
-     *
-     * @param next the decision that is made next: a game without failure that is {@code lag} back ends the row
-     * @return whether one before it is wanted
-     */
-    public boolean earlier(int next, int decision, int version, boolean failed) {
-        over(decision, version, failed);
-        Row row = row(version);
-        if (!failed && decision <= next - lag) {
-            row.fine = Math.max(row.fine, decision);
-        }
-        return most > 0 && decision >= row.fine - lag;
     }
 
     /** A game of a version is over. */
-    public void over(int decision, int version, boolean failed) {
+    void over(int decision, int version, boolean failed) {
         Count count = count(decision, version);
         count.failed += failed ? 1 : 0;
         count.fine += failed ? 0 : 1;
@@ -133,16 +125,16 @@ public final class PausedBots {
         Row row = row(version);
         while (!row.decisions.isEmpty() && row.decisions.firstKey() <= decision - lag) {
             Count count = row.decisions.pollFirstEntry().getValue();
-            row.failures = count.fine > 0 ? 0 : row.failures + count.failed;
-            row.hasEarlier |= count.fine + count.failed > 0;
+            row.failures = count.fine > 0 ? 0 : count.failed > 0 ? Math.max(0, row.failures) + count.failed
+                : row.failures;
         }
         if (row.stopped) {
             return State.PAUSED;
         }
-        if (most == 0 || row.hasEarlier && row.failures == 0) {
+        if (most == 0 || row.failures == 0) {
             return State.PLAYS;
         }
-        int failures = row.failures;
+        int failures = Math.max(0, row.failures);
         boolean open = false;
         for (Count count : row.decisions.headMap(decision).values()) {
             if (count.fine > 0) {

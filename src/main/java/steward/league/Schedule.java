@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collection;
 import java.util.Collections;
+import java.util.Comparator;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -15,6 +16,7 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.IntPredicate;
 import java.util.function.Predicate;
+import java.util.function.ToIntFunction;
 import steward.contest.seeds.Seeds;
 
 /**
@@ -49,26 +51,17 @@ public final class Schedule {
     private Function<List<Integer>, Pairing> make;
     private Set<Integer> paused = Set.of();
     private List<Integer> active = List.of();
+    private Set<Integer> playing = Set.of();
     private Pairing pairing;
-    private RepeatedGroups repeated;
-    private Plan plan;
+    private final RepeatedGroups repeated;
+    /** Number of decisions on each group, where that is fixed beforehand; or {@code null}. */
+    private ToIntFunction<List<Integer>> plan;
     private Predicate<int[]> mayMeet = group -> true;
     private IntPredicate end = number -> false;
     private boolean ended;
     private int next;
     private int waiting;
     private long games;
-
-    /** Number of decisions on each group, where that is fixed beforehand. */
-    public interface Plan {
-
-        /**
-         * Returns the number of decisions in all, those of earlier runs included.
-         *
-         * @param group versions, ascending; where each plays alone, none: it is of all
-         */
-        int decisions(List<Integer> group);
-    }
 
     /**
      * A game to be played.
@@ -81,9 +74,9 @@ public final class Schedule {
     private static final class Row {
         private final int number;
         private final List<Integer> group;
-        private final List<Task> waiting = new ArrayList<>();
-        /** Games that are not to be played, as a bot of theirs does not play. */
-        private final List<Task> held = new ArrayList<>();
+        /** Games that have not begun, by the version on the first seat: some wait, others are held. */
+        private final List<Task> left = new ArrayList<>();
+        private int waiting;
         private int underWay;
         /** Games that are over or under way. */
         private int begun;
@@ -121,13 +114,13 @@ public final class Schedule {
     }
 
     /**
-     * Takes a decision of an earlier run, after those before it; its games are held until {@link #over(int, int...)}
-     * or {@link #play}.
+     * Takes a decision of an earlier run, after those before it; none of its games has begun until {@link #over(int,
+     * int...)}.
      */
     public void made(Decision decision, boolean dropped) {
         Row row = new Row(decision.number(), players == 1 ? List.of() : decision.group(), 0);
         row.dropped = dropped;
-        lineups(decision).forEach(lineup -> row.held.add(new Task(row.number, decision.seed(), lineup)));
+        lineups(decision).forEach(lineup -> row.left.add(new Task(row.number, decision.seed(), lineup)));
         rows.put(row.number, row);
         groupSeeds.decided(row.group, decision.seed());
         next = row.number + 1;
@@ -147,16 +140,11 @@ public final class Schedule {
     /** A game of an earlier run is over; its decision is there. */
     public void over(int decision, int... lineup) {
         Row row = rows.get(decision);
-        int place = row == null ? -1 : row.held.size() - 1;
-        while (place >= 0 && !Arrays.equals(row.held.get(place).lineup(), lineup)) {
-            place--;
-        }
-        boolean isNew = place >= 0;
+        boolean isNew = row != null && row.left.removeIf(task -> Arrays.equals(task.lineup(), lineup));
         games += isNew || players == 1 ? 1 : 0;        // alone, one that plays no more may have come later
         if (isNew) {
-            row.held.remove(place);
             row.begun++;
-            if (row.held.isEmpty()) {
+            if (row.left.isEmpty()) {
                 rows.remove(decision);
                 made.merge(row.group, 1, Integer::sum);
             }
@@ -190,21 +178,15 @@ public final class Schedule {
         paused.stream().filter(version -> !before.contains(version)).forEach(pauseListener);
     }
 
-    /** Plays without some. */
+    /** Plays without some: games of these are held. */
     private void pause(Set<Integer> found) {
+        rows.values().forEach(row -> expect(row, false));
         paused = found;
         active = roster.stream().filter(version -> !paused.contains(version)).sorted().toList();
+        playing = Set.copyOf(active);
+        rows.values().forEach(row -> expect(row, true));
         pairing = null;
-        for (Row row : rows.values()) {
-            List<Task> all = new ArrayList<>(row.held);
-            all.addAll(row.waiting);
-            row.waiting.forEach(pauses::forget);
-            waiting -= row.waiting.size();
-            row.waiting.clear();
-            row.held.clear();
-            all.forEach(task -> put(row, task));
-            note(row);
-        }
+        List.copyOf(rows.values()).forEach(this::note);
         if (players > 1 && active.size() >= players) {
             pairing = make.apply(active);
             made.forEach((group, times) -> pairing.made(times, versions(group)));
@@ -215,35 +197,34 @@ public final class Schedule {
         return group.stream().mapToInt(version -> version).toArray();
     }
 
-    /** Lets a game wait, or holds it. */
-    private void put(Row row, Task task) {
-        if (Arrays.stream(task.lineup()).allMatch(active::contains)) {
-            int place = row.waiting.size();
-            while (place > 0 && row.waiting.get(place - 1).lineup()[0] > task.lineup()[0]) {
-                place--;
-            }
-            row.waiting.add(place, task);
-            waiting++;
-            pauses.expect(task);
-        } else {
-            row.held.add(task);
-        }
+    /** True if a game that has not begun waits; it is held as long as one of its bots does not play. */
+    private boolean waits(Task task) {
+        return Arrays.stream(task.lineup()).allMatch(playing::contains);
+    }
+
+    /** Counts the games of a decision that wait, or no more. */
+    private void expect(Row row, boolean is) {
+        row.left.stream().filter(this::waits).forEach(task -> {
+            row.waiting += is ? 1 : -1;
+            waiting += is ? 1 : -1;
+            pauses.expect(task, is);
+        });
     }
 
     /** Notes what has become of a decision: whether it is open, dropped, among those that were made. */
     private void note(Row row) {
-        boolean isOpen = row.underWay > 0 || !row.waiting.isEmpty();
+        boolean isOpen = row.underWay + row.waiting > 0;
         if (isOpen) {
             open.put(row.number, row);
         } else {
             open.remove(row.number);
         }
-        if (isOpen || !row.held.isEmpty()) {
+        if (isOpen || !row.left.isEmpty()) {
             rows.put(row.number, row);
         } else {
             rows.remove(row.number);
         }
-        if (row.dropped == row.held.isEmpty()) {
+        if (row.dropped == (row.left.size() == row.waiting)) {
             row.dropped = !row.dropped;
             if (marks.remove(row.number) == null) {    // twice is as it was
                 marks.put(row.number, row.dropped);
@@ -287,15 +268,16 @@ public final class Schedule {
     /**
      * Decides on each group as often as a plan says, also where its games are repeats; after {@link #play}.
      *
-     * @param maker makes the plan from the decisions by group so far
+     * @param maker makes the plan from the decisions by group so far: the number of decisions in all, those of earlier
+     *              runs included, on each group of versions, ascending; where each plays alone, on no version
      */
-    public void following(Function<Map<List<Integer>, Integer>, Plan> maker) {
+    public void following(Function<Map<List<Integer>, Integer>, ToIntFunction<List<Integer>>> maker) {
         plan = maker.apply(Collections.unmodifiableMap(made));
     }
 
-    /** Asks no more for groups whose games only repeat earlier ones; it ends where there are no others. */
-    public void without(RepeatedGroups groups) {
-        repeated = groups;
+    /** The groups whose games only repeat earlier ones: without a plan they are not asked for more. */
+    public RepeatedGroups repeated() {
+        return repeated;
     }
 
     /** Says which versions may play together, ascending. */
@@ -304,18 +286,18 @@ public final class Schedule {
     }
 
     private boolean isWanted(int... group) {
-        return mayMeet.test(group) && (plan != null ? left(Lineups.group(2, group)) > 0
-            : !repeated.isRepeated(group) && hasSeed(Lineups.group(2, group)));
+        return isNew(group) && left(Lineups.group(players, group)) > 0;
     }
 
-    /** Returns how often a plan has a group still to be decided on. */
+    private boolean isNew(int... group) {
+        return mayMeet.test(group) && (plan != null || !repeated.isRepeated(group));
+    }
+
+    /** Returns how often a group may still be decided on: by the plan, and by its seeds. */
     private int left(List<Integer> group) {
-        return Math.max(0, Math.min(plan.decisions(group) - made.getOrDefault(group, 0), groupSeeds.left(group)));
-    }
-
-    /** True if there is a seed that a group has not played. */
-    private boolean hasSeed(List<Integer> group) {
-        return groupSeeds.left(group) > 0;
+        int seeds = groupSeeds.left(group);
+        return plan == null ? seeds : Math.max(0, Math.min(plan.applyAsInt(group) - made.getOrDefault(group, 0),
+            seeds));
     }
 
     /** Number of decisions of earlier runs on seeds that are not in the list, as it was another one then. */
@@ -330,16 +312,10 @@ public final class Schedule {
                 .mapToLong(group -> (long) players * left(Lineups.group(players, group))).sum());
     }
 
-    /** True if it has ended since groups that do not only repeat games have played all seeds of a list. */
-    public boolean isPlayedOut() {
-        return ended && plan == null && seeds.isListed() && (players == 1 ? !repeated.isRepeated() : pairing != null
-            && pairing.choose(group -> mayMeet.test(group) && !repeated.isRepeated(group)) != null);
-    }
-
-    /** True if it has ended since all groups only repeat games. */
-    public boolean isRepeated() {
-        return ended && plan == null && !isPlayedOut() && (players == 1 ? repeated.isRepeated()
-            : pairing != null && pairing.choose(this::isWanted) == null);
+    /** True if it has ended since all groups only repeat games or, if listed, have played all seeds of a list. */
+    public boolean isExhausted(boolean listed) {
+        return ended && plan == null && (players == 1 ? !isWanted() && listed == isNew() : pairing != null
+            && pairing.choose(this::isWanted) == null && listed == (pairing.choose(this::isNew) != null));
     }
 
     /** Ends it before the first decision of which this is true; each is asked about when it is due. */
@@ -362,7 +338,7 @@ public final class Schedule {
     public Decision.News decide(long most, int ahead) {
         boolean more = true;
         while (more && waiting < ahead && !ended && games + waiting < most && firstOpen() > next - lag) {
-            more = pause() && active.size() >= Math.max(1, players) && decide();
+            more = pause() && active.size() >= players && decide();
         }
         Decision.News found = news.isEmpty() && marks.isEmpty() ? Decision.News.NONE : new Decision.News(news, marks);
         news.clear();
@@ -372,18 +348,15 @@ public final class Schedule {
 
     private boolean decide() {
         repeated.goTo(next - lag + 1);
-        boolean over = players == 1 && (plan == null ? repeated.isRepeated() || !hasSeed(List.of())
-            : left(List.of()) == 0);
-        int[] group = over || end.test(next) ? null : players == 1 ? versions(active) : choose();
+        int[] group = end.test(next) ? null : players > 1 ? choose() : isWanted() ? versions(active) : null;
         ended = group == null;
         if (!ended) {
             Decision decision = new Decision(next, groupSeeds.next(Lineups.group(players, group), next),
                 Arrays.stream(group).boxed().toList(), List.copyOf(paused));
-            next++;
+            made(decision, false);
             news.add(decision);
-            Row row = new Row(decision.number(), Lineups.group(players, group), 0);
-            (players == 1 ? active.stream().map(version -> new int[] {version}).toList() : Lineups.rotations(group))
-                .forEach(lineup -> put(row, new Task(decision.number(), decision.seed(), lineup)));
+            Row row = rows.get(decision.number());
+            expect(row, true);
             note(row);
         }
         return !ended;
@@ -403,11 +376,11 @@ public final class Schedule {
     public Task next(long most, Predicate<Task> takes) {
         long left = most - games;
         for (Row row : open.values()) {
-            for (Task task : row.waiting) {
-                if (left-- <= 0) {
+            for (Task task : row.left) {
+                if (waits(task) && left-- <= 0) {
                     return null;
                 }
-                if (takes.test(task)) {
+                if (waits(task) && takes.test(task)) {
                     begin(row, task);
                     return task;
                 }
@@ -417,7 +390,8 @@ public final class Schedule {
     }
 
     private void begin(Row row, Task task) {
-        row.waiting.remove(task);
+        row.left.remove(task);
+        row.waiting--;
         waiting--;
         row.underWay++;
         row.begun++;
@@ -441,16 +415,8 @@ public final class Schedule {
      * @param most games in all
      */
     public List<Task> waiting(long most) {
-        return open.values().stream().flatMap(row -> row.waiting.stream()).limit(Math.max(0, most - games)).toList();
-    }
-
-    /**
-     * True if games have been decided on that are not begun.
-     *
-     * @param most games in all
-     */
-    public boolean isLeft(long most) {
-        return games < most && waiting > 0;
+        return open.values().stream().flatMap(row -> row.left.stream()).filter(this::waits)
+            .limit(Math.max(0, most - games)).toList();
     }
 
     /**
@@ -459,7 +425,7 @@ public final class Schedule {
      * @param failed by seat, whether the bot failed; nothing where there is no result
      */
     public void over(Task task, boolean... failed) {
-        pauses.forget(task);
+        pauses.expect(task, false);
         for (int seat = 0; seat < failed.length; seat++) {
             pauses.over(task.decision(), task.lineup()[seat], failed[seat]);
         }
@@ -483,7 +449,10 @@ public final class Schedule {
         });
         games--;
         row.begun--;
-        put(row, task);
+        expect(row, false);
+        row.left.add(task);
+        row.left.sort(Comparator.comparingInt(each -> each.lineup()[0]));
+        expect(row, true);
         note(row);
     }
 }

@@ -36,7 +36,7 @@ class OptionWordsTest {
         Map.entry("live/PagePicture", OF_OTHERS), Map.entry("league/LeagueText", STORED),
         Map.entry("league/LeagueReader", STORED), Map.entry("league/LeagueSettings", STORED),
         Map.entry("contest/FailureHints", ADVICE), Map.entry("contest/FailureStreaks", ADVICE),
-        Map.entry("league/play/Pauses", ADVICE), Map.entry("bot/command/ProgramFinder", ADVICE),
+        Map.entry("league/play/Roster", ADVICE), Map.entry("bot/command/ProgramFinder", ADVICE),
         Map.entry("scene/AccuracyFigures", "the whole call of the workshop that makes the file"),
         Map.entry("machines/worker/Worker", OTHER_SIDE), Map.entry("machines/serve/WorkerState", OTHER_SIDE),
         Map.entry("machines/check/GameJar", OTHER_SIDE));

@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import steward.contest.seeds.Seeds;
@@ -25,7 +26,7 @@ class ListedSeedsTest {
     }
 
     private static Schedule schedule(Seeds list, int players, MemoryLeague league, Integer... bots) {
-        Schedule schedule = league.goOn(new Schedule(list, players, 4, List.of(bots), new PausedBots(0, 4),
+        Schedule schedule = league.goOn(new Schedule(list, players, 4, List.of(bots), new PausedBots(0, 4, 0),
             version -> { }));
         schedule.play(List.of(bots), versions -> Pairing.roundRobin(versions, players));
         return schedule;
@@ -43,7 +44,7 @@ class ListedSeedsTest {
         Schedule second = schedule(Seeds.of(List.of(8L, 60L, 9L, 5L)), players, league, 1, 2, 3);
         assertEquals(players == 2 ? 3 : 1, second.unlisted(), "those on 70");
         play(league, second);
-        assertTrue(second.isPlayedOut());
+        assertTrue(second.isExhausted(true));
         Map<Long, Integer> seeds = new TreeMap<>();
         league.games().subList(before, league.games().size()).forEach(task ->
             seeds.merge(task.seed(), 1, Integer::sum));
@@ -70,8 +71,8 @@ class ListedSeedsTest {
         for (; task != null; task = league.next(second, 1000)) {
             league.over(second, task);
         }
-        assertTrue(second.isPlayedOut());
-        assertFalse(second.isRepeated());
+        assertTrue(second.isExhausted(true));
+        assertFalse(second.isExhausted(false));
         int groups = players == 2 ? 3 : 1;
         int games = players == 1 ? 3 : players;
         assertEquals(groups * games * LIST.count(), league.games().size());
@@ -88,5 +89,16 @@ class ListedSeedsTest {
             assertEquals(70, league.next(third, 1000).seed());
         }
         assertNull(league.next(second, 1000));
+    }
+
+    @Test
+    void aListThatARuleEndsIsNotPlayedOut() {
+        MemoryLeague league = new MemoryLeague(2);
+        Schedule schedule = schedule(2, league, 1, 2, 3);
+        schedule.until(number -> number == 2);
+        play(league, schedule);
+        assertEquals(4, league.games().size());
+        assertFalse(schedule.isExhausted(true), "two of nine decisions have been made");
+        assertFalse(schedule.isExhausted(false));
     }
 }

@@ -34,7 +34,7 @@ public final class MemoryLeague {
 
     /** Another schedule, which goes on from these decisions and games, and pauses nobody. */
     public Schedule schedule(int lag, Collection<Integer> roster) {
-        return schedule(lag, roster, new PausedBots(0, lag), version -> { });
+        return schedule(lag, roster, new PausedBots(0, lag, 0), version -> { });
     }
 
     /** Another schedule, which goes on from these decisions and games. */

@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Random;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.function.BiPredicate;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -35,11 +36,12 @@ class PausedBotsTest {
      * those under way are lost.
      */
     private static List<Integer> run(int players, int kill, int threads, int lag, MemoryLeague league, Random random) {
-        PausedBots pauses = new PausedBots(MOST, lag);
+        PausedBots pauses = new PausedBots(MOST, lag, league.next());
         List<Task> latestFirst = new ArrayList<>(league.games());
         Collections.reverse(latestFirst);
         for (int version = 1; version <= BOTS; version++) {
-            learn(version, latestFirst, pauses, league.next());
+            int own = version;
+            pauses.use(version, 0, false, taker -> learn(own, latestFirst, taker));
         }
         List<Integer> paused = new ArrayList<>();
         Schedule schedule = league.schedule(lag, List.of(1, 2, 3, 4, 5), pauses, paused::add);
@@ -61,10 +63,10 @@ class PausedBotsTest {
         return paused;
     }
 
-    private static void learn(int version, List<Task> latestFirst, PausedBots pauses, int next) {
+    private static void learn(int version, List<Task> latestFirst, BiPredicate<Integer, Boolean> taker) {
         for (Task task : latestFirst) {
             if (Arrays.stream(task.lineup()).anyMatch(each -> each == version)
-                && !pauses.earlier(next, task.decision(), version, fails(version, task))) {
+                && !taker.test(task.decision(), fails(version, task))) {
                 return;
             }
         }
@@ -120,7 +122,7 @@ class PausedBotsTest {
     void aPausedBotIsToldOfOnceHoweverOftenTheLeagueIsEdited() {
         MemoryLeague league = new MemoryLeague(2);
         List<Integer> told = new ArrayList<>();
-        Schedule schedule = league.schedule(1, List.of(1, 2, 3), new PausedBots(2, 1), told::add);
+        Schedule schedule = league.schedule(1, List.of(1, 2, 3), new PausedBots(2, 1, 0), told::add);
         for (int edit = 0; edit < 3; edit++) {
             schedule.play(List.of(1, 2, 3), versions -> Pairing.roundRobin(versions, 2));
             for (int k = 0; k < 6; k++) {
@@ -133,12 +135,12 @@ class PausedBotsTest {
 
     @Test
     void aBotThatIsResumedPlaysAgainUntilItHasFailedAsOften() {
-        PausedBots pauses = new PausedBots(MOST, 4);
+        PausedBots pauses = new PausedBots(MOST, 4, 0);
         for (int decision = 0; decision < MOST; decision++) {
             pauses.over(decision, 7, true);
         }
         assertEquals(PausedBots.State.PAUSED, pauses.at(7, MOST));
-        pauses.resume(7, MOST);
+        pauses.use(7, MOST, false, taker -> { });
         assertEquals(PausedBots.State.PLAYS, pauses.at(7, MOST));
         for (int decision = MOST; decision < 2 * MOST; decision++) {
             pauses.over(decision, 7, true);

@@ -99,19 +99,18 @@ class ScheduleTest {
     void groupsThatOnlyRepeatGamesAreNotAskedForMore() {
         MemoryLeague league = new MemoryLeague(2);
         Schedule schedule = league.schedule(1, List.of());
-        RepeatedGroups repeated = new RepeatedGroups(false);
-        schedule.without(repeated);
         schedule.play(List.of(1, 2, 3), versions -> Pairing.roundRobin(versions, 2));
         Map<String, Integer> counts = new HashMap<>();
         for (Schedule.Task task = league.next(schedule, 300); task != null; task = league.next(schedule, 300)) {
             boolean alike = Arrays.stream(task.lineup()).sum() == 3;
-            repeated.add(task.decision(), alike ? 7 + task.lineup()[0] : task.seed(), task.lineup());
-            counts.merge(Lineups.sorted(task.lineup())[0] + " " + Lineups.sorted(task.lineup())[1], 1, Integer::sum);
+            schedule.repeated().add(task.decision(), alike ? 7 + task.lineup()[0] : task.seed(), task.lineup());
+            counts.merge(Math.min(task.lineup()[0], task.lineup()[1]) + " " + Math.max(task.lineup()[0],
+                task.lineup()[1]), 1, Integer::sum);
             schedule.over(task);
         }
         assertEquals(22, counts.get("1 2"), "two that are new and twenty that repeat them");
         assertEquals(278, counts.get("1 3") + counts.get("2 3"));
-        assertFalse(schedule.isRepeated());
+        assertFalse(schedule.isExhausted(false));
     }
 
     @Test
@@ -119,20 +118,18 @@ class ScheduleTest {
         for (int players = 1; players <= 3; players++) {
             MemoryLeague league = new MemoryLeague(players);
             Schedule schedule = league.schedule(3, List.of());
-            RepeatedGroups repeated = new RepeatedGroups(players == 1);
-            schedule.without(repeated);
             schedule.play(List.of(1, 2, 3), versions -> Pairing.roundRobin(versions, 3));
             if (players == 2) {
                 schedule.play(List.of(1, 2, 3), versions -> Pairing.roundRobin(versions, 2));
             }
             int games = 0;
             for (Schedule.Task task = league.next(schedule, 1000); task != null; task = league.next(schedule, 1000)) {
-                repeated.add(task.decision(), 5, task.lineup());
+                schedule.repeated().add(task.decision(), 5, task.lineup());
                 games++;
                 schedule.over(task);
             }
             assertTrue(games < 100, players + " players, " + games + " games");
-            assertTrue(schedule.isRepeated());
+            assertTrue(schedule.isExhausted(false));
         }
     }
 

@@ -20,6 +20,7 @@ public final class LeagueEnd implements IntPredicate {
     private List<Integer> rated = List.of();
 
     /**
+     * @param rule     may be {@link StopRule#NONE}: then nothing else is asked
      * @param versions those that play, when it is asked
      * @param meet     whether two versions may meet in a game
      */
@@ -40,7 +41,7 @@ public final class LeagueEnd implements IntPredicate {
             asked = decision;
             rated = playing;
             met = null;
-            if (Looks.isLook(decision) && decision >= lag && playing.size() > 1) {
+            if (rule.isAny() && Looks.isLook(decision) && decision >= lag && playing.size() > 1) {
                 Ratings ratings = Ratings.of(known.before(decision - lag + 1), playing);
                 met = rule.isMet(ratings, meet) ? ratings : null;
             }

@@ -8,15 +8,18 @@ import java.util.Map;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
+import java.util.function.ToIntFunction;
 import java.util.stream.Stream;
 import steward.contest.Contest;
 import steward.contest.WorkerThreads;
 import steward.files.InputException;
 import steward.league.LeagueSettings;
 import steward.league.Pairing;
+import steward.league.PausedBots;
 import steward.league.Schedule;
 import steward.league.StoredGame;
 import steward.league.pairing.AdaptivePairing;
+import steward.league.pairing.KnownResults;
 import steward.league.pairing.LeagueEnd;
 import steward.league.pairing.Looks;
 import steward.league.pairing.StopRule;
@@ -40,6 +43,7 @@ public final class LeagueRun {
 
     private final OpenSeason season;
     private final GameQueries queries;
+    private final AsideGames aside;
     private final GameWriter writer;
     private final GamePlay play;
     private final RosterWatch watch;
@@ -54,8 +58,9 @@ public final class LeagueRun {
     private final LeagueEnd leagueEnd;
 
     /** Guarded by this, as is all below. */
-    private final RunResults results;
-    private final Pauses pauses;
+    private final PausedBots pauses;
+    /** Results from which a pairing or an end learns how strong each bot is; {@code null} if nobody asks. */
+    private final KnownResults known;
     private final IdleWatch idle;
     private Roster roster;
     private Map<Integer, Member> members;
@@ -77,7 +82,8 @@ public final class LeagueRun {
     public record Limits(int threads, long games, long nanos) { }
 
     /** Makes a plan for bots that play from the decisions by group so far. */
-    public interface Planner extends BiFunction<Roster, Map<List<Integer>, Integer>, Schedule.Plan> { }
+    public interface Planner extends BiFunction<Roster, Map<List<Integer>, Integer>,
+        ToIntFunction<List<Integer>>> { }
 
     /**
      * Rules by which a run decides.
@@ -113,26 +119,24 @@ public final class LeagueRun {
         play = new GamePlay(season.season(), contest, new KeptGames(season.folder()), machine,
             System::currentTimeMillis);
         queries = season.queries();
+        aside = new AsideGames(season.store());
         int next = queries.nextDecision();
-        results = new RunResults(season.season(), queries, Looks.settled(next, settings.lag()),
-            settings.adaptive() && players > 1 || rules.end().isAny());
-        pauses = new Pauses(rules.pauseAfter(), settings.lag(), next, season, teller);
-        pauses.use(roster);
-        schedule = new Schedule(season.folder().starts(settings), players, settings.lag(), roster.versions(),
-            pauses.bots(), pauses::tell);
-        queries.tell(schedule, results.repeated());
+        known = settings.adaptive() && players > 1 || rules.end().isAny()
+            ? queries.known(Looks.settled(next, settings.lag())) : null;
+        pauses = new PausedBots(rules.pauseAfter(), settings.lag(), next);
+        usePauses(roster);
+        schedule = new Schedule(season.folder().starts(settings), players, settings.lag(), roster.versions(), pauses,
+            this::tellPaused);
+        queries.tell(schedule);
         if (schedule.unlisted() > 0) {
             teller.accept(season.folder().path().resolve(settings.seedFile()) + " is another list than before: "
                 + TextFormat.count(schedule.unlisted(), "decision") + " of earlier runs have seeds that it lacks; "
                 + "their games stay in the table, and every group plays what it has not played of this list. For a "
                 + "table of one list put the old one back, or begin a new league");
         }
-        schedule.without(results.repeated());
-        leagueEnd = !rules.end().isAny() ? null : new LeagueEnd(rules.end(), results.known(), settings.lag(),
-            schedule::active, (one, other) -> this.roster.isPair(players, one, other));
-        if (leagueEnd != null) {
-            schedule.until(leagueEnd);
-        }
+        leagueEnd = new LeagueEnd(rules.end(), known, settings.lag(), schedule::active, (one, other) ->
+            this.roster.isPair(players, one, other));
+        schedule.until(leagueEnd);
         watch = new RosterWatch(season.folder(), reader, settings, teller);
         use(roster);
         end = limits.nanos() == Long.MAX_VALUE ? Long.MAX_VALUE : System.nanoTime() + limits.nanos();
@@ -143,12 +147,24 @@ public final class LeagueRun {
         season.folder().named(() -> next.checked(season.season().players()));
         roster = next;
         members = next.byVersion();
-        pauses.use(next);
+        usePauses(next);
         schedule.meeting(next.meeting());
         schedule.play(next.versions(), versions -> pairing(versions, next));
         if (rules.planner() != null) {
             schedule.following(decided -> rules.planner().apply(next, decided));
         }
+        next.members().stream().map(Member::version).filter(version -> version.paused()
+            && schedule.active().contains(version.id())).forEach(version -> season.store().pause(version.id(), false));
+    }
+
+    private void usePauses(Roster next) {
+        next.members().forEach(member -> pauses.use(member.version().id(), member.bot().resumed(),
+            member.unsteady() != null, taker -> queries.failures(member.version().id(), taker)));
+    }
+
+    private void tellPaused(int version) {
+        season.store().pause(version, true);
+        teller.accept(members.get(version).whyPaused(rules.pauseAfter(), season.folder().path()));
     }
 
     private Pairing pairing(List<Integer> versions, Roster next) {
@@ -156,7 +172,7 @@ public final class LeagueRun {
         LeagueSettings settings = next.settings();
         if (settings.adaptive()) {
             return new AdaptivePairing(versions, players, settings.lag(), rules.end(),
-                before -> Ratings.of(results.known().before(before), versions));
+                before -> Ratings.of(known.before(before), versions));
         }
         return settings.gauntlet() == null ? Pairing.roundRobin(versions, players)
             : Pairing.gauntlet(versions, players, next.versionOf(settings.gauntlet()).orElseThrow());
@@ -169,12 +185,12 @@ public final class LeagueRun {
 
     /** The rule that ended the run with what was known, or {@code null}. */
     public synchronized LeagueEnd ended() {
-        return leagueEnd != null && leagueEnd.met() != null ? leagueEnd : null;
+        return leagueEnd.met() != null ? leagueEnd : null;
     }
 
     /** True if the run has ended since bots only repeat games, or, if listed, have played all seeds of the list. */
     public synchronized boolean isExhausted(boolean listed) {
-        return listed ? schedule.isPlayedOut() : schedule.isRepeated();
+        return schedule.isExhausted(listed);
     }
 
     /** Returns the versions that play and are not paused. */
@@ -227,26 +243,20 @@ public final class LeagueRun {
     /** Plays games that were taken; whether there may be more. */
     boolean play(List<RemoteMachines.Game> games, Player player) throws InterruptedException {
         List<List<StoredGame>> played = Collections.nCopies(games.size(), null);
-        String problem = null;
         try {
             played = player.play(games);
         } catch (InputException failed) {
-            problem = failed.getMessage();
+            stop(failed.getMessage());
         }
         List<StoredGame> over = new ArrayList<>();
-        boolean more;
         synchronized (this) {
-            if (problem != null) {
-                stop(problem);
-            }
             for (int k = 0; k < games.size(); k++) {
                 over.addAll(handOver(games.get(k), played.get(k)));
             }
             notifyAll();
-            more = !brokenOff && stopped == null;
         }
         over.forEach(listener);
-        return more;
+        return !isOver();
     }
 
     /**
@@ -270,14 +280,26 @@ public final class LeagueRun {
             }
             return List.of();
         }
-        results.add(game.task(), game.members(), attempts);
-        schedule.over(game.task(), attempts.get(attempts.size() - 1).failed());
+        over(game.task(), game.members(), attempts.get(attempts.size() - 1));
         handed += attempts.size();
         if (!writer.add(attempts)) {
             stop(writer.problem().getMessage());
             return List.of();
         }
         return attempts;
+    }
+
+    /** Takes what a game came to. */
+    private void over(Schedule.Task task, List<Member> members, StoredGame game) {
+        if (game.isRated()) {
+            long transcript = members.stream().anyMatch(member -> member.version().random()) ? 0 : game.transcript();
+            schedule.repeated().add(task.decision(), transcript, task.lineup());
+            if (known != null) {
+                known.add(task.decision(), task.seed(), task.lineup(), game.seats().get(0).score(), transcript,
+                    game.seats().stream().mapToInt(StoredGame.StoredSeat::rank).toArray());
+            }
+        }
+        schedule.over(task, game.failed());
     }
 
     /**
@@ -323,7 +345,7 @@ public final class LeagueRun {
     }
 
     private int mostAhead() {
-        return roster.settings().lag() * Math.max(1, season.season().players());
+        return roster.settings().lag() * season.season().players();
     }
 
     private List<Member> members(Schedule.Task task) {
@@ -332,10 +354,10 @@ public final class LeagueRun {
 
     /** Reads anew what has changed, and makes the decisions that can be made; they are stored before their games. */
     private void decide() throws InterruptedException {
-        watch.look(roster, results.known() != null, this::use);
+        watch.look(roster, known != null, this::use);
         boolean more = !watch.isPaused() && !isAtEnd();
         writer.add(schedule.decide(more ? limits.games() : 0, ahead));
-        int players = Math.max(1, season.season().players());
+        int players = season.season().players();
         if (more && underWay == 0 && schedule.games() < limits.games() && schedule.active().size() < players) {
             stop("found " + TextFormat.count(schedule.active().size(), "bot") + " that is not paused, expected at "
                 + "least " + players);
@@ -347,20 +369,19 @@ public final class LeagueRun {
      * one of the schedule now.
      */
     private int attempt(Schedule.Task task) {
-        int attempt = 0;
-        StoredGame found;
-        do {
-            found = queries.game(play.name(task, members(task), ++attempt));
-            if (found != null && found.decision() < 0) {
+        int attempt = 1;
+        StoredGame found = queries.game(play.name(task, members(task), attempt));
+        while (found != null) {
+            if (found.decision() < 0) {
                 season.store().adopt(found.name(), task.decision());
             }
-        } while (found != null && !found.isOver());
-        if (found == null) {
-            return attempt;
+            if (found.isOver()) {
+                over(task, members(task), found);
+                return 0;
+            }
+            found = queries.game(play.name(task, members(task), ++attempt));
         }
-        results.add(task, members(task), List.of(found));
-        schedule.over(task, found.failed());
-        return 0;
+        return attempt;
     }
 
     /** Ends the run where games wait that none of the machines can play, and says if they wait for a machine. */
@@ -379,7 +400,7 @@ public final class LeagueRun {
 
     /** True at an end, and if nothing is under way or left to play. */
     private boolean isOverNow() {
-        return isAtEnd() || underWay == 0 && !watch.isPaused() && !schedule.isLeft(limits.games());
+        return isAtEnd() || underWay == 0 && !watch.isPaused() && schedule.waiting(limits.games()).isEmpty();
     }
 
     private boolean isAtEnd() {
@@ -396,7 +417,7 @@ public final class LeagueRun {
      */
     public synchronized int setAside(String machine, String why) throws InterruptedException {
         waitUntilStored();
-        List<StoredGame> games = new AsideGames(season.store()).setAside(queries, season.number(), machine, why);
+        List<StoredGame> games = aside.setAside(queries, season.number(), machine, why);
         games.stream().filter(game -> game.decision() >= 0).forEach(game ->
             schedule.again(new Schedule.Task(game.decision(), game.seed(), game.lineup())));
         notifyAll();
@@ -406,12 +427,12 @@ public final class LeagueRun {
     /** Games of a machine do not count until {@link #restore}; they are not played again. @return how many */
     public synchronized int suspend(String machine, String why) throws InterruptedException {
         waitUntilStored();
-        return new AsideGames(season.store()).suspend(machine, why);
+        return aside.suspend(machine, why);
     }
 
     /** Suspended games of a machine count again. @return how many */
     public synchronized int restore(String machine) {
-        return new AsideGames(season.store()).restore(machine);
+        return aside.restore(machine);
     }
 
     private void waitUntilStored() throws InterruptedException {

@@ -1,5 +1,6 @@
 package steward.league.play;
 
+import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -42,6 +43,14 @@ public record Roster(LeagueSettings settings, List<Member> members) {
         /** True if it may be started on this machine: it is not for another platform. */
         public boolean playsHere() {
             return bot.playsOn(Platform.here());
+        }
+
+        /** Says that it is paused, and why. @param failures in a row that pause a bot */
+        String whyPaused(int failures, Path league) {
+            return version.display() + " is paused: " + (unsteady != null ? unsteady + " has made a third version of "
+                + "it within " + RosterReader.STEADY + " games, and at --sandbox off a bot can write to its own files; "
+                : "it failed in " + failures + " games in a row; 'steward league games " + league + " --failed' says "
+                + "how, ") + "'steward league resume " + league + " " + bot.name() + "' lets it play again";
         }
     }
 

@@ -42,19 +42,19 @@ final class DecisionRows {
      */
     void ofGames() {
         List<Runnable> found = new ArrayList<>();
-        database.each("SELECT s.id, g.decision, g.seed, iif(s.players = 1, "
-            + "group_concat(l.versions, ' '), l.versions), min(g.id) FROM game g JOIN season s ON s.id = g.season "
-            + "JOIN lineup l ON l.id = g.lineup WHERE l.versions NOT GLOB '*[^0-9 ]*' AND typeof(g.decision) = "
-            + "'integer' AND g.decision BETWEEN 0 AND 2147483647 AND typeof(g.seed) = 'integer' AND NOT EXISTS (SELECT "
-            + "1 FROM decision o WHERE o.season = g.season AND o.number = g.decision) GROUP BY s.id, g.decision", row -> {
-            String versions = row.getString(4);
-            if (versions != null && RowCheck.VERSIONS.matcher(versions).matches()) {
-                int season = row.getInt(1);
-                Decision decision = new Decision(row.getInt(2), row.getLong(3), Arrays.stream(GameQueries
-                    .numbers(versions)).sorted().distinct().boxed().toList(), List.of());
-                found.add(() -> add(season, decision));
-            }
-        });
+        database.each("SELECT s.id, g.decision, g.seed, iif(s.players = 1, group_concat(l.versions, ' '), l.versions), "
+            + "min(g.id) FROM game g JOIN season s ON s.id = g.season JOIN lineup l ON l.id = g.lineup WHERE "
+            + "l.versions NOT GLOB '*[^0-9 ]*' AND typeof(g.decision) = 'integer' AND g.decision BETWEEN 0 AND "
+            + "2147483647 AND typeof(g.seed) = 'integer' AND NOT EXISTS (SELECT 1 FROM decision o WHERE o.season = "
+            + "g.season AND o.number = g.decision) GROUP BY s.id, g.decision", row -> {
+                String versions = row.getString(4);
+                if (versions != null && RowCheck.VERSIONS.matcher(versions).matches()) {
+                    int season = row.getInt(1);
+                    Decision decision = new Decision(row.getInt(2), row.getLong(3), Arrays.stream(GameQueries
+                        .numbers(versions)).sorted().distinct().boxed().toList(), List.of());
+                    found.add(() -> add(season, decision));
+                }
+            });
         found.forEach(Runnable::run);                  // rows that are being read do not change
     }
 }

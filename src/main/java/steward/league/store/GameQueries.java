@@ -15,7 +15,6 @@ import java.util.function.LongConsumer;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import steward.league.Decision;
-import steward.league.RepeatedGroups;
 import steward.league.Schedule;
 import steward.league.Season;
 import steward.league.StoredGame;
@@ -127,7 +126,9 @@ public final class GameQueries {
                         int version = lineups.versions().get(lineup)[0];
                         results.addAlone(row.getLong(1), version, row.getDouble(5));
                         results.addAloneGames(1);
-                        results.addSums(version, isSummed ? 1 : 0, 0, 0, 0, 0, 0);
+                        if (isSummed) {
+                            results.addSums(version, 1, 0, 0, 0, 0, 0);
+                        }
                     } else {
                         clusters.add(row.getLong(1), game);
                     }
@@ -173,7 +174,7 @@ public final class GameQueries {
     }
 
     /** Tells a schedule of the decisions of its season and of their games that are over, also whether these repeat. */
-    public void tell(Schedule schedule, RepeatedGroups repeated) {
+    public void tell(Schedule schedule) {
         database.inSnapshot(() -> {
             Lineups lineups = lineups();
             Map<Integer, List<Integer>> groups = new HashMap<>();
@@ -196,7 +197,7 @@ public final class GameQueries {
                     schedule.over(number, lineup);
                     long transcript = game.getLong(2);
                     if (transcript != 0) {
-                        repeated.add(number, lineups.transcript((int) over, transcript), lineup);
+                        schedule.repeated().add(number, lineups.transcript((int) over, transcript), lineup);
                     }
                 }
                 while (decision.next()) {

@@ -152,11 +152,6 @@ public final class GameStore implements AutoCloseable {
             .max(Comparator.comparingLong(Version::played).thenComparing(Version::number));
     }
 
-    /** Adds a version with the limits of the season. */
-    public Version add(String bot, String command, boolean random, String identity, long now) {
-        return add(bot, command, null, random, identity, now);
-    }
-
     /** Adds a version. @param timeLimit its own limits, see {@link Version}; or {@code null} */
     public Version add(String bot, String command, String timeLimit, boolean random, String identity, long now) {
         database.inTransaction(() -> {

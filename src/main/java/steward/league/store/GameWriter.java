@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicLong;
 import steward.files.InputException;
 import steward.league.Decision;
 import steward.league.StoredGame;
@@ -26,8 +27,8 @@ public final class GameWriter implements AutoCloseable {
     private volatile boolean closing;
     private volatile InputException problem;
     private volatile int decided;
-    private long stored;
-    private long transactions;
+    private final AtomicLong stored = new AtomicLong();
+    private final AtomicLong transactions = new AtomicLong();
 
     /** News of the schedule and games, stored in one transaction. */
     private record Item(Decision.News news, List<StoredGame> games) { }
@@ -81,26 +82,20 @@ public final class GameWriter implements AutoCloseable {
 
     private void run() {
         List<Item> batch = new ArrayList<>();
-        while (problem == null) {
-            try {
+        try {
+            while (!closing || !waiting.isEmpty()) {
                 Item first = waiting.poll(POLL_MS, TimeUnit.MILLISECONDS);
-                if (first == null) {
-                    if (closing && waiting.isEmpty()) {
-                        return;
-                    }
-                    continue;
+                if (first != null) {
+                    batch.add(first);
+                    waiting.drainTo(batch);
+                    store(batch);
+                    batch.clear();
                 }
-                batch.add(first);
-                waiting.drainTo(batch);
-                store(batch);
-                batch.clear();
-            } catch (InputException failed) {
-                problem = failed;
-            } catch (RuntimeException unexpected) {
-                problem = new InputException("a game could not be stored: " + unexpected);
-            } catch (InterruptedException interrupted) {
-                closing = true;
             }
+        } catch (InputException failed) {
+            problem = failed;
+        } catch (RuntimeException | InterruptedException unexpected) {
+            problem = new InputException("a game could not be stored: " + unexpected);
         }
     }
 
@@ -114,22 +109,18 @@ public final class GameWriter implements AutoCloseable {
         for (Decision.News each : news) {
             decided = each.made().isEmpty() ? decided : each.made().get(each.made().size() - 1).number() + 1;
         }
-        count(games.size());
-    }
-
-    private synchronized void count(int games) {
-        stored += games;
-        transactions++;
+        stored.addAndGet(games.size());
+        transactions.incrementAndGet();
     }
 
     /** Returns how many games have been stored. */
-    public synchronized long stored() {
-        return stored;
+    public long stored() {
+        return stored.get();
     }
 
     /** Returns the number of transactions. */
-    public synchronized long transactions() {
-        return transactions;
+    public long transactions() {
+        return transactions.get();
     }
 
     /** Returns why no more can be stored, or {@code null}. */

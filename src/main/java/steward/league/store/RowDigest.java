@@ -10,7 +10,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.function.Consumer;
-import java.util.stream.Collectors;
 import steward.numerics.StateHash;
 
 /**
@@ -227,8 +226,8 @@ final class RowDigest {
             int bit = row.getBoolean(3) ? 0 : 1 << columns.size();
             (isSmall ? halves : fetched).add(column);
             halves.set(0, halves.get(0) + (bit == 0 ? "" : " + iif(" + column + " IS NULL, " + bit + ", 0)"));
-            columns.add(new Column(column, Kind.valueOf(row.getString(2)), isSmall ? halves.size() - 1 : 0, fetched.size(), bit,
-                known == null ? null : known.get(column)));
+            columns.add(new Column(column, Kind.valueOf(row.getString(2)), isSmall ? halves.size() - 1 : 0,
+                fetched.size(), bit, known == null ? null : known.get(column)));
         }, name);
         int alone = fetched.size();
         for (int k = 0; k < halves.size(); k += 2) {

@@ -35,8 +35,8 @@ class AsideGamesTest {
     void fourGames() {
         store = GameStore.write(new LeagueFolder(folder));
         season = store.open(GameStoreTest.SEASON);
-        a = store.add("a", "./a", false, "1a", 1);
-        b = store.add("b", "./b", false, "1b", 2);
+        a = store.add("a", "./a", null, false, "1a", 1);
+        b = store.add("b", "./b", null, false, "1b", 2);
         aside = new AsideGames(store);
         MadeUpGames.add(store, season, List.of(game(7, 1, 0, null, null, "here"),
             game(8, 1, 0, null, null, "worker x: m"), game(9, 1, 1, null, "exited", "worker x: m"),

@@ -32,7 +32,6 @@ import steward.league.Schedule;
 import steward.league.Season;
 import steward.league.StoredGame.StoredSeat;
 import steward.league.StoredGame;
-import steward.league.pairing.KnownResults;
 import steward.league.rating.LeagueTable;
 import steward.league.rating.RatingPath;
 import steward.league.rating.Results;
@@ -73,8 +72,8 @@ class GameStoreTest {
     void aGameThatIsPlayedTwiceIsStoredOnce() {
         try (GameStore store = GameStore.write(folder)) {
             int season = store.open(SEASON);
-            Version a = store.add("a", "./a", false, "1a", 1);
-            Version b = store.add("b", "./b", true, "1b", 2);
+            Version a = store.add("a", "./a", null, false, "1a", 1);
+            Version b = store.add("b", "./b", null, true, "1b", 2);
             List<StoredGame> games = List.of(game(a, b, 7, -1, 1, false), game(a, b, 7, 1, 2, true),
                 game(b, a, 7, 0, 1, true));
             assertEquals(3, MadeUpGames.add(store, season, games));
@@ -111,8 +110,8 @@ class GameStoreTest {
     void aGameThatWasStoredMeanwhileBecomesOneOfTheDecision() {
         try (GameStore store = GameStore.write(folder)) {
             int season = store.open(SEASON);
-            Version a = store.add("a", "./a", false, "1a", 1);
-            Version b = store.add("b", "./b", true, "1b", 2);
+            Version a = store.add("a", "./a", null, false, "1a", 1);
+            Version b = store.add("b", "./b", null, true, "1b", 2);
             StoredGame game = game(a, b, 7, -1, 1, true);
             assertEquals(1, store.add(season, List.of(free(game))));
             GameQueries queries = new GameQueries(store, season, SEASON);
@@ -134,8 +133,8 @@ class GameStoreTest {
     void gamesAfterATransactionThatFailedAreWhole() {
         try (GameStore store = GameStore.write(folder)) {
             int season = store.open(SEASON);
-            Version a = store.add("a", "./a", false, "1a", 1);
-            Version b = store.add("b", "./b", true, "1b", 2);
+            Version a = store.add("a", "./a", null, false, "1a", 1);
+            Version b = store.add("b", "./b", null, true, "1b", 2);
             List<StoredGame> games = List.of(game(a, b, 7, -1, 1, false), game(a, b, 7, 1, 2, true));
             execute(store, "CREATE TEMP TRIGGER full BEFORE INSERT ON game WHEN NEW.attempt = 2 BEGIN SELECT "
                 + "RAISE(ABORT, 'no room for the second'); END");
@@ -160,8 +159,8 @@ class GameStoreTest {
             assertEquals(SEASON, store.lastSeason().orElseThrow());
             assertTrue(first != second);
 
-            Version one = store.add("mine", "./mine", false, "aa", 1);
-            Version two = store.add("mine", "./mine", false, "bb", 2);
+            Version one = store.add("mine", "./mine", null, false, "aa", 1);
+            Version two = store.add("mine", "./mine", null, false, "bb", 2);
             assertEquals("mine", one.display());
             assertEquals("mine#2", two.display());
             store.same(two, "cc", 3);
@@ -210,9 +209,9 @@ class GameStoreTest {
     void aLeagueIsResumedAfterTheGamesThatItHas() {
         try (GameStore store = GameStore.write(folder)) {
             int season = store.open(SEASON);
-            Version a = store.add("a", "./a", false, "1a", 1);
-            Version b = store.add("b", "./b", false, "1b", 2);
-            Version c = store.add("c", "./c", false, "1c", 3);
+            Version a = store.add("a", "./a", null, false, "1a", 1);
+            Version b = store.add("b", "./b", null, false, "1b", 2);
+            Version c = store.add("c", "./c", null, false, "1c", 3);
             MadeUpGames.add(store, season, List.of(game(a, b, 0, 1, 1, true), game(b, a, 0, 1, 1, false),
                 game(b, c, 2, 1, 1, true), game(c, b, 2, 1, 1, true), game(c, a, 1, 1, 1, false),
                 game(c, a, 1, 1, 2, true)));
@@ -237,8 +236,8 @@ class GameStoreTest {
     void theWriterStoresEverythingItWasGiven() throws InterruptedException {
         try (GameStore store = GameStore.write(folder)) {
             int season = store.open(SEASON);
-            Version a = store.add("a", "./a", false, "1a", 1);
-            Version b = store.add("b", "./b", false, "1b", 2);
+            Version a = store.add("a", "./a", null, false, "1a", 1);
+            Version b = store.add("b", "./b", null, false, "1b", 2);
             GameWriter writer = new GameWriter(store, season, 5000);
             writer.start();
             for (int seed = 0; seed < 5000; seed++) {
@@ -292,8 +291,8 @@ class GameStoreTest {
     void gamesInWhichAllFailedAreRatedByNothing() {
         try (GameStore store = GameStore.write(folder)) {
             int season = store.open(SEASON);
-            Version a = store.add("a", "./a", false, "1a", 1);
-            Version b = store.add("b", "./b", false, "1b", 2);
+            Version a = store.add("a", "./a", null, false, "1a", 1);
+            Version b = store.add("b", "./b", null, false, "1b", 2);
             StoredGame failed = new StoredGame(0, GameName.of(SEASON, 7, List.of("1a", "1b"), 1), 7, 7, 1, true, 1,
                 null, 1007, "here", null, List.of(new StoredSeat(a.id(), 0, 0, "exited", 1, 100, 100, 100),
                 new StoredSeat(b.id(), 0, 0, "exited", 1, 100, 100, 100)));
@@ -312,8 +311,8 @@ class GameStoreTest {
     void transcriptsAndOwnValuesComeOutAsTheyWentIn() {
         try (GameStore store = GameStore.write(folder)) {
             int season = store.open(SEASON);
-            Version a = store.add("a", "./a", false, "1a", 1);
-            Version b = store.add("b", "./b", false, "1b", 2);
+            Version a = store.add("a", "./a", null, false, "1a", 1);
+            Version b = store.add("b", "./b", null, false, "1b", 2);
             SortedMap<String, Double> own = new TreeMap<>(Map.of("laps", 3.0, "water", -0.125));
             MadeUpGames.add(store, season, List.of(game(a, b, 7, 1, 1, true),
                 known(game(a, b, 9, 1, 1, true), -5, own)));
@@ -342,11 +341,11 @@ class GameStoreTest {
     void aVersionWhoseProgramIsPutBackIsThePresentOneAgain() {
         try (GameStore store = GameStore.write(folder)) {
             int season = store.open(SEASON);
-            Version first = store.add("a", "./a", false, "1a", 1);
-            Version b = store.add("b", "./b", false, "1b", 2);
+            Version first = store.add("a", "./a", null, false, "1a", 1);
+            Version b = store.add("b", "./b", null, false, "1b", 2);
             MadeUpGames.add(store, season, List.of(game(first, b, 5, 1, 1, true)));
             assertEquals(first.id(), store.present("a").orElseThrow().id());
-            Version second = store.add("a", "./a", false, "2a", 2000);
+            Version second = store.add("a", "./a", null, false, "2a", 2000);
             assertEquals(second.id(), store.present("a").orElseThrow().id());
             MadeUpGames.add(store, season, List.of(game(second, b, 1100, 1, 1, true)));
             MadeUpGames.add(store, season, List.of(game(first, b, 1200, 1, 1, true)));
@@ -369,8 +368,8 @@ class GameStoreTest {
     void equalGamesCountOnceUnlessABotDrawsByLot() {
         try (GameStore store = GameStore.write(folder)) {
             int season = store.open(SEASON);
-            Version a = store.add("a", "./a", false, "1a", 1);
-            Version b = store.add("b", "./b", false, "1b", 2);
+            Version a = store.add("a", "./a", null, false, "1a", 1);
+            Version b = store.add("b", "./b", null, false, "1b", 2);
             for (int seed = 0; seed < 4; seed++) {
                 MadeUpGames.add(store, season, List.of(
                     known(game(a, b, seed, seed < 3 ? -1 : 1, 1, true), seed < 3 ? 77 : 78, new TreeMap<>()),
@@ -383,7 +382,8 @@ class GameStoreTest {
             assertEquals(8, results.of(a.id()).games(), "sums are those of all games");
             assertEquals(3, results.games(a.id(), b.id()));
             assertEquals(5, queries.resultsBefore(Integer.MAX_VALUE).repeats());
-            assertEquals(results.points(a.id(), b.id()), queries.known(0).before(Integer.MAX_VALUE).points(a.id(), b.id()));
+            assertEquals(results.points(a.id(), b.id()), queries.known(0).before(Integer.MAX_VALUE).points(a.id(),
+                b.id()));
             Results added = new Results(SEASON);
             queries.games(added::add);
             assertEquals(5, added.repeats());
@@ -415,8 +415,8 @@ class GameStoreTest {
     void aFullDiskStopsItAndTearsNothing() throws SQLException, InterruptedException {
         try (GameStore store = GameStore.write(folder)) {
             int season = store.open(SEASON);
-            Version a = store.add("a", "./a", false, "1a", 1);
-            Version b = store.add("b", "./b", false, "1b", 2);
+            Version a = store.add("a", "./a", null, false, "1a", 1);
+            Version b = store.add("b", "./b", null, false, "1b", 2);
             MadeUpGames.add(store, season, List.of(game(a, b, 0, 1, 1, true)));
             long pages = store.database().number("PRAGMA page_count");
             store.database().execute("PRAGMA max_page_count = " + (pages + 3));

@@ -15,7 +15,6 @@ import steward.league.GameName;
 import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
 import steward.league.PausedBots;
-import steward.league.RepeatedGroups;
 import steward.league.Schedule;
 import steward.league.Season;
 import steward.league.StoredGame;
@@ -64,7 +63,7 @@ public final class MadeUpGames {
 
     /** A bot without a program. */
     static GameStore.Version bot(GameStore store, int number) {
-        return store.add("bot-" + number, "none", false, String.format("%032x", number), 0);
+        return store.add("bot-" + number, "none", null, false, String.format("%032x", number), 0);
     }
 
     /** So many bots without programs, from the strongest. */
@@ -95,8 +94,8 @@ public final class MadeUpGames {
     /** A schedule that goes on from what is stored. */
     static Schedule schedule(GameQueries queries, List<Integer> roster) {
         Schedule schedule = new Schedule(Seeds.from(0), 2, LeagueSettings.USUAL_LAG, roster,
-            new PausedBots(0, LeagueSettings.USUAL_LAG), version -> { });
-        queries.tell(schedule, new RepeatedGroups(false));
+            new PausedBots(0, LeagueSettings.USUAL_LAG, 0), version -> { });
+        queries.tell(schedule);
         return schedule;
     }
 
