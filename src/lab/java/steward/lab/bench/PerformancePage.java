@@ -18,8 +18,8 @@ public final class PerformancePage {
         StringBuilder page = new StringBuilder();
         page.append("# Performance\n\n")
             .append("Written by `steward bench` on ").append(date).append(": ").append(machine).append(".\n")
-            .append("Load of the machine, this run included: ").append(load).append("; what waits for other programs"
-                + " counts by the wall clock.\n\n")
+            .append("Load of the machine, this run included: ").append(load).append(". Sections that wait for other"
+                + " programs are measured by the wall clock.\n\n")
             .append("Machines differ, and one machine differs from hour to hour. So compare the ratios: they are"
                 + " between figures of one run, measured in turns.\nEach ratio is to the first line of its group; a"
                 + " ratio above 1 is faster. Unless a section says otherwise, time is CPU time of"

@@ -104,7 +104,7 @@ public final class StabilityPage {
 
             `steward stability` plays extreme cases on every rung, that is, at every setting of
             [accuracy](accuracy.md). For each it says what is demanded, what was seen, and the verdict. If one demand
-            fails, the exit status is 1. Of %s %,d are met and %,d %s not, in the %s version.
+            fails, the exit status is 1. Of %s %,d are met and %,d %s not, in a run of %s length.
 
             Written by `steward stability` %s on %s: %s. Date and version of each row
             stand in [the table](stability.csv).
@@ -140,8 +140,8 @@ public final class StabilityPage {
                 }
             }
         }
-        out.append(most == 0 ? "" : String.format(Locale.ROOT, " On rungs with exact times a disc's path is\ntrue for "
-            + "%d to %d impacts, whatever the arithmetic; with steps %s. After a thousand turns trust\nonly sums over "
+        out.append(most == 0 ? "" : String.format(Locale.ROOT, " On event rungs, those with exact times, a disc's\npath is true "
+            + "for %d to %d impacts, whatever the arithmetic; with steps %s. After a thousand turns trust\nonly sums over "
             + "all bodies, such as energy, and no single path.", least, most, steps == 0 ? "not for one"
             : "for at most " + steps)).append('\n');
     }

@@ -22,7 +22,7 @@ class CommandPlatformsTest {
         /** Nothing else. */
         JAVA("Java alone", "as on Linux", "as on Linux"),
         /** Starts bots or JVMs. */
-        BOTS("starts bots", "without a sandbox and `--time cpu`", "without a sandbox, `--time cpu` and process groups"),
+        BOTS("starts bots", "no sandbox, no `--time cpu`", "no sandbox, no `--time cpu`, no process groups"),
         /** Runs programs that come with POSIX systems. */
         POSIX("a POSIX shell", "as on Linux", "does not work"),
         /** Asks the system who is at the other end of a socket, and with which limits. */
