@@ -2,7 +2,7 @@ package steward.files;
 
 import java.util.List;
 
-/** Thrown if the call or an input cannot be used; the message says what was found and what was expected. */
+/** Exception for a call or an input that cannot be used; the message says what was found and what was expected. */
 public final class InputException extends RuntimeException implements Remedied {
 
     private final String parameter;

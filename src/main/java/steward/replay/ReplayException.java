@@ -3,7 +3,9 @@ package steward.replay;
 import java.util.List;
 import steward.files.Remedied;
 
-/** Thrown if a file cannot be used as a replay; the message says where, what was found and what was expected. */
+/**
+ * Exception for a file that cannot be used as a replay; the message says where, what was found and what was expected.
+ */
 public class ReplayException extends RuntimeException implements Remedied {
 
     private final transient List<Remedy> remedies;

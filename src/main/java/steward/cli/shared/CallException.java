@@ -1,7 +1,7 @@
 package steward.cli.shared;
 
 /**
- * Thrown for a wrong call: options that exclude each other, or a value out of range. A pointer to help follows the
+ * Exception for a wrong call: options that exclude each other, or a value out of range. A pointer to help follows the
  * message.
  */
 public final class CallException extends RuntimeException {

@@ -1,6 +1,6 @@
 package steward.machines.check;
 
-/** Thrown when a reported game cannot have happened. The message gives what was found and what was expected. */
+/** Exception for a reported game that cannot have happened. The message gives what was found and what was expected. */
 public final class DisprovedException extends Exception {
 
     private final boolean computed;

@@ -2,7 +2,7 @@ package steward.replay.verify;
 
 import steward.replay.ReplayException;
 
-/** Thrown for a replay that was played by an older law of its rung: it can be watched, but not played again. */
+/** Exception for a replay that was played by an older law of its rung: it can be watched, but not played again. */
 public final class OlderLawException extends ReplayException {
 
     private final String laws;
