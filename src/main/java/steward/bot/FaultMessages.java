@@ -126,7 +126,7 @@ public final class FaultMessages {
         return fault.startsWith(LATE);
     }
 
-    /** True if a fault is one of time: {@link #late}, {@link #overCpu} or {@link #inputUnread}. */
+    /** True if a fault is one of time: {@link #late}, {@link #overCpu} or input that was not read in time. */
     public static boolean isTime(String fault) {
         return isLate(fault) || fault.startsWith(UNREAD);
     }

@@ -89,7 +89,7 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
     }
 
     /**
-     * Treatment of bots that compute while others are asked, such as {@code waiting bots are stopped by control groups};
+     * Treatment of bots that compute while others are asked, as {@code waiting bots are stopped by control groups};
      * empty if nothing is.
      */
     @Internal

@@ -127,7 +127,7 @@ public final class CellFlights extends FreeFlights {
         return search.collect(near, nearCount, now);
     }
 
-    /** Removes the events of a body and its partner if surely no other impact is at their time. @return whether it did */
+    /** Removes the events of a body and its partner if no other impact can be at their time. @return whether it did */
     private boolean removeIfAlone(int body, double now) {
         int partner = crowd.link[8 * body + PARTNER];
         if (search.isDoubtful(body) || partner >= 0 && search.isDoubtful(partner) && isNear(partner, now)) {
