@@ -195,6 +195,7 @@ class DocsTest {
                 assertEquals(Files.readString(Path.of(example.group(1))), example.group(2), page.path());
             }
         }
-        assertEquals(new TreeSet<>(List.of("OneMatch.java", "Searcher.java", "heap.py")), files);
+        assertEquals(new TreeSet<>(List.of("DroppedBall.java", "OneMatch.java", "ReplayStates.java",
+            "Searcher.java", "heap.py")), files);
     }
 }

@@ -132,17 +132,16 @@ class ReadmeTest {
                     }
                 })).play();
         }
-        Path source = Files.writeString(folder.resolve("States.java"), "import java.nio.file.Path;\n"
-            + "import steward.game.podrace.protocol.PodRaceJson;\nimport steward.replay.*;\n"
-            + "public class States {\n    public static void read(java.util.List<String> lines) throws Exception {\n"
-            + block("docs/library.md", "java", 2).replace("System.out.println(", "lines.add(")
-                .replace("\"race.jsonl\"", "\"" + race.toString().replace("\\", "\\\\") + "\"") + "    }\n}\n");
+        Path source = Files.writeString(folder.resolve("ReplayStates.java"), block("docs/library.md", "java", 2)
+            .replace("void main(String[] files)", "void read(java.util.List<String> lines, String... files)")
+            .replace("System.out.println(", "lines.add("));
         ByteArrayOutputStream said = new ByteArrayOutputStream();
         assertEquals(0, compiler.run(null, said, said, "-cp", System.getProperty("java.class.path"), "-proc:none", "-d",
             folder.toString(), source.toString()), said::toString);
         List<String> read = new ArrayList<>();
         try (URLClassLoader loader = new URLClassLoader(new URL[] {folder.toUri().toURL()})) {
-            loader.loadClass("States").getMethod("read", List.class).invoke(null, read);
+            loader.loadClass("ReplayStates").getMethod("read", List.class, String[].class)
+                .invoke(null, read, new String[] {race.toString()});
         }
 
         assertTrue(read.size() > 400, read.size() + " lines");

@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 import steward.files.OutputFiles;
@@ -42,7 +43,7 @@ public final class BotFolders {
         // The parser keeps the values of each option; which stood after which, only the words of the call say.
         List<String> words = command.commandLine().getParseResult().originalArgs();
         for (String word : words.stream().takeWhile(each -> !each.equals("--")).toList()) {
-            String name = word.startsWith("--") ? word.split("=", 2)[0] : "";
+            String name = optionOf(word);
             if (NAMING.contains(name)) {
                 bot = name;
                 taken = false;
@@ -61,6 +62,20 @@ public final class BotFolders {
             }
         }
         return found;
+    }
+
+    /** Returns the long name of the option that a word of the call is, also as {@code -qb BOT}; empty for others. */
+    private String optionOf(String word) {
+        if (word.startsWith("--")) {
+            return word.split("=", 2)[0];
+        }
+        for (int k = 1; word.startsWith("-") && k < word.length(); k++) {
+            OptionSpec option = command.findOption(word.charAt(k));
+            if (option == null || option.arity().max() > 0) {
+                return option == null ? "" : option.longestName();
+            }
+        }
+        return "";
     }
 
     private Path folder(String typed) {

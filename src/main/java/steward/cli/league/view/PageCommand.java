@@ -33,9 +33,9 @@ import steward.text.TextFormat;
 @Command(name = "page", description = "Writes a league as one self-contained page for a browser.",
     footer = {
         "", "The page has the table, the crosstable, the ratings over games, the last games,",
-        "and why each bot lost (click on its name). Kept replays are one click away: 24 MB",
-        "of them in the page, the others as pages of their own beside it. A moment of a",
-        "game has an address: night.html#game=276&t=20.",
+        "and why each bot lost (click on its name). Kept replays are one click away: 24",
+        "MB of them in the page, the others as pages of their own beside it. A moment of",
+        "a game has an address: night.html#game=276&t=20.",
         "", "Example:",
         "  steward league page night --out night.html --open"})
 public final class PageCommand extends ProgramCommand {
