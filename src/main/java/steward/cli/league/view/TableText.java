@@ -51,12 +51,13 @@ public final class TableText {
             lines.add("");
         }
         ApartWords.of(table).stream().limit(SURPRISES).map(TextFormat::plain).forEach(lines::add);
-        lines.add("Rating: Elo; 100 ahead takes 64 points of 100. " + zero(table) + " bar: 95%, for a number of games");
-        lines.add("that was fixed before. anytime: 95%, however often one looks and whenever one stops. " + to(table)
-            + ":");
-        lines.add("the difference with its bar. ranks: what the games leave open, with 95%.");
+        lines.add("rating: Elo; 100 ahead takes 64 points of 100. " + zero(table));
+        lines.add("bar: 95% interval, if the number of games was fixed before.");
+        lines.add("anytime: 95% interval that holds however often you look.");
+        lines.add(to(table) + ": the difference, with its bar.");
+        lines.add("ranks: the ranks that are still possible, at 95%.");
         if (table.rows().stream().anyMatch(row -> !Double.isNaN(row.bound()) || row.difference().isOneSided())) {
-            lines.add("> and <: who has won or lost nearly everything is more than that ahead or behind.");
+            lines.add("> and <: bounds, of bots that have won or lost nearly everything.");
         }
         if (table.rows().stream().anyMatch(row -> row.sums().games() > 0 && Double.isNaN(row.bound())
                 && !row.hasBar())) {
@@ -66,7 +67,7 @@ public final class TableText {
             lines.add("Each bot plays alone; its score on a map is compared with the others' on the same map.");
         }
         if (table.rows().stream().anyMatch(row -> row.entry().random())) {
-            lines.add("* draws by lot: its games cannot be played again alike.");
+            lines.add("* uses random numbers: its games cannot be repeated exactly.");
         }
         return lines;
     }
