@@ -8,7 +8,8 @@ import picocli.CommandLine.Option;
 public final class DisplayOptions {
 
     @Option(names = "--view", paramLabel = "HTML",
-        description = "Writes a self-contained page that shows the match to this file; it opens from disk.")
+        description = "Writes a self-contained page that shows the match or the series to this file; it opens from "
+            + "disk.")
     private String view;
 
     @Mixin
@@ -20,8 +21,7 @@ public final class DisplayOptions {
 
     /** Refuses what does not go together. */
     public void check(CallCheck check, boolean many) {
-        check.that(!many || !isAny(),
-            "--view, --watch and --open are for one match, expected no --games or --swap with them");
+        check.that(!many || !watch.watch(), "--watch is for one match, expected no --games or --swap with it");
         watch.check(check);
     }
 

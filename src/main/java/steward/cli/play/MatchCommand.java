@@ -46,6 +46,11 @@ import steward.text.TextFormat;
         "  steward match --protocol codingame --bot ./a.out --bot json:'python3 bot.py'",
         "  steward match --bot ./mine --bot builtin:racer --view match.html --open",
         "  steward match --bot ./mine --bot builtin:racer --watch --open",
+        "  steward match --bot ./mine --bot builtin:racer --games 20 --swap --out games \\",
+        "      --view series.html",
+        "", "With many games, --view writes a page with results by seed and side, answer",
+        "times and failures. It holds up to 24 MB of the replays that --out keeps. The",
+        "others are pages beside it. series.html#game=7&t=20 is the address of a moment.",
         "", "--watch prints the address of the page. The match begins when a browser has",
         "opened it, or when you press Enter; without a terminal, after 60 seconds. After",
         "the match, the program ends as soon as every browser has everything. Open pages",
@@ -162,7 +167,8 @@ public final class MatchCommand extends ProgramCommand {
         if (many.isAny()) {
             Seeds starts = list.isGiven() ? list.seeds() : Seeds.from(first);
             Series series = new Series(contest, starts, count(), many.swap(), path, many.keep(), many.hiccups());
-            SeriesRun run = new SeriesRun(streams, series, report, strict, many.random(), choosers, many.why());
+            SeriesRun run = new SeriesRun(streams, series, report, strict, many.random(), choosers, many.why(),
+                SeriesPage.of(show.view(), show.open(), overwrite));
             if (many.into() == null) {
                 return run.play(many.threads(streams), overwrite);
             }

@@ -29,42 +29,45 @@ final class SeriesJson {
 
     static void print(Streams streams, Series series, SeriesPlay play, List<String> choosers,
                       Losses why) {
+        MatchJson.printObject(streams, out -> write(out, series, play, choosers, why));
+    }
+
+    /** The fields of the object. */
+    static void write(JsonGenerator out, Series series, SeriesPlay play, List<String> choosers, Losses why) {
         Standings standings = play.standings();
-        MatchJson.printObject(streams, out -> {
-            out.writeStringProperty("scene", series.contest().sceneName());
-            out.writeStringProperty("seed", Long.toString(series.first()));
-            out.writeNumberProperty("seeds", series.seeds());
-            JsonObject.writeTexts(out, "choosers", choosers);
-            out.writeBooleanProperty("swap", series.swap());
-            out.writeBooleanProperty("alone", series.contest().isAlone());
-            out.writeNumberProperty("planned", series.games());
-            out.writeNumberProperty("games", standings.games().size());
-            out.writeNumberProperty("results", standings.results());
-            out.writeNumberProperty("allFailed", standings.allFailed().size());
-            JsonNumbers.writeAll(out, "repeats", standings.repeats().size(),
-                k -> standings.repeats().get(k).number());
-            JsonNumbers.writeOrNull(out, "superiority", SeriesText.superiority(series, standings));
-            out.writeBooleanProperty("interrupted", play.isBrokenOff());
-            out.writeStringProperty("stopped", play.stopped());
-            out.writeStringProperty("keep", series.keep().word());
-            out.writeStringProperty("time", series.contest().time().basis().word());
-            out.writeStringProperty("hiccups", series.hiccups().word());
-            out.writeNumberProperty("playedAgain", standings.playedAgain().size());
-            out.writeStringProperty("sandbox", series.contest().sandbox());
-            out.writeStringProperty("hold", series.contest().hold());
-            JsonNumbers.writeOrNull(out, "meanTurns", standings.meanTurns());
-            JsonObject.writeAll(out, "bots", series.contest().entrants().size(),
-                k -> writeBot(out, series, series.contest().entrants().get(k), standings.tally(k)));
-            FailureReport.json(out, standings.failures());
-            if (why != null) {
-                out.writeObjectPropertyStart("why");
-                why.json(out);
-                out.writeEndObject();
-            }
-            JsonObject.writeAll(out, "list", standings.games(), game -> writeGame(out, series, game));
-            JsonObject.writeAll(out, "times", series.contest().entrants().size(),
-                k -> writeTimes(out, standings.times(k)));
-        });
+        out.writeStringProperty("scene", series.contest().sceneName());
+        out.writeStringProperty("seed", Long.toString(series.first()));
+        out.writeNumberProperty("seeds", series.seeds());
+        JsonObject.writeTexts(out, "choosers", choosers);
+        out.writeBooleanProperty("swap", series.swap());
+        out.writeBooleanProperty("alone", series.contest().isAlone());
+        out.writeNumberProperty("planned", series.games());
+        out.writeNumberProperty("games", standings.games().size());
+        out.writeNumberProperty("results", standings.results());
+        out.writeNumberProperty("allFailed", standings.allFailed().size());
+        JsonNumbers.writeAll(out, "repeats", standings.repeats().size(),
+            k -> standings.repeats().get(k).number());
+        JsonNumbers.writeOrNull(out, "superiority", SeriesText.superiority(series, standings));
+        out.writeBooleanProperty("interrupted", play.isBrokenOff());
+        out.writeStringProperty("stopped", play.stopped());
+        out.writeStringProperty("keep", series.keep().word());
+        out.writeStringProperty("time", series.contest().time().basis().word());
+        out.writeStringProperty("hiccups", series.hiccups().word());
+        out.writeNumberProperty("playedAgain", standings.playedAgain().size());
+        out.writeStringProperty("sandbox", series.contest().sandbox());
+        out.writeStringProperty("hold", series.contest().hold());
+        JsonNumbers.writeOrNull(out, "meanTurns", standings.meanTurns());
+        JsonObject.writeAll(out, "bots", series.contest().entrants().size(),
+            k -> writeBot(out, series, series.contest().entrants().get(k), standings.tally(k)));
+        FailureReport.json(out, standings.failures());
+        if (why != null) {
+            out.writeObjectPropertyStart("why");
+            why.json(out);
+            out.writeEndObject();
+        }
+        JsonObject.writeAll(out, "list", standings.games(), game -> writeGame(out, series, game));
+        JsonObject.writeAll(out, "times", series.contest().entrants().size(),
+            k -> writeTimes(out, standings.times(k)));
     }
 
     private static void writeBot(JsonGenerator out, Series series, Contest.Entrant entrant, Tally tally) {

@@ -26,9 +26,10 @@ import steward.text.TextFormat;
  * @param random whether bots draw by lot, so that equal games are no repeats
  * @param choosers names of the bots by whose games the seeds were chosen
  * @param why    whether it is said why the first bot lost
+ * @param page   of the series
  */
 record SeriesRun(Streams streams, Series series, Verbosity report, boolean strict, boolean random,
-                 List<String> choosers, boolean why) {
+                 List<String> choosers, boolean why, SeriesPage page) {
 
     /** How many games without a result are reported one by one. */
     private static final int PROBLEMS_SHOWN = 10;
@@ -85,6 +86,7 @@ record SeriesRun(Streams streams, Series series, Verbosity report, boolean stric
         }
         if (keeper == null || play.changed() == null) {
             tell(play);
+            page.write(streams, series, play, choosers, report == Verbosity.FULL);
         }
         tellProblems(play);
         boolean whole = play.stopped() == null && play.standings().results() == series.games();

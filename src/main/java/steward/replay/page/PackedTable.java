@@ -13,9 +13,9 @@ import steward.json.JsonObject;
 import tools.jackson.core.JsonGenerator;
 
 /**
- * Rows of numbers over the turns of a match, as a page holds them: by column, in whole steps as fine as a screen shows.
- * A cell is a code of 32 bits: 0 for a value that is absent; otherwise one more than its difference from a prediction,
- * in steps, folded so that small differences of either sign are small numbers. The first bytes of all codes of a column
+ * Rows of numbers over the turns of a match, by column, in steps as fine as a screen shows. A cell is a code of 32
+ * bits. It is 0 for a value that is absent, and otherwise one more than the difference from a prediction, in steps.
+ * Differences are folded, so that small ones of either sign are small numbers. The first bytes of all codes of a column
  * stand before the second bytes of all, and so on: of what is predicted well, most bytes are zero.
  */
 final class PackedTable {

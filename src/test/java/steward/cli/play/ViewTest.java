@@ -201,8 +201,7 @@ class ViewTest {
         refused("--view and --open take the whole match", "replay", "x", "--view", "y", "--turn", "3");
         refused("--view and --open take the whole match", "replay", "x", "--open", "--verify");
         refused("--overwrite: expected --view or --picture with it", "replay", "x", "--overwrite");
-        refused("are for one match", match("--view", "x", "--games", "2"));
-        refused("are for one match", match("--watch", "--swap"));
+        refused("--watch is for one match", match("--watch", "--swap"));
         refused("--port is for --watch, expected both", match("--port", "80"));
         refused("--host is for --watch, expected both", match("--host", "localhost"));
         refused("--port: found 65536, expected 0 to 65535", match("--watch", "--port", "65536"));

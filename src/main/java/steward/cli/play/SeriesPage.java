@@ -1,0 +1,93 @@
+package steward.cli.play;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.IntStream;
+import steward.cli.shared.FailedException;
+import steward.cli.shared.Games;
+import steward.cli.shared.Pages;
+import steward.cli.streams.Streams;
+import steward.contest.Contest;
+import steward.contest.Series;
+import steward.contest.SeriesPlay;
+import steward.files.OutputFiles;
+import steward.league.page.LeaguePage;
+import steward.replay.page.PageReplays;
+import steward.replay.page.PageTemplate;
+import steward.replay.page.ReplayPage;
+import steward.text.TextFormat;
+
+/**
+ * Page of a series: results, answer times, failures and kept replays in one file. Replays that are too many for it
+ * become pages beside it.
+ *
+ * @param file      where it goes; {@code null} for none
+ * @param open      whether a browser is to open it
+ * @param overwrite whether it replaces a file
+ */
+record SeriesPage(Path file, boolean open, boolean overwrite) {
+
+    private static final String FOLDER = "/steward/series/";
+
+    /** No page. */
+    static final SeriesPage NONE = new SeriesPage(null, false, false);
+
+    /** The page that options ask for. @param view the name of its file, or {@code null} */
+    static SeriesPage of(String view, boolean open, boolean overwrite) {
+        if (view == null && !open) {
+            return NONE;
+        }
+        SeriesPage page = new SeriesPage(view == null ? Pages.unnamed() : OutputFiles.path(view), open,
+            overwrite || view == null);
+        OutputFiles.check(page.file, page.overwrite);
+        return page;
+    }
+
+    /** Writes it, says where it is, and opens it. */
+    void write(Streams streams, Series series, SeriesPlay play, List<String> choosers, boolean isSaid)
+            throws InterruptedException {
+        if (file == null) {
+            return;
+        }
+        Contest contest = series.contest();
+        List<PageReplays.Kept> kept = play.standings().games().stream()
+            .filter(game -> game.replay() != null && Files.isRegularFile(game.replay()))
+            .map(game -> new PageReplays.Kept(game.number(), game.replay(), Pages.title(IntStream.range(0,
+                contest.players()).mapToObj(player -> contest.entrants().get(game.entrantOf(contest, player)).name())
+                .toList()), null)).toList();
+        PageReplays replays = PageReplays.of(kept, Games.types());
+        ByteArrayOutputStream html = new ByteArrayOutputStream();
+        try {
+            Map<Long, String> linked = replays.writeBeside(file, Games.types());
+            ReplayPage.Shell shell = ReplayPage.shell();
+            PageTemplate page = new PageTemplate(FOLDER, Pages.title(contest.entrants().stream()
+                .map(Contest.Entrant::name).toList()));
+            page.put("policy", page.policy("'none'", " " + shell.scriptHash(), " " + shell.styleHash()));
+            String data = LeaguePage.inScript(LeaguePage.json(out -> {
+                SeriesJson.write(out, series, play, choosers, null);
+                out.writeStringProperty("folder", series.folder() == null ? null : series.folder().toString());
+                replays.write(out, shell, linked);
+            }));
+            page.write(html, out -> out.write(data.getBytes(StandardCharsets.UTF_8)));
+            try (OutputStream out = OutputFiles.open(file, overwrite)) {
+                Pages.write(out, html.toByteArray(), file);
+            }
+            if (isSaid) {
+                streams.out().println("Page: " + file + ", " + TextFormat.count(replays.embedded().size(), "replay")
+                    + " in it" + (linked.isEmpty() ? "" : ", " + linked.size() + " in " + PageReplays.folder(file)));
+                streams.out().flush();
+            }
+        } catch (IOException problem) {
+            throw new FailedException(file + ": cannot be written: " + OutputFiles.reason(file, problem));
+        }
+        if (open) {
+            Pages.open(streams, file.toAbsolutePath().toUri());
+        }
+    }
+}
