@@ -19,6 +19,11 @@ export function hookOf(page) {
       page.playback.seek(turn === 0 ? 0 : turn - 1 + fraction);
       page.draw();
     },
+    show(time) {
+      page.playback.seek(time);
+      page.draw();
+    },
+    commandLines: (turn, player) => page.look.commandLines(page.match.turn(turn).commands[player], player, page.match),
     go: link => page.followLink(link),
     bodies: () => page.match.bodiesAt(page.playback.moment).map(body => ({ id: body.id, owner: body.owner,
       ...toWindow(body.x, body.y), radius: body.radius * page.stage.view.scale })),

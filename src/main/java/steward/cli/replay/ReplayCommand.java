@@ -58,6 +58,7 @@ import steward.text.NearestName;
         "  steward replay match.jsonl --verify --signed-by mine.key.pub",
         "  steward replay match.jsonl --verify --signed-by a.pub --require strict",
         "  steward replay match.jsonl --view match.html --open",
+        "  steward replay old.jsonl --beside new.jsonl --view both.html",
         "  steward replay match.jsonl --viewer --open",
         "  steward replay match.jsonl --frames --player 1 | ./mybot",
         "", "Exit status: 0 done; 1 not verified: something is missing or differs from the",
@@ -134,6 +135,11 @@ public final class ReplayCommand extends ProgramCommand {
     private boolean open;
 
     @OptionSection("Pages and pictures")
+    @Option(names = "--beside", paramLabel = "FILE", description = "With --view or --open: another replay of the same "
+        + "scene, players and seed. The page shows both side by side, and where they differ.")
+    private String beside;
+
+    @OptionSection("Pages and pictures")
     @Option(names = "--viewer", description = "Shows the match of a referee made with CodinGame's SDK in the SDK's own "
         + "viewer, from the jars that the replay names, to browsers on this machine, until Enter.")
     private boolean viewer;
@@ -176,6 +182,9 @@ public final class ReplayCommand extends ProgramCommand {
                 new SdkViewer(replay).serve(streams, open);
                 return ExitStatus.DONE;
             }
+        }
+        if (beside != null) {
+            return viewBeside();
         }
         if (view != null || open || picture != null) {
             return view(piped ? null : OutputFiles.path(file), piped ? StandardFiles.readAll(streams) : null);
@@ -260,6 +269,9 @@ public final class ReplayCommand extends ProgramCommand {
             && (turn == null || picture != null && view == null && !open),
             "--view and --open take the whole match, expected no --verify, --frames, --impacts, --turn, --from or --to "
             + "with them");
+        check.that(beside == null || (view != null || open) && !StandardFiles.is(view) && !StandardFiles.is(beside)
+            && !StandardFiles.is(file) && picture == null && site == null, "--beside: expected --view with a file, or "
+            + "--open, with it, two files of replays, and no --picture or --site");
         check.that(!viewer || !verify && !frames && !impacts && !range && turn == null && !json && !map && view == null
             && picture == null && !quiet, "--viewer takes the whole match, expected nothing else but --open with it");
         check.that(!open || !StandardFiles.is(view), "--open: found --view - with it, expected a file for the page");
@@ -302,6 +314,18 @@ public final class ReplayCommand extends ProgramCommand {
                 + page.turns());
             check.that(at == null || at <= page.turns(), "--at: found " + at + ", expected 0 to " + page.turns());
             say("Picture: " + page.picture(picture, at != null ? at : turn != null ? turn : page.turns(), overwrite));
+        }
+        return ExitStatus.DONE;
+    }
+
+    private int viewBeside() throws InterruptedException {
+        BesidePage both = new BesidePage(streams, OutputFiles.path(file), OutputFiles.path(beside));
+        Path page = view == null ? Pages.unnamed() : OutputFiles.path(view);
+        both.write(page, overwrite || view == null, referee.types());
+        say("Page: " + page);
+        say(both.summary());
+        if (open) {
+            Pages.open(streams, page.toAbsolutePath().toUri());
         }
         return ExitStatus.DONE;
     }
