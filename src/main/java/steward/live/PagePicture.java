@@ -45,7 +45,7 @@ public final class PagePicture {
                 "--hide-scrollbars", "--force-prefers-reduced-motion",
                 "--blink-settings=preferredColorScheme=0", "--user-data-dir=" + profile.resolve("profile"),
                 "--window-size=" + SIZE, "--virtual-time-budget=4000", "--screenshot=" + taken, "--dump-dom",
-                page.toUri() + "#t=" + time)
+                page.toUri() + "#t=" + time + "&picture")
                 .redirectError(ProcessBuilder.Redirect.DISCARD).redirectOutput(elements.toFile());
             call.environment().put("TMPDIR", profile.toString());   // Chromium leaves its socket behind
             Process process = call.start();

@@ -35,6 +35,7 @@ const PANEL_MS = 100;           // while playing, texts change no more often tha
 const LINK_MS = 1000;           // nor does the link
 const TOLD_MS = 2500;           // how long a short word stays
 const MOST_FOLLOWED = 12;       // bodies whose state is followed within a turn while it plays
+const PICTURE = '&picture';     // end of a link to a moment without controls
 const LONGEST_FRAME = 0.25;     // seconds; a page that was hidden goes on where it was
 
 const find = id => document.getElementById(id);
@@ -57,7 +58,7 @@ export class Page {
   #wasPlaying = false;
   #grown = false;
   differsFrom = NaN;              // the first turn in which a server has shown another game
-  look; series; stage; timeline; charts; scores; cards; bodies; happened; table; ending; isLinkKept; onFrame;
+  look; series; stage; timeline; charts; scores; cards; bodies; happened; table; ending; isLinkKept; onFrame; onDrawn;
 
   /** Takes one line of a replay: from the page itself or as it is played. */
   addLine(line) {
@@ -197,6 +198,7 @@ export class Page {
     this.stage.draw(moment, playback.turnsPerSecond);
     this.timeline.move(playback.time);
     this.ending.update(playback.time >= playback.end);
+    this.onDrawn?.();
     const now = performance.now();
     if (!playback.playing || now - this.#lastPanels >= PANEL_MS) this.#drawPanels(moment, now);
     if (!playback.playing || now - this.#lastLink >= LINK_MS) this.#updateLink(now);
@@ -291,6 +293,13 @@ export class Page {
   }
 }
 
+/** Only what a picture shows. */
+function showBare(page) {
+  document.body.classList.add('bare');
+  page.isLinkKept = true;
+  page.redrawAll();
+}
+
 /** What the page does not have of a long replay. */
 function packedWords({ packed }) {
   return packed ? ` · ${packed.every > 1 ? `every ${packed.every}. state, ` : ''}numbers rounded to the screen` : '';
@@ -307,7 +316,9 @@ async function showEmbedded(page, source) {
   page.say(source.dataset.warning ?? '');
   page.differsFrom = Number(source.dataset.differsFrom ?? NaN);
   find('differs').textContent = source.dataset.differs ?? '';
-  if (!page.followLink() && page.match.lastTurn && !page.theme.isCalm) page.playback.play();
+  const link = outer?.link ?? location.hash;
+  if (link.endsWith(PICTURE)) showBare(page);
+  if (!page.followLink(link.replace(PICTURE, '')) && page.match.lastTurn && !page.theme.isCalm) page.playback.play();
 }
 
 async function start() {

@@ -77,6 +77,14 @@ export class Scores {
   }
 }
 
+/** Who won, in a few words. */
+export function headlineOf(match) {
+  const { standing } = match.result;
+  const best = standing.flatMap(({ rank }, player) => (rank === 0 ? [player] : []));
+  if (standing.length === 1) return nameOf(match, 0);
+  return best.length === 1 ? `${nameOf(match, best[0])} wins` : `Draw: ${best.map(player => nameOf(match, player)).join(' and ')}`;
+}
+
 /** The lower third at the end: who won, why, and everybody's rank. */
 export class Ending {
   isDismissed = false;
@@ -110,7 +118,7 @@ export class Ending {
     list.tabIndex = 0;
     list.setAttribute('aria-label', 'Ranks');
     this.root.replaceChildren(
-      element('p', 'headline', this.#headline(result)),
+      element('p', 'headline', headlineOf(this.match)),
       element('p', 'reason', `${shorten(result.ending, MOST_REASON)}, turn ${result.turns}`, this.#leadWords(result)), list, close);
   }
 
@@ -133,13 +141,6 @@ export class Ending {
     const button = element('button', 'then', words);
     button.addEventListener('click', () => this.onSeek(time));
     return button;
-  }
-
-  #headline(result) {
-    const best = result.standing.flatMap((standing, player) => (standing.rank === 0 ? [player] : []));
-    if (result.standing.length === 1) return nameOf(this.match, 0);
-    return best.length === 1 ? `${nameOf(this.match, best[0])} wins`
-      : `Draw: ${best.map(player => nameOf(this.match, player)).join(' and ')}`;
   }
 
   #rankLine({ player, rank, score, out }, result) {

@@ -1,13 +1,13 @@
-// To hand on: a link to the moment, a picture of it, a clip of the next seconds.
+// To hand on: a link to the moment, a picture of it, a clip of turns.
 
+import { Clip } from './clip.js';
 import { outerPage } from './outer.js';
-import { pictureOf } from './stage.js';
-import { nameOf } from './text.js';
+import { drawPoster } from './poster.js';
 
-const CLIP_SECONDS = 6;
-const CLIP_RATE = 60;
 const ADDRESSES = /^(https?|file):$/;    // a page in a page, or one that a league opened, may be elsewhere
-const CLIP_TYPES = ['video/webm;codecs=vp9', 'video/webm;codecs=vp8', 'video/webm'];
+
+/** True if the page is locked up in another one, which forbids it to save files. */
+const isClosed = () => self.origin === 'null' && location.protocol !== 'file:';
 
 export class Share {
   constructor(page) {
@@ -45,53 +45,57 @@ export class Share {
 
   /** Saves a table. */
   csv(name, text) {
-    this.#save(new Blob([text], { type: 'text/csv' }), `${name}.csv`);
+    this.#download(new Blob([text], { type: 'text/csv' }), `${name}.csv`);
   }
 
-  /** A PNG of the field and who plays. */
+  /** A PNG of the field, who plays, the scores and at the end who won. */
   picture() {
-    const { match, playback, stage } = this.page;
-    const names = match.players.map((_, player) => nameOf(match, player)).join(' – ');
-    pictureOf(stage, names, `${match.header.scene?.name ?? match.header.game} · ${playback.time.toFixed(2)}`)
-      .toBlob(blob => this.#save(blob, `${playback.time.toFixed(2)}.png`), 'image/png');
-  }
-
-  /** A WebM of the next seconds, played at the present speed. */
-  clip() {
     const { page } = this;
-    if (this.#recorder) {
-      this.#recorder.stop();
-      return;
-    }
-    const type = CLIP_TYPES.find(each => window.MediaRecorder?.isTypeSupported(each));
-    if (!type) {
-      page.tell('This browser records no clips');
-      return;
-    }
-    const parts = [];
-    const stream = page.stage.canvas.captureStream(CLIP_RATE);
-    const recorder = new MediaRecorder(stream, { mimeType: type, videoBitsPerSecond: 8e6 });
-    const timer = setTimeout(() => recorder.state === 'recording' && recorder.stop(), CLIP_SECONDS * 1000);
-    this.#recorder = recorder;
-    document.body.classList.add('recording');
-    recorder.addEventListener('dataavailable', event => parts.push(event.data));
-    recorder.addEventListener('stop', () => {
-      clearTimeout(timer);
-      stream.getTracks().forEach(track => track.stop());
-      document.body.classList.remove('recording');
-      this.#recorder = null;
-      this.#save(new Blob(parts, { type: 'video/webm' }), `${page.playback.time.toFixed(2)}.webm`);
-    });
-    recorder.start();
-    page.playback.play();
-    page.tell(`Recording ${CLIP_SECONDS} seconds`);
+    const time = page.playback.time.toFixed(2);
+    page.draw();
+    const canvas = drawPoster(page, document.createElement('canvas'));
+    if (isClosed()) this.#openPicture(canvas, time);
+    else canvas.toBlob(blob => this.#save(blob, `${time}.png`), 'image/png');
   }
-  #recorder = null;
 
-  #save(blob, what) {
+  /** Opens the picture in the page: where the page has no origin, as in a notebook, it may save nothing by itself. */
+  #openPicture(canvas, time) {
+    const image = document.createElement('img');
+    image.src = canvas.toDataURL('image/png');
+    image.alt = `The match at ${time}`;
+    image.style.maxWidth = '100%';
+    const words = document.createElement('p');
+    words.textContent = 'Save it from here: by the menu of the picture, a right click or a long press.';
+    this.page.sheet.open(`Picture at ${time}`, [words, image], image.src);
+  }
+
+  /** A clip of a range of turns. */
+  clip() {
+    this.#clip ??= new Clip(this.page, (blob, name) => this.#save(blob, name));
+    this.#clip.ask();
+  }
+  #clip = null;
+
+  /** Hands a file to the phone's own dialog of sharing, or saves it. */
+  async #save(blob, what) {
+    const shared = new File([blob], this.#nameOf(what), { type: blob.type });
+    if (matchMedia('(pointer: coarse)').matches && navigator.canShare?.({ files: [shared] })) {
+      try {
+        return await navigator.share({ files: [shared] });
+      } catch (problem) {
+        if (problem.name === 'AbortError') return undefined;
+      }
+    }
+    return this.#download(blob, what);
+  }
+
+  #nameOf(what) {
+    return `${(this.page.match.header.scene?.name ?? 'match').replace(/[^\w-]+/g, '-')}-${what}`;
+  }
+
+  #download(blob, what) {
     const link = document.createElement('a');
-    const name = (this.page.match.header.scene?.name ?? 'match').replace(/[^\w-]+/g, '-');
-    link.download = `${name}-${what}`;
+    link.download = this.#nameOf(what);
     link.href = URL.createObjectURL(blob);
     link.click();
     setTimeout(() => URL.revokeObjectURL(link.href), 60_000);

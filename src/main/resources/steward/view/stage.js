@@ -1,7 +1,7 @@
 // The field on its canvas. Everything here follows from what the game described; a look adds what is special to one.
 
 import { Camera } from './camera.js';
-import { captionSize, circle, FONT, lineTo, moveTo, write } from './draw.js';
+import { captionSize, circle, lineTo, moveTo, write } from './draw.js';
 import { drawImpacts, drawMarks } from './effects.js';
 import { Ground } from './ground.js';
 import { drawRing } from './looks.js';
@@ -214,26 +214,4 @@ function drawShape({ ctx, view, paint, theme }, shape, player) {
     circle(ctx, view.x(shape.x), view.y(shape.y), shape.radius * view.scale);
   }
   ctx.stroke();
-}
-
-/** The field as a picture of its own: what is drawn, and below it who plays and which moment it is. */
-export function pictureOf(stage, title, words) {
-  const { canvas, pixelRatio, theme } = stage;
-  const strip = Math.round(34 * pixelRatio);
-  const picture = document.createElement('canvas');
-  picture.width = canvas.width;
-  picture.height = canvas.height + strip;
-  const ctx = picture.getContext('2d');
-  ctx.drawImage(canvas, 0, 0);
-  ctx.fillStyle = theme.paint.panel;
-  ctx.fillRect(0, canvas.height, picture.width, strip);
-  ctx.textBaseline = 'middle';
-  ctx.font = `700 ${14 * pixelRatio}px ${FONT}`;
-  ctx.fillStyle = theme.paint.ink;
-  ctx.fillText(title, 14 * pixelRatio, canvas.height + strip / 2);
-  ctx.textAlign = 'right';
-  ctx.font = `400 ${13 * pixelRatio}px ${FONT}`;
-  ctx.fillStyle = theme.paint.muted;
-  ctx.fillText(words, picture.width - 14 * pixelRatio, canvas.height + strip / 2);
-  return picture;
 }

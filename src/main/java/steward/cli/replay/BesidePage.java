@@ -73,7 +73,7 @@ final class BesidePage {
         Object other = field.apply(headers.get(1));
         if (!Objects.equals(one, other)) {
             boolean isScene = what.equals("scene");
-            throw new InputException("--beside: found another " + what + " in " + files.get(1) + (isScene ? ": "
+            throw new InputException("--beside: found " + (what.equals("players") ? "other " : "another ") + what + " in " + files.get(1) + (isScene ? ": "
                 + sceneDifference(one.toString(), other.toString()) : ": " + shown(other) + ", expected " + shown(one))
                 + (isScene ? "" : " as in " + files.get(0)));
         }

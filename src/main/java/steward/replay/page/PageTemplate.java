@@ -18,8 +18,9 @@ import steward.files.Sha256;
 public final class PageTemplate {
 
     private static final String OF_REPLAYS = "/steward/view/";
-    /** Script of the charts, which no one reads: it is packed in the page, and runs by itself. */
-    private static final String LIBRARY = Resources.text(OF_REPLAYS + "uPlot.js");
+    /** Scripts of the charts and of GIFs, which no one reads: packed in the page, they run by themselves. */
+    private static final String LIBRARY = Resources.text(OF_REPLAYS + "uPlot.js") + "\n"
+        + Resources.text(OF_REPLAYS + "gifenc.js");
     private static final String PACKED_LIBRARY = ReplayPage.embedded(LIBRARY.getBytes(StandardCharsets.UTF_8));
     private static final String LIBRARY_STYLE = OF_REPLAYS + "uPlot.css";
     /** A module for a game whose jar is installed: it calls {@code addLook} of {@code ../view/looks.js}. */
