@@ -6,8 +6,15 @@ import { drawPoster } from './poster.js';
 
 const ADDRESSES = /^(https?|file):$/;    // a page in a page, or one that a league opened, may be elsewhere
 
-/** True if the page is locked up in another one, which forbids it to save files. */
-const isClosed = () => self.origin === 'null' && location.protocol !== 'file:';
+/** True if the page is locked up in another one, as in a notebook: it has no origin, keeps nothing and may save no file. */
+function isClosed() {
+  if (self.origin !== 'null') return false;
+  try {
+    return localStorage === null;
+  } catch {
+    return true;
+  }
+}
 
 export class Share {
   constructor(page) {

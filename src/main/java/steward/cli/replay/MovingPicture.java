@@ -9,9 +9,11 @@ import java.util.TreeMap;
 import java.util.stream.IntStream;
 import steward.cli.streams.Json;
 import steward.files.InputException;
+import steward.match.MatchResult;
 import steward.replay.RecordedTurn;
 import steward.replay.ReplayReader;
 import steward.replay.page.PageTemplate;
+import steward.text.TextFormat;
 
 /**
  * Animated SVG picture of a match for a README or a course page: no script, ten turns a second, in a loop. Bodies move
@@ -39,6 +41,9 @@ final class MovingPicture {
     private final double height;
     private final Map<Integer, Track> tracks = new TreeMap<>();
     private final Map<String, Zone> zones = new LinkedHashMap<>();
+    private final PictureScores scores;
+    private boolean isCourse;
+    private String headline;
     private int turns;
     private long places;
 
@@ -53,6 +58,7 @@ final class MovingPicture {
         private final List<Double> ends = new ArrayList<>();
         private double radius;
         private int owner = -1;
+        private String label = "";
         private int first;
         private int last;
     }
@@ -60,7 +66,8 @@ final class MovingPicture {
     /** A zone that a game made while it went, with the turns at whose end it was there. */
     private record Zone(Map<?, ?> shape, List<Integer> turns) { }
 
-    private MovingPicture(Map<?, ?> field) {
+    private MovingPicture(Map<?, ?> field, int players) {
+        scores = new PictureScores(players);
         left = Json.number(field.get("x"));
         top = Json.number(field.get("y"));
         width = Json.number(field.get("width"));
@@ -78,12 +85,14 @@ final class MovingPicture {
         if (!(drawing.get("field") instanceof Map<?, ?> field)) {
             throw new InputException(replay.source() + ", line 1: drawing: found no field, expected what to draw");
         }
-        MovingPicture picture = new MovingPicture(field);
+        MovingPicture picture = new MovingPicture(field, replay.header().names().size());
+        Map<Integer, Integer> owners = owners(drawing);
         int turn = 0;
         Map<String, Object> outcome = Json.object(replay.start());
         for (RecordedTurn next = replay.next(); turn <= to; next = replay.next()) {
             if (turn >= from) {
                 picture.add(outcome, turn - from);
+                picture.scores.add(outcome, owners);
             }
             if (picture.places > MOST_PLACES) {
                 throw new InputException(replay.source() + ": found more than " + MOST_PLACES + " places of bodies in "
@@ -102,7 +111,25 @@ final class MovingPicture {
         }
         List<String> names = IntStream.range(0, replay.header().names().size())
             .mapToObj(player -> ReplayHeaderText.name(replay.header(), player)).toList();
+        MatchResult result = turn <= to ? RecordedResult.of(replay, names) : null;
+        picture.headline = result == null ? null : headline(result);
         return picture.drawn(drawing, names);
+    }
+
+    private static Map<Integer, Integer> owners(Map<String, Object> drawing) {
+        Map<Integer, Integer> owners = new TreeMap<>();
+        for (Map<?, ?> body : Json.objects(drawing.get("bodies"))) {
+            if (body.get("owner") instanceof Double owner) {
+                owners.put((int) Json.number(body.get("id")), owner.intValue());
+            }
+        }
+        return owners;
+    }
+
+    /** Who won, in a few words. */
+    static String headline(MatchResult result) {
+        return TextFormat.plain(result.players().size() < 2 ? result.ending() : result.winner() < 0 ? "Draw"
+            : result.players().get(result.winner()).name() + " wins");
     }
 
     private void add(Map<String, Object> outcome, int turn) {
@@ -130,6 +157,7 @@ final class MovingPicture {
                 track.first = turn;
             }
             track.last = turn;
+            isCourse |= PictureScores.isOnCourse(body);
             places++;
             track.owner = body.get("player") instanceof Double player ? player.intValue() : track.owner;
             track.knots.add(new Knot(turn, Json.number(body.get("x")), Json.number(body.get("y"))));
@@ -166,9 +194,13 @@ final class MovingPicture {
             Math.round(WIDTH * height / width), number(left), number(top), number(width), number(height),
             number(width / 45)));
         svg.append("<title>").append(PageTemplate.escape(String.join(" - ", names))).append("</title>\n");
+        svg.append(gradients(names.size()));
         svg.append("<rect x=\"").append(number(left)).append("\" y=\"").append(number(top)).append("\" width=\"100%\" ")
             .append("height=\"100%\" fill=\"").append(GROUND).append("\"/>\n<g fill=\"none\" stroke=\"").append(LINES)
             .append("\" stroke-width=\"").append(number(line)).append("\">\n");
+        if (isCourse) {
+            svg.append(course(Json.objects(drawing.get("zones"))));
+        }
         Json.objects(drawing.get("walls")).forEach(wall -> svg.append(wall(wall)));
         Json.objects(drawing.get("zones")).forEach(zone -> svg.append(circle(zone)).append("/>\n"));
         zones.values().forEach(zone -> svg.append(circle(zone.shape)).append(">")
@@ -179,6 +211,7 @@ final class MovingPicture {
             Track track = tracks.get((int) Json.number(body.get("id")));
             if (track != null) {
                 track.radius = Json.number(body.get("radius"));
+                track.label = Json.word(body.get("label"), 0);
                 track.owner = body.get("owner") instanceof Double owner ? owner.intValue() : track.owner;
             } else if (body.containsKey("x")) {
                 svg.append(circle(body)).append("/>\n");
@@ -187,11 +220,65 @@ final class MovingPicture {
         tracks.values().forEach(track -> svg.append(body(track)));
         svg.append("</g>\n<g text-anchor=\"start\">\n");
         for (int player = 0; player < names.size(); player++) {
-            svg.append("<text x=\"").append(number(left + width / 60)).append("\" y=\"")
-                .append(number(top + width / 35 * (player + 1))).append("\" fill=\"").append(colour(player))
-                .append("\">").append(PageTemplate.escape(names.get(player))).append("</text>\n");
+            for (PictureScores.Span span : scores.spans(player)) {
+                svg.append("<text x=\"").append(number(left + width / 60)).append("\" y=\"")
+                    .append(number(top + width / 35 * (player + 1))).append("\" fill=\"").append(colour(player))
+                    .append("\">").append(PageTemplate.escape(names.get(player) + span.words()))
+                    .append(shown(span.first(), Math.min(span.last(), turns))).append("</text>\n");
+            }
+        }
+        if (headline != null) {
+            svg.append("<text text-anchor=\"middle\" font-size=\"").append(number(width / 22)).append("\" x=\"")
+                .append(number(left + width / 2)).append("\" y=\"").append(number(top + height / 2))
+                .append("\" fill=\"#fff\" stroke=\"").append(GROUND).append("\" paint-order=\"stroke\" stroke-width=\"")
+                .append(number(width / 130)).append("\">").append(PageTemplate.escape(headline))
+                .append("<animate attributeName=\"visibility\" calcMode=\"discrete\"").append(duration())
+                .append(" keyTimes=\"0;").append(part(turns)).append("\" values=\"hidden;visible\"/></text>\n");
         }
         return svg.append("</g>\n</svg>\n").toString();
+    }
+
+    /** Light from the upper left on the bodies of each player. */
+    private static String gradients(int players) {
+        StringBuilder defs = new StringBuilder("<defs>");
+        for (int k = 0; k < Math.min(players, TEAMS.length); k++) {
+            defs.append("<radialGradient id=\"team").append(k).append("\" cx=\"0.35\" cy=\"0.3\" r=\"0.8\">")
+                .append("<stop offset=\"0\" stop-color=\"#fff\"/><stop offset=\"0.35\" stop-color=\"").append(TEAMS[k])
+                .append("\"/><stop offset=\"1\" stop-color=\"#14233a\"/></radialGradient>");
+        }
+        return defs.append("</defs>\n").toString();
+    }
+
+    /** The lane through the zones of a course, a curve as on the page: wide and faint, then a dashed line. */
+    private String course(List<Map<?, ?>> zones) {
+        int count = zones.size();
+        if (count < 2) {
+            return "";
+        }
+        StringBuilder lane = new StringBuilder("M").append(place(zones.get(0), null, null));
+        for (int k = 0; k < count; k++) {
+            Map<?, ?> from = zones.get(k);
+            Map<?, ?> to = zones.get((k + 1) % count);
+            lane.append('C').append(place(from, to, zones.get((k + count - 1) % count))).append(' ')
+                .append(place(to, from, zones.get((k + 2) % count))).append(' ').append(place(to, null, null));
+        }
+        double radius = Json.number(zones.get(0).get("radius"));
+        return "<g stroke=\"#5b86c8\"><path id=\"lane\" stroke-opacity=\"0.16\" stroke-width=\"" + number(2.2 * radius)
+            + "\" d=\"" + lane + "Z\"/><path stroke-opacity=\"0.5\" stroke-dasharray=\"" + number(width / 80) + "\" d=\""
+            + lane + "Z\"/></g>\n";
+    }
+
+    /** The place of a zone, or a seventh of the way between two others beside it: a control point of the curve. */
+    private String place(Map<?, ?> zone, Map<?, ?> to, Map<?, ?> from) {
+        double x = to == null ? 0 : (Json.number(to.get("x")) - Json.number(from.get("x"))) / 7;
+        double y = to == null ? 0 : (Json.number(to.get("y")) - Json.number(from.get("y"))) / 7;
+        return number(Json.number(zone.get("x")) + x) + "," + number(Json.number(zone.get("y")) + y);
+    }
+
+    /** A ship that looks along the x axis. */
+    private String hull(double r) {
+        return "M" + number(r) + ",0L" + number(-0.75 * r) + "," + number(0.7 * r) + "L" + number(-0.4 * r) + ",0L"
+            + number(-0.75 * r) + "," + number(-0.7 * r) + "Z";
     }
 
     private String wall(Map<?, ?> wall) {
@@ -235,20 +322,26 @@ final class MovingPicture {
         List<Double> times = track.knots.stream().map(Knot::time).toList();
         body.append(animation("animateTransform", "transform", "translate", times, track.knots.stream()
             .map(knot -> number(knot.x) + "," + number(knot.y)).toList()));
-        body.append("<circle fill-opacity=\"0.45\" stroke=\"").append(colour).append("\" stroke-width=\"")
-            .append(number(width / 500)).append("\" r=\"").append(number(radii[0])).append("\">");
+        String fill = track.owner < 0 ? "fill-opacity=\"0.45\"" : "fill=\"url(#team" + track.owner % TEAMS.length + ")\"";
+        boolean turning = track.degrees.stream().anyMatch(angle -> angle != 0);
+        body.append("<circle ").append(turning ? "fill-opacity=\"0.15\"" : fill).append(" stroke=\"").append(colour)
+            .append("\" stroke-width=\"").append(number(width / 500)).append("\" r=\"").append(number(radii[0]))
+            .append("\">");
         if (IntStream.range(1, radii.length).anyMatch(k -> radii[k] != radii[0])) {
             body.append(animation("animate", "r", null, track.ends, IntStream.range(0, radii.length)
                 .mapToObj(k -> number(radii[k])).toList()));
         }
         body.append("</circle>");
-        if (track.degrees.stream().anyMatch(angle -> angle != 0)) {
-            double r = radii[0];
-            body.append("<path d=\"M").append(number(r)).append(",0L").append(number(-r / 2)).append(",")
-                .append(number(r / 2)).append("V").append(number(-r / 2)).append("Z\">")
+        double r = radii[0];
+        if (turning) {
+            body.append("<path ").append(fill).append(" d=\"").append(hull(r)).append("\">")
                 .append(animation("animateTransform", "transform", "rotate", track.ends,
                     track.degrees.stream()
                     .map(angle -> Long.toString(Math.round(angle))).toList())).append("</path>");
+        }
+        if (!track.label.isEmpty() && track.owner >= 0) {
+            body.append("<text y=\"").append(number(r + width / 50)).append("\">")
+                .append(PageTemplate.escape(track.label)).append("</text>");
         }
         return body.append("</g>\n").toString();
     }

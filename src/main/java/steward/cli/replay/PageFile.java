@@ -12,6 +12,7 @@ import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.game.GameTypes;
 import steward.live.PagePicture;
+import steward.match.MatchResult;
 import steward.replay.ReplayReader;
 import steward.replay.page.PageExtras;
 
@@ -20,8 +21,9 @@ import steward.replay.page.PageExtras;
  *
  * @param replay or {@code null} if it came on the standard input
  * @param turns  how many turns the match has
+ * @param isShared whether previews of links expect a picture beside it
  */
-record PageFile(Path replay, byte[] html, int turns) {
+record PageFile(Path replay, byte[] html, int turns, boolean isShared) {
 
     /**
      * Makes the page; a replay that was cut off is told to the user.
@@ -45,6 +47,10 @@ record PageFile(Path replay, byte[] html, int turns) {
                 turns++;
             }
             warning = reader.warning();
+            MatchResult result = reader.header() == null ? null : RecordedResult.of(reader, reader.header().names());
+            if (result != null) {
+                description += ", " + MovingPicture.headline(result);
+            }
         }
         byte[] whole = replay == null ? bytes : Pages.read(replay);
         String source = replay == null ? StandardFiles.INPUT : replay.toString();
@@ -53,7 +59,7 @@ record PageFile(Path replay, byte[] html, int turns) {
         if (warning != null) {
             streams.warn(warning);
         }
-        return new PageFile(replay, html, turns);
+        return new PageFile(replay, html, turns, site != null);
     }
 
     /** Writes the page to a file, or to one without a name if {@code null}, and returns where it is. */
@@ -68,6 +74,27 @@ record PageFile(Path replay, byte[] html, int turns) {
             throw new FailedException(page + ": cannot be closed: " + problem.getMessage());
         }
         return page;
+    }
+
+    /**
+     * Takes the picture that previews of links to the page show, of the end of the match.
+     *
+     * @return what to tell: where it is, or why it is missing; {@code null} where the page is for no address
+     */
+    String preview(Path page, boolean overwrite) throws InterruptedException {
+        if (!isShared) {
+            return null;
+        }
+        Path png = page.resolveSibling(page.getFileName().toString().replaceFirst("(\\.html?)?$", ".png"));
+        if (Files.exists(png) && !overwrite) {
+            return "Picture of previews: " + png + ", as it was; --overwrite would replace it";
+        }
+        try {
+            PagePicture.take(page, turns, png);
+            return "Picture of previews: " + png;
+        } catch (IOException problem) {
+            return "Picture of previews: " + png + " is missing: " + problem.getMessage();
+        }
     }
 
     /** Takes a picture of a moment and returns where it is. */

@@ -146,7 +146,7 @@ public final class ReplayCommand extends ProgramCommand {
 
     @OptionSection("Pages and pictures")
     @Option(names = "--site", paramLabel = "URL", description = "With --view: the address the page will have; title, "
-        + "description and picture of previews of links are written for it.")
+        + "description and picture of previews of links are written for it, the picture by a browser on the PATH.")
     private String site;
 
     @OptionSection("Pages and pictures")
@@ -305,6 +305,10 @@ public final class ReplayCommand extends ProgramCommand {
         if (view != null || open) {
             Path path = page.write(view, overwrite);
             say("Page: " + path);
+            String preview = page.preview(path, overwrite);
+            if (preview != null) {
+                say(preview);
+            }
             if (open) {
                 Pages.open(streams, path.toAbsolutePath().toUri());
             }
