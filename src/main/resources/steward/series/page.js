@@ -115,18 +115,25 @@ function drawGames() {
 }
 
 const missing = series.list.filter(game => !isThere(game)).length;
-find('scene').textContent = `${series.games} ${series.games === 1 ? 'game' : 'games'} of ${series.scene}, ${series.seeds} ${series.seeds === 1 ? 'seed' : 'seeds'}`
+const counted = (count, word) => `${count} ${word}${count === 1 ? '' : 's'}`;
+find('scene').textContent = `${counted(series.games, 'game')} of ${series.scene}, ${counted(series.seeds, 'seed')}`
   + `${series.swap ? ', sides changed' : ''}${series.games < series.planned ? `; ${series.planned} were planned` : ''}`;
-fill('bots', series.alone ? ['Bot', 'Games', 'Mean score', 'Failed'] : ['Bot', 'Points', '95%', 'Won', 'Drawn', 'Lost', 'Failed'],
-  series.bots.map(bot => (series.alone ? [bot.name, String(series.list.filter(game => names[game.order[0]] === bot.name).length), fixed(bot.meanScore, 2), String(bot.faults)]
-    : [bot.name, percent(bot.points), bot.interval95.length ? bot.interval95.map(percent).join(' to ') : '–', String(bot.wins), String(bot.draws), String(bot.losses), String(bot.faults)])));
-fill('times', ['Bot', 'Mean', '99 of 100', 'Worst', 'In game', 'First, worst'], series.times.map((time, bot) =>
-  [names[bot], fixed(time.mean, 2), fixed(time.p99, 2), fixed(time.worst, 2), time.worstGame === null ? '–' : `${time.worstGame}, turn ${time.worstTurn}`, fixed(time.worstFirst, 1)]));
+const heads = series.alone ? ['Bot', 'Games', 'Mean score', 'Failed'] : ['Bot', 'Points', '95%', 'Won', 'Drawn', 'Lost', 'Failed'];
+fill('bots', heads, series.bots.map((bot, index) => {
+  if (series.alone) return [bot.name, String(series.list.filter(game => game.order[0] === index).length), fixed(bot.meanScore, 2), String(bot.faults)];
+  const interval = bot.interval95.length ? bot.interval95.map(percent).join(' to ') : '–';
+  return [bot.name, percent(bot.points), interval, String(bot.wins), String(bot.draws), String(bot.losses), String(bot.faults)];
+}));
+fill('times', ['Bot', 'Mean', '99 of 100', 'Worst', 'In game', 'First, worst'], series.times.map((time, bot) => {
+  const where = time.worstGame === null ? '–' : `${time.worstGame}, turn ${time.worstTurn}`;
+  return [names[bot], fixed(time.mean, 2), fixed(time.p99, 2), fixed(time.worst, 2), where, fixed(time.worstFirst, 1)];
+}));
 drawSides();
 drawFailures();
 drawGames();
 if (missing) {
-  find('kept').textContent = `${missing === series.list.length ? 'No replay is' : `${missing} replays are`} in this page: ${whyMissing(series.list.find(game => !isThere(game)))}.`;
+  const none = missing === series.list.length ? 'No replay is in this page' : `${counted(missing, 'replay')} of ${series.list.length} are not in this page`;
+  find('kept').textContent = `${none}: ${whyMissing(series.list.find(game => !isThere(game)))}.`;
   find('kept').hidden = false;
 }
 find('filter').addEventListener('submit', event => event.preventDefault());

@@ -35,7 +35,7 @@ function valuesOf(planes, kept, isSteady, step) {
   const steps = new Int32Array(rows);
   const values = new Float64Array(rows);
   let row = 0;
-  let [last, lastButOne] = [[], []];
+  let [last, lastButOne] = [new Int32Array(0), new Int32Array(0)];
   for (const count of kept) {
     if (!count) continue;
     const own = steps.subarray(row, row + count);

@@ -63,7 +63,8 @@ function drawStrip(ctx, { match, stage, playback, theme }, width) {
     ctx.fillRect(x, 0, 5, STRIP_PIXELS);
     const name = `${line?.rank === 0 && playback.moment.settled > 0 && match.players.length > 1 ? '♛ ' : ''}${shorten(nameOf(match, player), LONGEST_NAME)}`;
     say(ctx, name, x + 14, 17, 14, theme.paint.ink, 'left', cell - 24, '700');
-    say(ctx, isIn ? [line?.big, cell < NARROW_PIXELS ? '' : line?.small].filter(Boolean).join(' · ') : 'OUT', x + 14, 37, 12, theme.team(player), 'left', cell - 24, '600');
+    const words = isIn ? [line?.big, cell < NARROW_PIXELS ? '' : line?.small].filter(Boolean).join(' · ') : 'OUT';
+    say(ctx, words, x + 14, 37, 12, theme.team(player), 'left', cell - 24, '600');
   });
   if (!match.players.length) say(ctx, match.header.scene?.name ?? match.header.game, 14, STRIP_PIXELS / 2, 15, theme.paint.ink, 'left', width - 28, '700');
 }
