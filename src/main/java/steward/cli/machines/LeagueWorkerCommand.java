@@ -72,8 +72,8 @@ final class LeagueWorkerCommand extends ProgramCommand {
     @Option(names = "--count", paramLabel = "N", description = "With invite: N machines may use it.")
     private Integer count;
 
-    @Option(names = "--until", paramLabel = "DATE", description = "With invite: the last day on which a machine may "
-        + "use it, such as 2030-12-24, or a moment, such as 2030-12-24T18:00.")
+    @Option(names = "--until", paramLabel = "DATE", description = "With invite: the last day (2030-12-24) or "
+        + "moment (2030-12-24T18:00) at which a machine may use it.")
     private String until;
 
     @Option(names = "--set-aside", description = "With revoke: the worker's games do not count, and 'league run "

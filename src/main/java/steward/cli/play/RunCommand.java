@@ -51,7 +51,7 @@ import steward.match.MatchResult;
         "  pressureWalls     impulses on walls and bumpers, divided by their length",
         "  pressureVirial    (energy + half the sum of impulse times distance of the",
         "                    centres, at a wall the radius) divided by the area",
-        "rest and pressureVirial are given only if no force acts.",
+        "If a force acts, rest is 0 and pressureVirial null.",
         "", "Examples:",
         "  steward run gas --seed 7 --view gas.html --open",
         "  steward run bowl --turns 200 --accuracy exact --out bowl.jsonl --csv bowl",
