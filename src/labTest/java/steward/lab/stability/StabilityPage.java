@@ -141,8 +141,8 @@ public final class StabilityPage {
             }
         }
         out.append(most == 0 ? "" : String.format(Locale.ROOT, " On event rungs, those with exact times, a disc's\n"
-            + "path is true for %d to %d impacts, whatever the arithmetic; with steps %s. After a thousand turns trust\n"
-            + "only sums over all bodies, such as energy, and no single path.", least, most, steps == 0
+            + "path is true for %d to %d impacts, whatever the arithmetic; with steps %s. After a thousand turns "
+            + "trust\nonly sums over all bodies, such as energy, and no single path.", least, most, steps == 0
             ? "not for one" : "for at most " + steps)).append('\n');
     }
 
