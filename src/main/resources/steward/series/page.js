@@ -8,6 +8,7 @@ const names = series.bots.map(bot => bot.name);
 const times = new Map(series.list.map(game => [String(game.game), game]));
 const repeats = new Set(series.repeats);
 const fixed = (value, digits) => (value === null || value === undefined ? '–' : value.toFixed(digits));
+const counted = (count, word) => `${count} ${word}${count === 1 ? '' : 's'}`;
 const percent = value => (value === null || value === undefined ? '–' : `${fixed(100 * value, 1)}%`);
 
 function made(parent, tag, text = '', className = '') {
@@ -88,7 +89,7 @@ function cellOf(row, game) {
   const { word, className } = outcomeOf(game);
   linkTo(cell, game, word, className);
   if (game.failure !== undefined) return;
-  cell.append(` · ${game.turns} turns${repeats.has(game.game) ? ' · repeats an earlier game' : ''}`);
+  cell.append(` · ${counted(game.turns, 'turn')}${repeats.has(game.game) ? ' · repeats an earlier game' : ''}`);
   game.faults.forEach((fault, player) => {
     if (fault !== null) made(cell, 'div', `${names[game.order[player]]} failed in turn ${game.faultTurns[player]}: ${fault}`, 'failed');
   });
@@ -115,7 +116,6 @@ function drawGames() {
 }
 
 const missing = series.list.filter(game => !isThere(game)).length;
-const counted = (count, word) => `${count} ${word}${count === 1 ? '' : 's'}`;
 find('scene').textContent = `${counted(series.games, 'game')} of ${series.scene}, ${counted(series.seeds, 'seed')}`
   + `${series.swap ? ', sides changed' : ''}${series.games < series.planned ? `; ${series.planned} were planned` : ''}`;
 const heads = series.alone ? ['Bot', 'Games', 'Mean score', 'Failed'] : ['Bot', 'Points', '95%', 'Won', 'Drawn', 'Lost', 'Failed'];

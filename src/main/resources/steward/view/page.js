@@ -302,7 +302,7 @@ function showBare(page) {
 
 /** What the page does not have of a long replay. */
 function packedWords({ packed }) {
-  return packed ? ` · ${packed.every > 1 ? `every ${packed.every}. state, ` : ''}numbers rounded to the screen` : '';
+  return packed ? ` · ${packed.every > 1 ? `a state every ${packed.every} turns, ` : ''}numbers rounded to the screen` : '';
 }
 
 async function showEmbedded(page, source) {

@@ -69,7 +69,7 @@ class PageTestPictures {
             browser.await("no picture is made", () -> browser.is("window.kept.length === 1"));
             browser.run("createImageBitmap(kept[0]).then(image => { const canvas = document.createElement('canvas');"
                 + "Object.assign(canvas, { width: image.width, height: image.height });"
-                + "canvas.getContext('2d').drawImage(image, 0, 0); window.drawn = canvas; })");
+                + "canvas.getContext('2d', { willReadFrequently: true }).drawImage(image, 0, 0); window.drawn = canvas; })");
             browser.await("no image comes of it", () -> browser.is("window.drawn"));
             for (int player = 0; player < 2; player++) {
                 assertTrue(browser.is("(() => { const [r, g, b] = drawn.getContext('2d').getImageData(drawn.width / 2 * " + player
