@@ -8,6 +8,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import steward.contest.repeat.GameFacts;
+import steward.match.MatchResult;
 
 /**
  * One game as the league's database stores it: an observation from which any rating can be computed.
@@ -56,12 +57,6 @@ public record StoredGame(long id, byte[] name, int decision, long seed, int atte
         this(id, name, decision, seed, attempt, counts, turns, problem, played, machine, replay, 0, seats);
     }
 
-    /** The game as one that repeats no other. */
-    public StoredGame withoutTranscript() {
-        return new StoredGame(id, name, decision, seed, attempt, counts, turns, problem, played, machine, replay,
-            seats);
-    }
-
     /** By seat, whether the bot failed in this game; nothing if it does not count. */
     public boolean[] failed() {
         boolean[] failed = new boolean[counts ? seats.size() : 0];
@@ -92,6 +87,16 @@ public record StoredGame(long id, byte[] name, int decision, long seed, int atte
                           long worstNanos, long firstNanos) {
             this(version, rank, score, fault, answers, meanNanos, worstNanos, firstNanos,
                 Collections.emptySortedMap());
+        }
+
+        /** A player of a game that has been played. @param result {@code null} if it has none */
+        public static StoredSeat of(int version, MatchResult result, int seat, SortedMap<String, Double> values) {
+            if (result == null) {
+                return new StoredSeat(version, 0, 0, null, 0, 0, 0, 0);
+            }
+            MatchResult.PlayerResult player = result.players().get(seat);
+            return new StoredSeat(version, player.rank(), player.score(), player.fault(), player.answers(),
+                player.averageNanos(), player.worstNanos(), player.firstNanos(), values);
         }
 
         /** The own values as a text: {@code laps=2.0}, apart by blanks; empty if they are not known. */

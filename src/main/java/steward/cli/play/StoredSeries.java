@@ -7,7 +7,6 @@ import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.SortedMap;
 import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
@@ -186,18 +185,12 @@ public final class StoredSeries implements AutoCloseable {
         for (int player = 0; player < identities.length; player++) {
             Version version = versions.get(game.entrantOf(contest, player));
             identities[player] = version.identity();
-            seats.add(result == null ? new StoredSeat(version.id(), 0, 0, null, 0, 0, 0, 0)
-                : seat(version, result.players().get(player), game.facts().values(player)));
+            seats.add(StoredSeat.of(version.id(), result, player, game.facts().values(player)));
         }
         return new StoredGame(0, GameName.of(season, game.seed(), Arrays.asList(identities), attempt), -1, game.seed(),
             attempt, last && result != null, result == null ? 0 : result.turns(), result == null
                 ? String.valueOf(game.failure()) : null, System.currentTimeMillis(), machine, null,
             game.facts().transcript(), seats);
-    }
-
-    private static StoredSeat seat(Version version, MatchResult.PlayerResult found, SortedMap<String, Double> own) {
-        return new StoredSeat(version.id(), found.rank(), found.score(), found.fault(), found.answers(),
-            found.averageNanos(), found.worstNanos(), found.firstNanos(), own);
     }
 
     /** The game as it is stored; {@code null} if it is not there. */

@@ -63,7 +63,7 @@ record PlayedGames(Season season, List<LeagueTable.Entry> entries, List<StoredGa
     /** The ratings over these games. */
     LeagueTable ratings() {
         Results results = new Results(season);
-        games.forEach(game -> add(results, game));
+        games.forEach(game -> results.add(game, LeagueTable.Entry.random(entries)));
         return LeagueTable.of(results, entries);
     }
 
@@ -73,17 +73,11 @@ record PlayedGames(Season season, List<LeagueTable.Entry> entries, List<StoredGa
         RatingPath.Collector path = new RatingPath.Collector(entries, LeagueTable.Reference.NONE);
         long step = Math.max(1, games.size() / RatingPath.points(entries.size()));
         for (int k = 0; k < games.size(); k++) {
-            add(results, games.get(k));
+            results.add(games.get(k), LeagueTable.Entry.random(entries));
             if ((k + 1) % step == 0 || k + 1 == games.size()) {
                 path.take(results);
             }
         }
         return path.path();
-    }
-
-    private void add(Results results, StoredGame game) {
-        results.add(entries.stream().anyMatch(entry -> entry.random()
-            && game.seats().stream().anyMatch(seat -> seat.version() == entry.version()))
-            ? game.withoutTranscript() : game);
     }
 }

@@ -108,7 +108,8 @@ public record GamePlay(Season season, Contest contest, Recordings recordings, St
                               byte... recording) {
         byte[] name = name(task, members, attempt);
         List<StoredSeat> seats = IntStream.range(0, members.size())
-            .mapToObj(seat -> seat(members.get(seat), seat, result, log)).toList();
+            .mapToObj(seat -> StoredSeat.of(members.get(seat).version().id(), result, seat, log.facts().values(seat)))
+            .toList();
         List<String> names = members.stream().map(member -> member.bot().name()).toList();
         String replay = recording == null ? null : recordings.take(name, recording,
             KeptGames.keeps(settings, result != null, seats, names));
@@ -121,15 +122,5 @@ public record GamePlay(Season season, Contest contest, Recordings recordings, St
     public byte[] name(Schedule.Task task, List<Member> members, int attempt) {
         return GameName.of(season, task.seed(), members.stream().map(member -> member.version().identity()).toList(),
             attempt);
-    }
-
-    private static StoredSeat seat(Member member, int seat, MatchResult result, GameLog log) {
-        int version = member.version().id();
-        if (result == null) {
-            return new StoredSeat(version, 0, 0, null, 0, 0, 0, 0);
-        }
-        MatchResult.PlayerResult player = result.players().get(seat);
-        return new StoredSeat(version, player.rank(), player.score(), player.fault(), player.answers(),
-            player.averageNanos(), player.worstNanos(), player.firstNanos(), log.facts().values(seat));
     }
 }

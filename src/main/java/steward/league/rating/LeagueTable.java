@@ -6,6 +6,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.function.IntPredicate;
 import java.util.stream.Collectors;
 
 /**
@@ -56,6 +57,11 @@ public record LeagueTable(List<Row> rows, Results results, Ratings ratings, Refe
         /** A version that is not paused. */
         public Entry(int version, String name, boolean random, boolean active) {
             this(version, name, random, active, false);
+        }
+
+        /** True of the versions among these that draw by lot. */
+        public static IntPredicate random(List<Entry> entries) {
+            return version -> entries.stream().anyMatch(entry -> entry.random() && entry.version() == version);
         }
     }
 

@@ -5,6 +5,8 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.function.IntPredicate;
+import java.util.stream.IntStream;
 import steward.contest.repeat.Repeats;
 import steward.league.Season;
 import steward.league.StoredGame;
@@ -39,8 +41,12 @@ public final class Results {
         lowerIsBetter = season.lowerScoreIsBetter();
     }
 
-    /** Adds a game, if it counts; otherwise it is counted apart. */
-    public void add(StoredGame game) {
+    /**
+     * Adds a game if it counts. Otherwise it is counted apart.
+     *
+     * @param random true of versions that draw by lot: equal games of these are independent
+     */
+    public void add(StoredGame game, IntPredicate random) {
         if (!game.counts()) {
             boolean isForgiven = game.problem() != null && game.problem().startsWith(StoredGame.FORGIVEN);
             addOthers(game.problem() == null ? 1 : 0, game.problem() == null ? 0 : 1, isForgiven ? 1 : 0);
@@ -51,7 +57,7 @@ public final class Results {
             return;
         }
         game.seats().forEach(seat -> sums(seat.version()).add(seat));
-        if (isRepeat(lineup(game.lineup()), game.transcript())) {
+        if (isRepeat(lineup(game.lineup()), IntStream.of(game.lineup()).anyMatch(random) ? 0 : game.transcript())) {
             return;
         }
         if (alone) {

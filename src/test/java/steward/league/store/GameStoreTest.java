@@ -98,7 +98,7 @@ class GameStoreTest {
             assertEquals(0, results.of(b.id()).faults(), "the game that was played again does not count");
             assertEquals(2, results.of(a.id()).games());
             Results added = new Results(SEASON);
-            read.forEach(added::add);
+            read.forEach(game -> added.add(game, version -> false));
             assertEquals(results.points(a.id(), b.id()), added.points(a.id(), b.id()), 1e-12);
             assertEquals(results.of(a.id()).meanNanos(), added.of(a.id()).meanNanos(), 1e-9);
             assertEquals("ok", store.integrity());
@@ -385,13 +385,18 @@ class GameStoreTest {
             assertEquals(results.points(a.id(), b.id()), queries.known(0).before(Integer.MAX_VALUE).points(a.id(),
                 b.id()));
             Results added = new Results(SEASON);
-            queries.games(added::add);
+            queries.games(game -> added.add(game, version -> false));
             assertEquals(5, added.repeats());
             assertEquals(results.points(a.id(), b.id()), added.points(a.id(), b.id()));
 
             store.markRandom(b);
             assertEquals(0, queries.results().repeats());
             assertEquals(8, queries.results().games());
+            Results part = new Results(SEASON);
+            queries.games(game -> part.add(game, LeagueTable.Entry.random(store.versions().stream().map(version ->
+                new LeagueTable.Entry(version.id(), version.bot(), version.random(), true)).toList())));
+            assertEquals(0, part.repeats());
+            assertEquals(8, part.games());
         }
     }
 

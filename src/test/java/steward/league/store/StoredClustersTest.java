@@ -85,7 +85,7 @@ class StoredClustersTest {
             new MadeUpGames(store, season, SEASON, versions, random).add(300);
             GameQueries queries = new GameQueries(store, season, SEASON);
             Results single = new Results(SEASON);
-            queries.games(single::add);
+            queries.games(game -> single.add(game, version -> false));
             List<LeagueTable.Entry> entries = versions.stream().map(version ->
                 new LeagueTable.Entry(version.id(), version.display(), false, true)).toList();
             LeagueTable table = LeagueTable.of(queries.results(), entries);

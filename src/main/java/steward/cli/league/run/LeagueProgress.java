@@ -65,13 +65,9 @@ final class LeagueProgress {
 
     /** A game has ended. */
     synchronized void add(StoredGame game) {
-        results.add(game.seats().stream().anyMatch(seat -> isRandom(seat.version())) ? game.withoutTranscript() : game);
+        results.add(game, version -> random.computeIfAbsent(version, id -> store.versions().stream()
+            .anyMatch(each -> each.id() == id && each.random())));
         played += game.counts() ? 1 : 0;
-    }
-
-    private boolean isRandom(int version) {
-        return random.computeIfAbsent(version, id -> store.versions().stream()
-            .anyMatch(each -> each.id() == id && each.random()));
     }
 
     /**

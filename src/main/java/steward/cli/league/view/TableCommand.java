@@ -112,7 +112,7 @@ public final class TableCommand extends ProgramCommand {
 
     private Results partial(LeagueOpening.Opened opened) {
         Results results = new Results(opened.season());
-        part.each(opened, results::add);
+        part.each(opened, game -> results.add(game, LeagueTable.Entry.random(opened.entries())));
         return results;
     }
 
