@@ -287,9 +287,8 @@ public final class Rest {
             if (rim) {
                 rims.look(bodies, a, ~b, left);
             }
-            if ((rim ? rims.beyond < 0 : impulses.opens(law.normalX * x + law.normalY * y))
-                && system.size < InelasticSystem.MOST) {
-                int held = system.hold(bodies, a, b, law.normalX, law.normalY);
+            if ((rim ? rims.beyond < 0 : impulses.opens(law.normalX * x + law.normalY * y))) {
+                int held = system.hold(a, b, law.normalX, law.normalY);
                 if (rim) {
                     system.turn(held, rims.normalX, rims.normalY, rims.allowed);
                 }
@@ -318,7 +317,7 @@ public final class Rest {
 
     /** Adds the contacts that would meet within a time; at 0, those that touch and approach. */
     private void addMet(Bodies bodies, double left) {
-        for (int k = 0; k < heapSize && system.size < InelasticSystem.MOST; k++) {
+        for (int k = 0; k < heapSize; k++) {
             int i = heap[k];
             for (int j = 0; j < size; j++) {
                 if ((place[j] >= 0 && place[j] < k || bodies.inverseMass[j] == 0) && meet(bodies, i, j)
@@ -406,17 +405,15 @@ public final class Rest {
             double nx = rims.normalX;
             double ny = rims.normalY;
             law.look(bodies, i, ~w);
-            if (rims.beyond > 0 && system.size < InelasticSystem.MOST && joins(bodies, i, ~w, nx, ny)) {
-                system.add(bodies, i, ~w, nx, ny, rims.allowed);
+            if (rims.beyond > 0 && joins(bodies, i, ~w, nx, ny)) {
+                system.add(i, ~w, nx, ny, rims.allowed);
             }
         }
     }
 
     private void add(Bodies bodies, int a, int b, double nx, double ny, double apart, double left) {
-        if (system.size < InelasticSystem.MOST) {
-            boolean open = left > 0 && apart > CLOSED * RestLaw.radii(bodies, a, b);
-            system.add(bodies, a, b, nx, ny, open ? USED * apart / left : 0);
-        }
+        boolean open = left > 0 && apart > CLOSED * RestLaw.radii(bodies, a, b);
+        system.add(a, b, nx, ny, open ? USED * apart / left : 0);
     }
 
     /** True if the last heap still approaches: there is no room, and no way out. */

@@ -25,6 +25,8 @@ final class RestImpulses {
     private final RestRims rims;
     private double speed;
     private boolean parts;
+    /** Of a body, its last contact with an impulse. */
+    private int[] lastOf = new int[0];
     /** Energy that bounces would have given back in the last {@link #exchange}. */
     double lost;
 
@@ -56,7 +58,7 @@ final class RestImpulses {
 
     /** Solves the system anew, with what is held now. */
     void restart(Bodies bodies) {
-        system.restart(bodies, parts ? PARTING * speed : 0);
+        system.restart(parts ? PARTING * speed : 0);
     }
 
     /** Solves the system anew after normals were turned. */
@@ -75,7 +77,7 @@ final class RestImpulses {
         }
         if (parts && change * CHANGES > speed) {
             speed = change * CHANGES;
-            system.restart(bodies, PARTING * speed);
+            system.restart(PARTING * speed);
             solveOnce(bodies);
         }
     }
@@ -83,7 +85,7 @@ final class RestImpulses {
     private void solveOnce(Bodies bodies) {
         if (!system.solve(bodies, tolerance()) && parts) {
             parts = false;
-            system.restart(bodies, 0);
+            system.restart(0);
             system.solve(bodies, tolerance());
         }
     }
@@ -138,27 +140,10 @@ final class RestImpulses {
         return after <= before * (1 + STILL);
     }
 
-    /** Insertion sort by the lower id, then the other; walls last. Ids ascend with indices. */
-    private void sort() {
-        for (int k = 1; k < system.size; k++) {
-            for (int l = k; l > 0 && isLower(l, l - 1); l--) {
-                system.swap(l, l - 1);
-            }
-        }
-    }
-
-    private boolean isLower(int k, int l) {
-        if (system.a[k] != system.a[l]) {
-            return system.a[k] < system.a[l];
-        }
-        boolean wallK = system.b[k] < 0;
-        boolean wallL = system.b[l] < 0;
-        return wallK != wallL ? wallL : wallK ? system.b[k] > system.b[l] : system.b[k] < system.b[l];
-    }
-
     /** Applies the impulses one after the other, ascending by ids, and records them. @return how many there are */
     int exchange(Bodies bodies, RestLaw law, double time, TurnSink sink) {
-        sort();
+        system.sort(bodies);
+        findLast(bodies);
         lost = 0;
         double still = parts ? 0 : STILL * speed;
         int exchanged = 0;
@@ -167,7 +152,7 @@ final class RestImpulses {
                 exchanged++;
                 int a = system.a[k];
                 int b = system.b[k];
-                boolean last = still > 0 && isLastOf(a, k);
+                boolean last = still > 0 && lastOf[a] == k;
                 double j = system.impulse[k];
                 double nx = system.normalX[k];
                 double ny = system.normalY[k];
@@ -181,7 +166,7 @@ final class RestImpulses {
                 lost -= energy * restitution * restitution;
                 accelerate(bodies, a, -j * bodies.inverseMass[a], nx, ny, last ? still : 0);
                 if (b >= 0) {
-                    accelerate(bodies, b, j * bodies.inverseMass[b], nx, ny, still > 0 && isLastOf(b, k) ? still : 0);
+                    accelerate(bodies, b, j * bodies.inverseMass[b], nx, ny, still > 0 && lastOf[b] == k ? still : 0);
                 }
                 double ax = bodies.x[a];
                 double ay = bodies.y[a];
@@ -200,13 +185,18 @@ final class RestImpulses {
         return exchanged;
     }
 
-    private boolean isLastOf(int body, int k) {
-        for (int l = k + 1; l < system.size; l++) {
-            if (system.impulse[l] != 0 && (system.a[l] == body || system.b[l] == body)) {
-                return false;
+    private void findLast(Bodies bodies) {
+        if (lastOf.length < bodies.size()) {
+            lastOf = new int[bodies.capacity()];
+        }
+        for (int k = 0; k < system.size; k++) {
+            if (system.impulse[k] != 0) {
+                lastOf[system.a[k]] = k;
+                if (system.b[k] >= 0) {
+                    lastOf[system.b[k]] = k;
+                }
             }
         }
-        return true;
     }
 
     private static void accelerate(Bodies bodies, int i, double by, double nx, double ny, double still) {

@@ -1,0 +1,138 @@
+package steward.physics.impulse;
+
+import java.util.Arrays;
+import steward.physics.Bodies;
+
+/**
+ * Order in which the contacts of a system are eliminated: nested dissection of the plane (A. George, "Nested dissection
+ * of a regular finite element mesh", SIAM Journal on Numerical Analysis 10, 1973). Contacts are halved at the median of
+ * the longer side of their box; those of the lower half that share a body with the other half separate the rest of both,
+ * and come last. Contacts of discs in a plane have separators of about the root of their number, so that the Cholesky
+ * factor of n contacts has about n log n entries. Places alone decide; the order of contacts decides ties.
+ */
+final class ContactOrder {
+
+    /** So few contacts stay as they are. */
+    private static final int LEAF = 8;
+
+    /** Contacts in the order of elimination. */
+    int[] order = new int[0];
+    private int[] buffer = new int[0];
+    private double[] x = new double[0];
+    private double[] y = new double[0];
+    /** Of a body, the last half in whose dissection it had a contact on the upper side. */
+    private int[] mark = new int[0];
+    private int half;
+    private Bodies bodies;
+    private InelasticSystem system;
+
+    void find(Bodies ofBodies, InelasticSystem ofSystem) {
+        bodies = ofBodies;
+        system = ofSystem;
+        int size = system.size;
+        if (order.length < size) {
+            order = new int[2 * size];
+            buffer = new int[2 * size];
+            x = new double[2 * size];
+            y = new double[2 * size];
+        }
+        if (mark.length < bodies.size()) {
+            mark = new int[bodies.capacity()];
+        }
+        Arrays.fill(mark, 0, bodies.size(), 0);
+        half = 0;
+        for (int k = 0; k < size; k++) {
+            int a = system.a[k];
+            int other = system.b[k] < 0 ? a : system.b[k];
+            order[k] = k;
+            x[k] = bodies.x[a] + bodies.x[other];
+            y[k] = bodies.y[a] + bodies.y[other];
+        }
+        dissect(0, size);
+    }
+
+    private void dissect(int from, int to) {
+        if (to - from <= LEAF) {
+            return;
+        }
+        int middle = (from + to) >>> 1;
+        select(from, to - 1, middle, isWide(from, to) ? x : y);
+        half++;
+        for (int p = middle; p < to; p++) {
+            mark(system.a[order[p]]);
+            if (system.b[order[p]] >= 0) {
+                mark(system.b[order[p]]);
+            }
+        }
+        int lower = from;
+        int separating = 0;
+        for (int p = from; p < middle; p++) {
+            int k = order[p];
+            if (mark[system.a[k]] == half || system.b[k] >= 0 && mark[system.b[k]] == half) {
+                buffer[separating++] = k;
+            } else {
+                order[lower++] = k;
+            }
+        }
+        System.arraycopy(order, middle, order, lower, to - middle);
+        System.arraycopy(buffer, 0, order, to - separating, separating);
+        dissect(from, lower);
+        dissect(lower, to - separating);
+    }
+
+    /** An infinite mass couples nothing. */
+    private void mark(int body) {
+        if (bodies.inverseMass[body] > 0) {
+            mark[body] = half;
+        }
+    }
+
+    private boolean isWide(int from, int to) {
+        double left = Double.POSITIVE_INFINITY;
+        double right = Double.NEGATIVE_INFINITY;
+        double low = Double.POSITIVE_INFINITY;
+        double high = Double.NEGATIVE_INFINITY;
+        for (int p = from; p < to; p++) {
+            left = Math.min(left, x[order[p]]);
+            right = Math.max(right, x[order[p]]);
+            low = Math.min(low, y[order[p]]);
+            high = Math.max(high, y[order[p]]);
+        }
+        return right - left >= high - low;
+    }
+
+    /** Puts the contact of a rank in its place, those below before it (C. A. R. Hoare's selection, 1961). */
+    private void select(int from, int to, int rank, double[] by) {
+        int low = from;
+        int high = to;
+        while (low < high) {
+            int pivot = order[(low + high) >>> 1];
+            int i = low;
+            int j = high;
+            while (i <= j) {
+                while (isBefore(order[i], pivot, by)) {
+                    i++;
+                }
+                while (isBefore(pivot, order[j], by)) {
+                    j--;
+                }
+                if (i <= j) {
+                    int kept = order[i];
+                    order[i++] = order[j];
+                    order[j--] = kept;
+                }
+            }
+            if (rank <= j) {
+                high = j;
+            } else if (rank >= i) {
+                low = i;
+            } else {
+                return;
+            }
+        }
+    }
+
+    private static boolean isBefore(int k, int l, double[] by) {
+        return by[k] < by[l] || by[k] == by[l] && k < l;
+    }
+}
