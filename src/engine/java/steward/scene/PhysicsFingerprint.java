@@ -18,7 +18,7 @@ import steward.physics.Wall;
 
 /**
  * Fingerprint of the physics of a {@link RungLaw}: a hash of computed turns. They are turns of a few bodies and of a
- * crowd, among walls and without, and of a tie. It changes when the bits of these turns do.
+ * crowd, among walls and without, of a tie, and of a heap where bodies rest. It changes when the bits of these turns do.
  */
 public final class PhysicsFingerprint {
 
@@ -65,6 +65,9 @@ public final class PhysicsFingerprint {
         play(rung, law, forces, List.of(), tie(), hash);
         if (rung.usesCells(law, MANY)) {
             play(rung, law, forces, WALLS, bodies(MANY), hash);
+            if (law.bodiesRest() && forces.act()) {
+                play(rung, law, forces, WALLS.subList(0, 4), heap(), hash);
+            }
         }
     }
 
@@ -92,6 +95,17 @@ public final class PhysicsFingerprint {
                 500 + 320 * (k / PER_ROW) + 90 * random.nextDouble(), 120, k == 2 ? MASSES : 1);
             bodies.setVelocity(k, 1600 * (random.nextDouble() - 0.5), 1600 * (random.nextDouble() - 0.5));
             bodies.setRestitution(k, 0.5 + 0.5 * random.nextDouble());
+        }
+        return bodies;
+    }
+
+    /** Rows of discs that lie on each other in the gaps of the row below: far more contacts than a small heap has. */
+    private static Bodies heap() {
+        Bodies bodies = new Bodies(MANY);
+        for (int k = 0; k < MANY; k++) {
+            int row = k / PER_ROW;
+            bodies.add(130 + 130 * (row % 2) + 260 * (k % PER_ROW), 2280 - 206 * row, 120, 1 + k % 3);
+            bodies.setRestitution(k, 0.5);
         }
         return bodies;
     }

@@ -31,10 +31,11 @@ final class ContactOrder {
         system = ofSystem;
         int size = system.size;
         if (order.length < size) {
-            order = new int[2 * size];
-            buffer = new int[2 * size];
-            x = new double[2 * size];
-            y = new double[2 * size];
+            int capacity = Math.max(2 * size, 3 * bodies.capacity());
+            order = new int[capacity];
+            buffer = new int[capacity];
+            x = new double[capacity];
+            y = new double[capacity];
         }
         if (mark.length < bodies.size()) {
             mark = new int[bodies.capacity()];

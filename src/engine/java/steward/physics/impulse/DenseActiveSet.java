@@ -19,16 +19,16 @@ final class DenseActiveSet {
     private static final double VANISHED = 0x1p-36;
     /** A normal depends on another only if its share of it is above this, not by rounding. */
     private static final double DEPENDENT = 0x1p-30;
+    private static final int STRIDE = InelasticSystem.MOST_DENSE;
 
     private final InelasticSystem system;
-    private double[] trial = new double[0];
-    private boolean[] blocked = new boolean[0];
-    private int[] set = new int[0];
-    /** Columns of the Cholesky factor of the set, each {@link #stride} long: row i of column k at k * stride + i. */
-    private double[] factor = new double[0];
-    private int stride;
+    private final double[] trial = new double[InelasticSystem.MOST_DENSE];
+    private final boolean[] blocked = new boolean[InelasticSystem.MOST_DENSE];
+    private final int[] set = new int[InelasticSystem.MOST_DENSE];
+    /** Columns of the Cholesky factor of the set: row i of column k at k * STRIDE + i. */
+    private final double[] factor = new double[STRIDE * STRIDE];
     /** A row of the factor while it is computed. */
-    private double[] row = new double[0];
+    private final double[] row = new double[STRIDE];
     private int active;
     private int entries;
 
@@ -38,12 +38,6 @@ final class DenseActiveSet {
 
     /** Takes note of a contact without an impulse. */
     void enter(int k) {
-        if (k >= set.length) {
-            int capacity = 2 * k + 8;
-            trial = Arrays.copyOf(trial, capacity);
-            blocked = Arrays.copyOf(blocked, capacity);
-            set = Arrays.copyOf(set, capacity);
-        }
         blocked[k] = false;
         entries += ROUNDS;
     }
@@ -130,7 +124,7 @@ final class DenseActiveSet {
     private int exchange() {
         int last = active - 1;
         for (int i = last - 1; i >= 0; i--) {
-            int column = i * stride;
+            int column = i * STRIDE;
             double sum = factor[column + last];
             for (int k = i + 1; k < last; k++) {
                 sum -= factor[column + k] * trial[k];
@@ -201,16 +195,13 @@ final class DenseActiveSet {
      * @return false if a pivot vanishes
      */
     private boolean factorize(Bodies bodies, int from) {
-        if (stride < active) {
-            widen(2 * active);
-        }
         for (int i = from; i < active; i++) {
             for (int j = 0; j <= i; j++) {
                 row[j] = system.coupling(bodies, set[i], set[j]);
             }
             double whole = row[i];
             for (int k = 0; k < i; k++) {
-                int column = k * stride;
+                int column = k * STRIDE;
                 double share = row[k] / factor[column + k];
                 factor[column + i] = share;
                 if (share != 0) {
@@ -220,7 +211,7 @@ final class DenseActiveSet {
             if (!(row[i] > VANISHED * whole)) {
                 return false;
             }
-            factor[i * stride + i] = Math.sqrt(row[i]);
+            factor[i * STRIDE + i] = Math.sqrt(row[i]);
         }
         return true;
     }
@@ -231,29 +222,19 @@ final class DenseActiveSet {
         }
     }
 
-    private void widen(int wider) {
-        double[] old = factor;
-        factor = new double[wider * wider];
-        for (int k = 0; k < stride; k++) {
-            System.arraycopy(old, k * stride, factor, k * wider, stride);
-        }
-        row = new double[wider];
-        stride = wider;
-    }
-
     private void substitute() {
         for (int i = 0; i < active; i++) {
             trial[i] = system.before(set[i]);
         }
         for (int k = 0; k < active; k++) {
-            int column = k * stride;
+            int column = k * STRIDE;
             trial[k] /= factor[column + k];
             for (int i = k + 1; i < active; i++) {
                 trial[i] -= factor[column + i] * trial[k];
             }
         }
         for (int i = active - 1; i >= 0; i--) {
-            int column = i * stride;
+            int column = i * STRIDE;
             double sum = trial[i];
             for (int k = i + 1; k < active; k++) {
                 sum -= factor[column + k] * trial[k];

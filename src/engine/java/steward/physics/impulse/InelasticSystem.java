@@ -14,8 +14,8 @@ import steward.physics.Bodies;
  */
 
 /**
- * The least impulses after which no contact of a system approaches faster than it may. A contact that is held does not
- * open either. Up to {@value #MOST_DENSE} contacts are solved by a {@link DenseActiveSet}, more by a
+ * Solver for the least impulses after which no contact of a heap approaches faster than it may. A contact that is held
+ * does not open either. Up to {@value #MOST_DENSE} contacts are solved by a {@link DenseActiveSet}, more by a
  * {@link SparseActiveSet}: the same velocities but for rounding.
  */
 final class InelasticSystem {
@@ -104,7 +104,9 @@ final class InelasticSystem {
     private void enter(int k) {
         approach[k] = left(k, fromX, fromY);
         impulse[k] = 0;
-        dense.enter(k);
+        if (k < MOST_DENSE) {
+            dense.enter(k);
+        }
     }
 
     private void grow(int capacity) {
@@ -202,7 +204,7 @@ final class InelasticSystem {
         return approach[k];
     }
 
-    /** What is left to be taken after the impulses; of a contact that is held, its magnitude counts. */
+    /** What is left to be taken after the impulses; below 0 if a contact opens faster than it has to. */
     double left(int k) {
         return left(k, vx, vy);
     }

@@ -66,6 +66,8 @@ public final class Rest {
     static final double CLOSED = 0x1p-30;
     /** The shortest rest of a turn that is divided by. */
     private static final double LEAST_LEFT = 0x1p-20;
+    /** From so many bodies on, a heap is solved at once, not contact by contact. */
+    private static final int FEWEST_AT_ONCE = 32;
     private final Wall[] walls;
     private final Contacts contacts;
     private final RestLaw law;
@@ -74,6 +76,7 @@ public final class Rest {
     private final InelasticSystem system = new InelasticSystem();
     private final RestImpulses impulses;
     private final RestRims rims;
+    private final HeapNeighbours neighbours = new HeapNeighbours();
     /** True if a body's heap has come to rest in this turn. */
     private boolean[] rested = new boolean[0];
     private int[] heap = new int[0];
@@ -172,6 +175,7 @@ public final class Rest {
             flightX[i] = bodies.vx[i];
             flightY[i] = bodies.vy[i];
         }
+        neighbours.begin(bodies);
         gather(bodies, a, b);
         boolean rests = touching > 1 || !isPlain(bodies, a, b);
         int exchanged = 0;
@@ -216,6 +220,7 @@ public final class Rest {
         }
         impulses.begin(bodies, heap, heapSize, bodies.vx, bodies.vy);
         addContact(bodies, a, b, left);
+        addNear(bodies, left);
         do {
             meetAll(bodies, left);
         } while (holdsMore(bodies, left));
@@ -261,6 +266,7 @@ public final class Rest {
         toInstant = -0.5;
         impulses.begin(bodies, heap, heapSize, aheadX, aheadY);
         addContact(bodies, a, b, 0);
+        addNear(bodies, 0);
         meetAll(bodies, 0);
         if (closedA.length < system.size) {
             closedA = new int[2 * system.size];
@@ -315,11 +321,46 @@ public final class Rest {
         }
     }
 
+    /** Adds all contacts of a large heap that have a small gap; at 0, those that are closed. */
+    private void addNear(Bodies bodies, double left) {
+        double gapShare = left > 0 ? 1.0 / NEAR : CLOSED;
+        for (int k = 0; k < heapSize && heapSize >= FEWEST_AT_ONCE; k++) {
+            int i = heap[k];
+            int near = neighbours.find(bodies, i, gapShare, 0);
+            for (int n = 0; n < near; n++) {
+                int j = neighbours.found[n];
+                if ((place[j] >= 0 && place[j] < k || bodies.inverseMass[j] == 0) && meet(bodies, i, j)) {
+                    addIfNear(bodies, Math.min(i, j), Math.max(i, j), gapShare, left);
+                }
+            }
+            for (int w = 0; w < walls.length; w++) {
+                if (contacts.withWall(bodies.kind[i]) == Contacts.Meaning.BOUNCE) {
+                    addIfNear(bodies, i, ~w, gapShare, left);
+                }
+            }
+        }
+    }
+
+    private void addIfNear(Bodies bodies, int i, int j, double gapShare, double left) {
+        boolean rests = law.isRest(bodies, i, j, law.approach(bodies, i, j));
+        if (rests && law.gap <= gapShare * RestLaw.radii(bodies, i, j) && system.find(i, j) < 0) {
+            if (left > 0 && rims.isRim(j)) {
+                rims.look(bodies, i, ~j, left);
+                system.add(i, j, rims.normalX, rims.normalY, rims.allowed);
+            } else {
+                addContact(bodies, i, j, left);
+            }
+        }
+    }
+
     /** Adds the contacts that would meet within a time; at 0, those that touch and approach. */
     private void addMet(Bodies bodies, double left) {
+        double path = longestPath(bodies, left);
         for (int k = 0; k < heapSize; k++) {
             int i = heap[k];
-            for (int j = 0; j < size; j++) {
+            int near = neighbours.find(bodies, i, CLOSED, 2 * path);
+            for (int n = 0; n < near; n++) {
+                int j = neighbours.found[n];
                 if ((place[j] >= 0 && place[j] < k || bodies.inverseMass[j] == 0) && meet(bodies, i, j)
                     && reaches(bodies, i, j, left)) {
                     addOnce(bodies, Math.min(i, j), Math.max(i, j), left);
@@ -336,6 +377,17 @@ public final class Rest {
                 }
             }
         }
+    }
+
+    /** A bound on the paths of the heap, and of infinite masses, in a time. */
+    private double longestPath(Bodies bodies, double left) {
+        double fastest = 0;
+        for (int i = 0; i < size && left > 0; i++) {
+            if (place[i] >= 0 || bodies.inverseMass[i] == 0) {
+                fastest = Math.max(fastest, Math.abs(system.vx[i]) + Math.abs(system.vy[i]));
+            }
+        }
+        return fastest * left;
     }
 
     private void addOnce(Bodies bodies, int i, int j, double left) {
@@ -439,7 +491,9 @@ public final class Rest {
         }
         for (int k = 0; k < heapSize; k++) {
             int i = heap[k];
-            for (int j = 0; j < size; j++) {
+            int near = neighbours.find(bodies, i, gapShare, 4 * rounding(bodies, i));
+            for (int n = 0; n < near; n++) {
+                int j = neighbours.found[n];
                 boolean isPair = i == a && j == b || i == b && j == a;
                 if (j != i && !isPair && meet(bodies, i, j) && isNear(bodies, i, j, gapShare)) {
                     touching++;

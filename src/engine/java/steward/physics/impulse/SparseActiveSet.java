@@ -6,26 +6,32 @@ import steward.physics.Bodies;
 /*
  * Block pivoting (J. J. Judice, F. M. Pires, "A block principal pivoting algorithm for large-scale strictly monotone
  * linear complementarity problems", Computers & Operations Research 21, 1994): solve the set, then let all contacts
- * leave whose impulse is negative and all enter that approach; while that does not lower their number, only the last
- * of them, which ends for every system that is definite (K. G. Murty, "Note on a Bard-type scheme for solving the
- * complementarity problem", Opsearch 11, 1974).
+ * leave whose impulse is negative and all enter that approach. It takes a few steps, or does not end. So once it fails
+ * to lower the number of wrong contacts, each step has to lessen j A j / 2 - u j: along the edges where impulses become
+ * 0, with the slope of contacts that carry or approach scaled by the factor (D. P. Bertsekas, "Projected Newton methods
+ * for optimization problems with simple constraints", SIAM Journal on Control and Optimization 20, 1982), or up to the
+ * first edge, as in non-negative least squares. That ends, since each set has one minimum.
  *
- * With dependent normals A is only semidefinite. So what is solved is A + r D, D the diagonal of A, with impulses
- * that are near to some others, the start: the minimum of j A j / 2 - u j + r (j - c) D (j - c) / 2. Its solution
- * becomes the next start, and that goes on to a solution of A alone (R. T. Rockafellar, "Monotone operators and the
- * proximal point algorithm", SIAM Journal on Control and Optimization 14, 1976), by a factor r / (eigenvalue + r) at a
- * time. It is iterative refinement as well: approach speeds are always computed from the impulses.
+ * With dependent normals A is only semidefinite. So a step solves with A + r D, D the diagonal of A: the minimum of
+ * j A j / 2 - u j + r (j - c) D (j - c) / 2 for the impulses c before the step. Repeated, that goes on to a minimum
+ * without r (R. T. Rockafellar, "Monotone operators and the proximal point algorithm", SIAM Journal on Control and
+ * Optimization 14, 1976), by a factor r / (eigenvalue + r) at a time. It is iterative refinement as well: what is left
+ * of approaches is always computed from the impulses.
  */
 
 /**
- * The least impulses of a system with many contacts ({@link InelasticSystem}): sets found by block pivoting, solved by
- * a {@link SparseFactor}. Begins with the guess that all contacts carry. Contacts that cannot part leave an approach.
+ * The least impulses of a system with many contacts ({@link InelasticSystem}). Begins with the guess that closed
+ * contacts carry, and those that approach faster than they may; such contacts that are added join the set.
  */
 final class SparseActiveSet {
 
     /** Exchanges of all contacts at once that may fail to lower the number of wrong ones, before one at a time. */
     private static final int CHANCES = 4;
-    /** Bound on steps. */
+    /** Share of the diagonal that is added on the way down: sets whose contacts contradict each other stay near. */
+    private static final double COARSE = 0x1p-14;
+    /** Steps on the way down between one share and the other: large ratios of masses want the finer one. */
+    private static final int TURNS = 64;
+    /** Bound on steps, besides four for each contact. */
     private static final int MOST_STEPS = 200;
     /** The least share of a step along edges. */
     private static final double LEAST_SHARE = 0.25;
@@ -55,11 +61,16 @@ final class SparseActiveSet {
         known = 0;
     }
 
-    /** Lets all contacts carry, as the next guess. */
+    /** Begins with a new guess. */
     void restart() {
         for (int k = 0; k < known; k++) {
-            set(k, true);
+            set(k, isGuessed(k));
         }
+    }
+
+    /** True for contacts that are closed, or approach at the velocities that there are. */
+    private boolean isGuessed(int k) {
+        return system.allowed[k] == 0 || system.left(k) > 0;
     }
 
     /** Takes note that a contact has another normal. */
@@ -78,14 +89,16 @@ final class SparseActiveSet {
 
     private void begin(Bodies bodies) {
         if (active.length < system.size) {
-            active = Arrays.copyOf(active, 2 * system.size);
-            start = new double[2 * system.size];
-            slope = new double[2 * system.size];
-            change = new double[2 * system.size];
+            int capacity = Math.max(2 * system.size, 3 * bodies.capacity());
+            active = Arrays.copyOf(active, capacity);
+            start = new double[capacity];
+            slope = new double[capacity];
+            change = new double[capacity];
         }
         if (known < system.size) {
-            Arrays.fill(active, known, system.size, true);
-            known = system.size;
+            for (; known < system.size; known++) {
+                active[known] = isGuessed(known);
+            }
             factor.analyse(bodies, system);
         }
         for (int k = 0; k < known; k++) {
@@ -107,7 +120,11 @@ final class SparseActiveSet {
         int fewest = Integer.MAX_VALUE;
         int chances = CHANCES;
         int slow = 0;
-        for (int steps = 0; steps < MOST_STEPS; steps++) {
+        factor.regularize(SparseFactor.REGULAR);
+        for (int steps = 0; steps < MOST_STEPS + 4 * known; steps++) {
+            if (chances == 0 && steps % TURNS == 0) {
+                factor.regularize(steps / TURNS % 2 == 0 ? COARSE : SparseFactor.REGULAR);
+            }
             solveSet(bodies);
             int wrong = 1;
             if (chances > 0) {
@@ -117,6 +134,7 @@ final class SparseActiveSet {
                 fewest = Math.min(fewest, wrong);
                 if (chances == 0) {
                     exchange(bodies, tolerance);
+                    factor.regularize(COARSE);
                 }
             } else if (descend(bodies)) {
                 wrong = exchange(bodies, tolerance);
@@ -124,6 +142,7 @@ final class SparseActiveSet {
             if (wrong > 0) {
                 continue;
             }
+            factor.regularize(SparseFactor.REGULAR);
             double left = mostLeft();
             slow += left > before / 2 ? 1 : 0;
             if (left <= rounding || slow > SLOW || left <= tolerance / 16 && slow > 0) {

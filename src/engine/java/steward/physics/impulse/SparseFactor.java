@@ -14,13 +14,17 @@ import steward.physics.Bodies;
 
 /**
  * Cholesky factor of the couplings of a system's contacts, in the order of {@link ContactOrder}, for sets of them. The
- * share {@value #REGULAR} is added to the diagonal, so that a factor exists for dependent normals, too.
+ * share {@value #REGULAR}, or another, is added to the diagonal, so that a factor exists for dependent normals, too.
  */
 final class SparseFactor {
 
     /** Far above the rounding of pivots, and so small that a solution is refined by nine digits at a time. */
     static final double REGULAR = 0x1p-30;
 
+    /** Entries of a row of the factor for which there is room from the beginning. */
+    private static final int USUAL = 16;
+
+    private double regular = REGULAR;
     private final ContactOrder order = new ContactOrder();
     private InelasticSystem system;
     private int size;
@@ -63,7 +67,7 @@ final class SparseFactor {
 
     private void grow(Bodies bodies) {
         if (rank.length < size) {
-            int capacity = 2 * size;
+            int capacity = Math.max(2 * size, 3 * bodies.capacity());
             rank = new int[capacity];
             rowStart = new int[capacity + 1];
             parent = new int[capacity];
@@ -118,7 +122,7 @@ final class SparseFactor {
                 int j = rank[bodyContact[at]];
                 if (j < i) {
                     if (entries == rowColumn.length) {
-                        rowColumn = Arrays.copyOf(rowColumn, 2 * entries + 64);
+                        rowColumn = Arrays.copyOf(rowColumn, 2 * entries + 4 * rank.length);
                     }
                     rowColumn[entries++] = j;
                 }
@@ -146,8 +150,8 @@ final class SparseFactor {
                     path[--top] = path[--length];
                 }
             }
-            while (factorColumn.length < entries + size - top) {
-                factorColumn = Arrays.copyOf(factorColumn, 2 * factorColumn.length + 64);
+            if (factorColumn.length < entries + size - top) {
+                factorColumn = Arrays.copyOf(factorColumn, 2 * factorColumn.length + USUAL * rank.length);
             }
             for (; top < size; top++) {
                 columnStart[path[top] + 1]++;
@@ -156,9 +160,9 @@ final class SparseFactor {
         }
         factorStart[size] = entries;
         if (factorPlace.length < entries) {
-            factorPlace = new int[2 * entries];
-            columnRow = new int[2 * entries];
-            value = new double[2 * entries];
+            factorPlace = new int[factorColumn.length];
+            columnRow = new int[factorColumn.length];
+            value = new double[factorColumn.length];
         }
         for (int j = 0; j < size; j++) {
             columnStart[j + 1] += columnStart[j];
@@ -170,6 +174,14 @@ final class SparseFactor {
                 factorPlace[at] = place;
                 columnRow[place] = i;
             }
+        }
+    }
+
+    /** Chooses the share that is added to the diagonal. */
+    void regularize(double share) {
+        if (share != regular) {
+            regular = share;
+            Arrays.fill(stale, 0, size, true);
         }
     }
 
@@ -198,7 +210,7 @@ final class SparseFactor {
                 int l = order.order[rowColumn[at]];
                 work[rowColumn[at]] = active[l] ? system.coupling(bodies, k, l) : 0;
             }
-            pivot = system.coupling(bodies, k, k) * (1 + REGULAR);
+            pivot = system.coupling(bodies, k, k) * (1 + regular);
         }
         for (int at = factorStart[i]; at < factorStart[i + 1]; at++) {
             int j = factorColumn[at];

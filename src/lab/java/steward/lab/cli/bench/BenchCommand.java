@@ -95,7 +95,8 @@ public final class BenchCommand extends ProgramCommand {
     /** The names of the parts. */
     static final class Parts implements Iterable<String> {
 
-        static final List<String> ALL = List.of("matches", "verify", "processes", "start", TOOLS, REFEREES, "crowds");
+        static final List<String> ALL = List.of("matches", "verify", "processes", "start", TOOLS, REFEREES, "crowds",
+            "heaps");
 
         @Override
         public Iterator<String> iterator() {

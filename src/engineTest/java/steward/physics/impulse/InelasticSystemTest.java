@@ -1,0 +1,189 @@
+package steward.physics.impulse;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import steward.numerics.SplitMix64;
+import steward.physics.Bodies;
+
+/**
+ * The least impulses of heaps by the sparse way: the conditions of Karush, Kuhn and Tucker hold, which only the minimum
+ * fulfils. Its velocities are those of the dense way, and do not depend on the order of the contacts.
+ */
+class InelasticSystemTest {
+
+    /** Share of the speeds up to which conditions hold; contacts part at more than that, 2^-42. */
+    private static final double EXACT = 1e-12;
+
+    /** What is difficult about a heap. */
+    enum Heap {
+        /** Discs at random places with random velocities. */
+        LOOSE,
+        /** A hexagonal lattice: each inner disc touches six others, contacts depend on each other. */
+        LATTICE,
+        /** The lattice, pressed into a corner; each disc at a wall has two contacts with it. */
+        CORNER,
+        /** Masses from 1 to 1,000,000. */
+        MASSES,
+        /** Each third contact may not open. */
+        HELD;
+
+        boolean isLattice() {
+            return this != LOOSE;
+        }
+    }
+
+    private static final int SIDE = 8;
+    private static final int COUNT = SIDE * SIDE;
+
+    @ParameterizedTest
+    @EnumSource
+    void theConditionsOfTheMinimumHold(Heap heap) {
+        for (long seed = 1; seed <= 40; seed++) {
+            Bodies bodies = bodies(heap, seed);
+            InelasticSystem system = solved(heap, bodies, seed);
+            check(heap + ", seed " + seed, bodies, system);
+        }
+    }
+
+    /** The contacts in the opposite order: other sets on the way, the same velocities. */
+    @ParameterizedTest
+    @EnumSource
+    void theOrderOfTheContactsDoesNotMatter(Heap heap) {
+        for (long seed = 1; seed <= 20; seed++) {
+            Bodies bodies = bodies(heap, seed);
+            InelasticSystem system = solved(heap, bodies, seed);
+            InelasticSystem other = new InelasticSystem();
+            other.begin(bodies, bodies.vx, bodies.vy, 0);
+            for (int k = system.size - 1; k >= 0; k--) {
+                other.add(system.a[k], system.b[k], system.normalX[k], system.normalY[k], system.allowed[k]);
+                other.held[system.size - 1 - k] = system.held[k];
+            }
+            other.solve(bodies, EXACT);
+            double bound = 1e3 * EXACT * largestChange(bodies, system);
+            for (int i = 0; i < COUNT; i++) {
+                assertEquals(system.vx[i], other.vx[i], bound, heap + ", seed " + seed + ", body " + i);
+                assertEquals(system.vy[i], other.vy[i], bound, heap + ", seed " + seed + ", body " + i);
+            }
+        }
+    }
+
+    /** Small systems are solved by the dense way; doubled, with bodies far away, by the sparse one. */
+    @ParameterizedTest
+    @EnumSource
+    void theDenseWayHasTheSameVelocities(Heap heap) {
+        for (long seed = 1; seed <= 200; seed++) {
+            Bodies bodies = bodies(heap, seed);
+            InelasticSystem dense = new InelasticSystem();
+            dense.begin(bodies, bodies.vx, bodies.vy, 0);
+            InelasticSystem sparse = new InelasticSystem();
+            sparse.begin(bodies, bodies.vx, bodies.vy, 0);
+            InelasticSystem all = system(heap, bodies, seed);
+            for (int k = 0; k < all.size; k++) {
+                boolean few = all.a[k] < 12 && all.b[k] < 12 && dense.size < InelasticSystem.MOST_DENSE;
+                if (few) {
+                    dense.add(all.a[k], all.b[k], all.normalX[k], all.normalY[k], all.allowed[k]);
+                    dense.held[dense.size - 1] = all.held[k];
+                }
+                if (few || all.a[k] > 20 && (all.b[k] < 0 || all.b[k] > 20)) {
+                    sparse.add(all.a[k], all.b[k], all.normalX[k], all.normalY[k], all.allowed[k]);
+                    sparse.held[sparse.size - 1] = all.held[k];
+                }
+            }
+            assertTrue(dense.size > 3 && sparse.size > InelasticSystem.MOST_DENSE, dense.size + " " + sparse.size);
+            dense.solve(bodies, EXACT);
+            sparse.solve(bodies, EXACT);
+            double bound = 1e3 * EXACT * Math.max(largestChange(bodies, dense), largestChange(bodies, sparse));
+            for (int i = 0; i < 12; i++) {
+                String where = heap + ", seed " + seed + ", body " + i;
+                assertEquals(dense.vx[i], sparse.vx[i], bound, where);
+                assertEquals(dense.vy[i], sparse.vy[i], bound, where);
+            }
+        }
+    }
+
+    private static InelasticSystem solved(Heap heap, Bodies bodies, long seed) {
+        InelasticSystem system = system(heap, bodies, seed);
+        assertTrue(system.size > InelasticSystem.MOST_DENSE, "not the sparse way: " + system.size);
+        assertTrue(system.solve(bodies, EXACT) || heap == Heap.MASSES, heap + ", seed " + seed);
+        return system;
+    }
+
+    /** Where large changes of a velocity cancel each other their rounding counts. */
+    private static double largestChange(Bodies bodies, InelasticSystem system) {
+        double largest = 1;
+        for (int k = 0; k < system.size; k++) {
+            double inverse = bodies.inverseMass[system.a[k]];
+            inverse = Math.max(inverse, system.b[k] < 0 ? 0 : bodies.inverseMass[system.b[k]]);
+            largest = Math.max(largest, Math.abs(system.impulse[k]) * inverse);
+        }
+        return largest;
+    }
+
+    /** Velocities of up to 1: approaches of that share remain, impulses push, those of contacts that part are 0. */
+    private static void check(String where, Bodies bodies, InelasticSystem system) {
+        double[] x = new double[COUNT];
+        double[] y = new double[COUNT];
+        double exact = EXACT * largestChange(bodies, system);
+        for (int k = 0; k < system.size; k++) {
+            double left = system.approach(k) - system.allowed[k];
+            assertTrue(system.held[k] ? Math.abs(left) <= exact : left <= exact, () -> where + ": approach " + left);
+            assertTrue(system.held[k] || system.impulse[k] >= 0, where + ": it pulls");
+            assertTrue(system.impulse[k] == 0 || Math.abs(left) <= exact, () -> where + ": opens " + left);
+            x[system.a[k]] -= system.impulse[k] * system.normalX[k];
+            y[system.a[k]] -= system.impulse[k] * system.normalY[k];
+            if (system.b[k] >= 0) {
+                x[system.b[k]] += system.impulse[k] * system.normalX[k];
+                y[system.b[k]] += system.impulse[k] * system.normalY[k];
+            }
+        }
+        for (int i = 0; i < COUNT; i++) {
+            assertEquals(bodies.vx[i] + x[i] * bodies.inverseMass[i], system.vx[i], exact, where);
+            assertEquals(bodies.vy[i] + y[i] * bodies.inverseMass[i], system.vy[i], exact, where);
+        }
+    }
+
+    private static Bodies bodies(Heap heap, long seed) {
+        SplitMix64 random = new SplitMix64(seed);
+        Bodies bodies = new Bodies(COUNT);
+        for (int k = 0; k < COUNT; k++) {
+            int row = k / SIDE;
+            double x = heap.isLattice() ? 2 * (k % SIDE) + row % 2 : 2 * SIDE * random.nextDouble();
+            double y = heap.isLattice() ? row * StrictMath.sqrt(3) : 2 * SIDE * random.nextDouble();
+            bodies.add(x, y, 1, heap == Heap.MASSES ? StrictMath.pow(10, 6 * random.nextDouble()) : 1);
+            bodies.setVelocity(k, random.nextDouble() - 0.5, random.nextDouble() - 1);
+        }
+        return bodies;
+    }
+
+    /** Contacts of neighbours, with the floor, and in the corner with a wall on the left; some may keep an approach. */
+    private static InelasticSystem system(Heap heap, Bodies bodies, long seed) {
+        SplitMix64 random = new SplitMix64(~seed);
+        InelasticSystem system = new InelasticSystem();
+        system.begin(bodies, bodies.vx, bodies.vy, 0);
+        for (int j = 0; j < COUNT; j++) {
+            for (int i = 0; i < j; i++) {
+                double x = bodies.x[j] - bodies.x[i];
+                double y = bodies.y[j] - bodies.y[i];
+                double distance = Math.sqrt(x * x + y * y);
+                if (distance < 2.0001) {
+                    system.add(i, j, x / distance, y / distance, random.nextInt(4) == 0 ? 0.1 * random.nextDouble() : 0);
+                    system.held[system.size - 1] = heap == Heap.HELD && system.size % 3 == 0;
+                }
+            }
+            if (j < SIDE) {
+                system.add(j, ~0, 0, -1, 0);
+            }
+            if (heap == Heap.CORNER && j % SIDE == 0) {
+                system.add(j, ~1, -1, 0, 0);
+                system.add(j, ~2, -1, 0, 0);
+            }
+        }
+        for (int k = 0; k < system.size; k++) {
+            system.allowed[k] = system.held[k] ? 0 : system.allowed[k];
+        }
+        return system;
+    }
+}
