@@ -18,19 +18,19 @@ public enum RungLaw {
     /** {@code event/official}, where bodies cannot come to rest. */
     OFFICIAL(1, "503e94a136d51a78"),
     /** {@code event/official}, where they can. */
-    OFFICIAL_WITH_REST(5, "f280fdf0fbc928d1"),
+    OFFICIAL_WITH_REST(5, "787df0cbdb318f60"),
     /** {@code event/double}, where bodies cannot come to rest. */
     DOUBLE(1, "f465cab171fe3b9e"),
     /** {@code event/double}, where they can. */
-    DOUBLE_WITH_REST(5, "cc8fb434f249ba0c"),
+    DOUBLE_WITH_REST(5, "d5da1674f2ba8642"),
     /** {@code event/compensated}, where bodies cannot come to rest. */
     COMPENSATED(2, "40397a35ed557add"),
     /** {@code event/compensated}, where they can. */
-    COMPENSATED_WITH_REST(6, "f7b002a021621bb0"),
+    COMPENSATED_WITH_REST(6, "cf53e8cee91a8478"),
     /** {@code event/exact}, where bodies cannot come to rest. */
     EXACT(2, "645d2e6a31ecc31a"),
     /** {@code event/exact}, where they can. */
-    EXACT_WITH_REST(6, "b6e5ebf3179c49a3"),
+    EXACT_WITH_REST(6, "5065cedca6114a97"),
     /** {@code event/official}, where forces act on bodies that cannot come to rest. */
     OFFICIAL_WITH_FORCES(2, "8b898bf768825e1a"),
     /** {@code event/double}, where forces act on bodies that cannot come to rest. */

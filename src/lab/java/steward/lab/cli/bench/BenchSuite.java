@@ -7,6 +7,7 @@ import steward.cli.shared.Games;
 import steward.game.GameSetup;
 import steward.lab.bench.Section;
 import steward.lab.bench.section.CrowdSection;
+import steward.lab.bench.section.HeapSection;
 import steward.lab.bench.section.FixedAnswerBot;
 import steward.lab.bench.section.MatchFixture;
 import steward.lab.bench.section.MatchSection;
@@ -51,7 +52,7 @@ final class BenchSuite {
                 Integer.parseInt(LONG), scene(MAXIMUM, MAXIMUM.replace("500", "1")),
                 List.of("sh", "-c", "while read -r line; do echo '" + ANSWER + "'; done")),
             new StartupSection(fixture), new ToolSection(fixture, tools), new RefereeSection(fixture, sdk),
-            new CrowdSection(bodies));
+            new CrowdSection(bodies), new HeapSection());
     }
 
     static MatchFixture fixture() {
