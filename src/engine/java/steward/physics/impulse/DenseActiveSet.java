@@ -4,8 +4,8 @@ import java.util.Arrays;
 import steward.physics.Bodies;
 
 /**
- * The least impulses of a system with few contacts ({@link InelasticSystem}), as non-negative least squares (C. L.
- * Lawson, R. J. Hanson, "Solving Least Squares Problems", 1974, chapter 23): the contact that approaches most enters the
+ * Solver for the least impulses of a few contacts ({@link InelasticSystem}): non-negative least squares. Source: C. L.
+ * Lawson, R. J. Hanson, "Solving Least Squares Problems", 1974, chapter 23. The contact that approaches most enters the
  * set; the set is solved by Cholesky; contacts whose impulse would be negative leave it. A contact whose normal depends
  * on those of the set (its pivot vanishes) stays out: what is left of its approach is rounding, or it is squeezed.
  * Contacts may be added to a solved system, which goes on from its set. The order of the contacts decides ties. Bound:

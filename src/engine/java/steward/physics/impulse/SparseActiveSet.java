@@ -20,7 +20,7 @@ import steward.physics.Bodies;
  */
 
 /**
- * The least impulses of a system with many contacts ({@link InelasticSystem}). Begins with the guess that closed
+ * Solver for the least impulses of many contacts ({@link InelasticSystem}). Begins with the guess that closed
  * contacts carry, and those that approach faster than they may; such contacts that are added join the set.
  */
 final class SparseActiveSet {
