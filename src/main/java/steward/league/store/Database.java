@@ -183,11 +183,11 @@ final class Database implements AutoCloseable {
 
     private synchronized <T> T inTransaction(String begin, Work<T> work) {
         return with(() -> {
-            execute(begin);
+            update(begin);                             // kept for the next time, as other statements are
             boolean done = false;
             try {
                 T result = work.run();
-                execute("COMMIT");
+                update("COMMIT");
                 done = true;
                 return result;
             } finally {
