@@ -26,8 +26,8 @@ final class ServeOptions implements Serving {
     private static final int MOST_PORT = 65_535;
 
     @Option(names = "--serve", paramLabel = "HOST:PORT", arity = "0..1", fallbackValue = USUAL,
-        description = "Lets workers play, too (see 'steward worker'; default: " + USUAL + "; workers elsewhere reach "
-            + "an address of this machine, or 0.0.0.0 for all of them).")
+        description = "Lets workers play, too (see 'steward worker'; default: " + USUAL + "). For workers on "
+            + "other machines, give an address of this machine, or 0.0.0.0 for all of its addresses.")
     private String address;
 
     @Option(names = "--again", paramLabel = "PERCENT", description = "With --serve: checks this share of a "
@@ -39,8 +39,8 @@ final class ServeOptions implements Serving {
         + "kept for this time to others (default: 10m).")
     private String lease;
 
-    @Option(names = "--scale-time", description = "With --serve: multiplies a worker's time limits if its "
-        + "processor is slower than this machine's, by the measured ratio. It is noted with each game.")
+    @Option(names = "--scale-time", description = "With --serve: multiplies a worker's time limits by the "
+        + "measured speed of this machine's processor divided by that of the worker's. It is noted with each game.")
     private boolean scaled;
 
     @Override

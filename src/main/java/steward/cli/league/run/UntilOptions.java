@@ -30,9 +30,9 @@ final class UntilOptions {
 
     private final CallCheck check = CallCheck.withHelp();
 
-    @Option(names = "--until-bars", paramLabel = "ELO", description = "Ends when every bot's anytime bar is at "
-        + "most ELO wide to each side. That is the error bar of its rating against the mean, valid at any moment. "
-        + "Estimates the games that each bot needs.")
+    @Option(names = "--until-bars", paramLabel = "ELO", description = "Ends when the anytime bar of every bot "
+        + "that can have one is at most ELO wide to each side. It is the error bar of a rating against the mean "
+        + "that is valid at any moment. Estimates the games that each bot needs.")
     private Double bars;
 
     @Option(names = "--until-ranked", description = "Ends when the order of all bots is known: it is wrong in at "
