@@ -1,6 +1,5 @@
 package steward.cli.replay;
 
-import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
@@ -72,10 +71,10 @@ final class BesidePage {
         Object one = field.apply(headers.get(0));
         Object other = field.apply(headers.get(1));
         if (!Objects.equals(one, other)) {
-            boolean isScene = what.equals("scene");
-            throw new InputException("--beside: found " + (what.equals("players") ? "other " : "another ") + what + " in " + files.get(1) + (isScene ? ": "
-                + sceneDifference(one.toString(), other.toString()) : ": " + shown(other) + ", expected " + shown(one))
-                + (isScene ? "" : " as in " + files.get(0)));
+            String found = "--beside: found " + (what.equals("players") ? "other " : "another ") + what + " in "
+                + files.get(1) + ": ";
+            throw new InputException(found + (what.equals("scene") ? sceneDifference(one.toString(), other.toString())
+                : shown(other) + ", expected " + shown(one) + " as in " + files.get(0)));
         }
     }
 
@@ -100,7 +99,8 @@ final class BesidePage {
     String summary() {
         String ends = turns[0] == turns[1] ? "" : "; " + files.get(turns[0] < turns[1] ? 0 : 1) + " ends after turn "
             + Math.min(turns[0], turns[1]);
-        return (firstDifferent < 0 ? "No turn of both differs" : "The first turn that differs: " + firstDifferent) + ends;
+        return (firstDifferent < 0 ? "No turn of both differs" : "The first turn that differs: " + firstDifferent)
+            + ends;
     }
 
     /** Writes the page. */
@@ -124,7 +124,7 @@ final class BesidePage {
                 JsonObject.writeTexts(out, "details", replays.stream().map(ReplayPage.Embedded::details).toList());
             }));
             ByteArrayOutputStream html = new ByteArrayOutputStream();
-            template.write(html, out -> new ByteArrayInputStream(data.getBytes(StandardCharsets.UTF_8)).transferTo(out));
+            template.write(html, out -> out.write(data.getBytes(StandardCharsets.UTF_8)));
             try (OutputStream out = OutputFiles.open(page, overwrite)) {
                 Pages.write(out, html.toByteArray(), page);
             }

@@ -264,8 +264,8 @@ final class MovingPicture {
         }
         double radius = Json.number(zones.get(0).get("radius"));
         return "<g stroke=\"#5b86c8\"><path id=\"lane\" stroke-opacity=\"0.16\" stroke-width=\"" + number(2.2 * radius)
-            + "\" d=\"" + lane + "Z\"/><path stroke-opacity=\"0.5\" stroke-dasharray=\"" + number(width / 80) + "\" d=\""
-            + lane + "Z\"/></g>\n";
+            + "\" d=\"" + lane + "Z\"/><path stroke-opacity=\"0.5\" stroke-dasharray=\"" + number(width / 80)
+            + "\" d=\"" + lane + "Z\"/></g>\n";
     }
 
     /** The place of a zone, or a seventh of the way between two others beside it: a control point of the curve. */
@@ -322,7 +322,8 @@ final class MovingPicture {
         List<Double> times = track.knots.stream().map(Knot::time).toList();
         body.append(animation("animateTransform", "transform", "translate", times, track.knots.stream()
             .map(knot -> number(knot.x) + "," + number(knot.y)).toList()));
-        String fill = track.owner < 0 ? "fill-opacity=\"0.45\"" : "fill=\"url(#team" + track.owner % TEAMS.length + ")\"";
+        String fill = track.owner < 0 ? "fill-opacity=\"0.45\""
+            : "fill=\"url(#team" + track.owner % TEAMS.length + ")\"";
         boolean turning = track.degrees.stream().anyMatch(angle -> angle != 0);
         body.append("<circle ").append(turning ? "fill-opacity=\"0.15\"" : fill).append(" stroke=\"").append(colour)
             .append("\" stroke-width=\"").append(number(width / 500)).append("\" r=\"").append(number(radii[0]))

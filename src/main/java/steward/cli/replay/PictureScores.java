@@ -34,8 +34,9 @@ final class PictureScores {
         Map<?, ?> state = outcome.get("state") instanceof Map<?, ?> found ? found : Map.of();
         Object said = outcome.get("scores") != null ? outcome.get("scores") : state.get("scores");
         for (int player = 0; player < players; player++) {
-            scores[player] = said instanceof List<?> list && player < list.size() && list.get(player) instanceof Double one
-                ? one : byTurn.isEmpty() ? Double.NaN : byTurn.get(byTurn.size() - 1)[player];
+            boolean isSaid = said instanceof List<?> list && player < list.size();
+            double before = byTurn.isEmpty() ? Double.NaN : byTurn.get(byTurn.size() - 1)[player];
+            scores[player] = isSaid && ((List<?>) said).get(player) instanceof Double one ? one : before;
         }
         for (Map<?, ?> body : Json.objects(state.get("bodies"))) {
             Integer owner = body.get("player") instanceof Double player ? Integer.valueOf(player.intValue())

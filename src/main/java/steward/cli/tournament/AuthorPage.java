@@ -119,7 +119,8 @@ record AuthorPage(TournamentCommand.Entry entry, int version, List<StoredGame> g
             page.append("<td>");
             if (kept.has(game.id())) {
                 boolean failed = own(game).fault() != null;
-                page.append("<a href=\"#game=").append(game.id()).append(failed ? "&amp;fault=" + game.seats().indexOf(own(game))
+                page.append("<a href=\"#game=").append(game.id())
+                    .append(failed ? "&amp;fault=" + game.seats().indexOf(own(game))
                         : "&amp;turn=" + game.turns())
                     .append("\" data-game=").append(game.id()).append(" data-title=\"")
                     .append(Html.escape(entry.name() + (against.isEmpty() ? "" : " against " + against))).append("\">")

@@ -45,7 +45,7 @@ final class PackedTurns {
         return replay.length <= MOST_PLAIN ? ReplayPage.embedded(replay) : of(replay, MOST);
     }
 
-    /** As {@link #of(byte[])} does for a long replay, of at most so many characters as far as leaving out turns helps. */
+    /** As {@link #of(byte[])} does for a long replay. @param most characters, as far as leaving out turns helps */
     static String of(byte[] replay, int most) {
         PackedTurns packed = new PackedTurns();
         int from = 0;

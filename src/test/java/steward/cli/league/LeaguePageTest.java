@@ -106,7 +106,8 @@ class LeaguePageTest {
             browser.await("the game is not at the moment of its address", () -> browser.number("steward.time()") == 1);
             browser.leaveFrame();
             browser.open(folder.resolve("page.html"), "#game=999");
-            assertEquals("Game 999 is not in this page: it is not among the games of this page", browser.text("#notice"));
+            assertEquals("Game 999 is not in this page: it is not among the games of this page",
+                browser.text("#notice"));
             assertEquals(List.of(), browser.complaints());
         }
     }

@@ -44,15 +44,16 @@ class BesidePageTest {
     }
 
     private Path other(List<String> text) throws IOException {
-        return Files.writeString(folder.resolve("other.jsonl"), text.stream().collect(Collectors.joining("\n", "", "\n")));
+        return Files.writeString(folder.resolve("other.jsonl"),
+            text.stream().collect(Collectors.joining("\n", "", "\n")));
     }
 
     /** Another thrust and another state in turn 5, and an end four turns earlier than the first match's. */
     @Test
     void theFirstTurnThatDiffersIsMarkedAndTheShorterMatchStops() throws IOException {
         int turns = lines.size() - 2;
-        lines.set(5, lines.get(5).replaceFirst("\"thrust\":\\d+", "\"thrust\":77").replaceFirst("\"vx\":-?\\d+", "\"vx\":4321")
-            .replaceFirst("\"hash\":\"....", "\"hash\":\"0000"));
+        lines.set(5, lines.get(5).replaceFirst("\"thrust\":\\d+", "\"thrust\":77")
+            .replaceFirst("\"vx\":-?\\d+", "\"vx\":4321").replaceFirst("\"hash\":\"....", "\"hash\":\"0000"));
         Cli cli = beside(other(lines.subList(0, turns - 3)));
         assertEquals(0, cli.status(), cli.err());
         assertTrue(cli.out().contains("The first turn that differs: 5; " + folder + "/other.jsonl ends after turn "
@@ -88,7 +89,8 @@ class BesidePageTest {
     @Test
     void matchesOfAnotherSeedSceneOrPlayersAreRefusedByName() throws IOException {
         String header = lines.get(0);
-        refused("another seed in " + folder + "/other.jsonl: 6, expected 5", header.replace("\"seed\":\"5\"", "\"seed\":\"6\""));
+        refused("another seed in " + folder + "/other.jsonl: 6, expected 5",
+            header.replace("\"seed\":\"5\"", "\"seed\":\"6\""));
         refused("other players in", header.replaceFirst("\"name\":\"[^\"]*\",\"bot\"", "\"name\":\"else\",\"bot\""));
         refused("another scene in", header.replaceFirst("\"maximumTurns\":\\d+", "\"maximumTurns\":9"));
     }

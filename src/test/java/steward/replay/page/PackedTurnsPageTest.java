@@ -71,8 +71,8 @@ class PackedTurnsPageTest {
         Files.writeString(fewer, Files.readString(page).replace(PackedTurns.of(replay), text));
         try (PageTestBrowser browser = PageTestBrowser.start()) {
             browser.open(fewer, "#t=1");
-            assertTrue(browser.text("#scene").matches(".* · a state every \\d+ turns, numbers rounded to the screen · sparse.*"),
-                browser.text("#scene"));
+            assertTrue(browser.text("#scene").matches(
+                ".* · a state every \\d+ turns, numbers rounded to the screen · sparse.*"), browser.text("#scene"));
             assertEquals(100, browser.number("steward.bodies().length"));
             assertTrue(browser.text("#state-when").endsWith("the state of turn 1 was left out"));
             browser.run("steward.seek(300)");

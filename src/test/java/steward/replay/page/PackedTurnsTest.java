@@ -42,7 +42,8 @@ class PackedTurnsTest {
     @Test
     void aMatchWithoutBotsIsNotPlayedAgain() {
         assertNull(SentFrames.of(replay(), "gas.jsonl", TestScenes.TYPES));
-        assertNotNull(SentFrames.of(PageTestRaces.play(PageTestRaces.scene("duel"), 5), "race.jsonl", TestScenes.TYPES));
+        byte[] race = PageTestRaces.play(PageTestRaces.scene("duel"), 5);
+        assertNotNull(SentFrames.of(race, "race.jsonl", TestScenes.TYPES));
     }
 
     private static String unpacked(String text) throws IOException {

@@ -22,8 +22,20 @@ import org.junit.jupiter.api.parallel.ResourceLock;
 class PageTestPictures {
 
     /** Keeps what the page saves, in place of a file. */
-    private static final String KEEP = "window.kept = []; URL.createObjectURL = blob => { kept.push(blob); return '#'; };"
-        + " HTMLAnchorElement.prototype.click = function () { window.keptName = this.download; };";
+    private static final String KEEP = """
+        window.kept = [];
+        URL.createObjectURL = blob => { kept.push(blob); return '#'; };
+        HTMLAnchorElement.prototype.click = function () { window.keptName = this.download; };""";
+    /** Reads a kept picture as a browser does. */
+    private static final String READ = "createImageBitmap(kept[0]).then(image => (window.image = image))";
+    /** The colour of a pixel near the left end of a player's cell, as #rrggbb. */
+    private static final String COLOUR = """
+        const canvas = document.createElement('canvas');
+        Object.assign(canvas, { width: image.width, height: image.height });
+        const ctx = canvas.getContext('2d', { willReadFrequently: true });
+        ctx.drawImage(image, 0, 0);
+        const [...rgba] = ctx.getImageData(image.width / 2 * arguments[0] + 2, 20, 1, 1).data;
+        return '#' + rgba.slice(0, 3).map(part => part.toString(16).padStart(2, '0')).join('');""";
 
     @TempDir
     static Path folder;
@@ -35,7 +47,7 @@ class PageTestPictures {
         page = new PageTestPages(folder).page(PageTestRaces.play(PageTestRaces.scene("duel"), 5), "Duel");
     }
 
-    /** Four frames of 1/0.4 turns; a GIF begins with its name, width and height, and each frame has an image separator. */
+    /** A GIF begins with its name, and has its width and height in two bytes each, the low one first. */
     @Test
     void aRangeOfTurnsBecomesAGif() {
         try (PageTestBrowser browser = PageTestBrowser.start()) {
@@ -43,8 +55,8 @@ class PageTestPictures {
             browser.run(KEEP);
             browser.press("r");
             assertEquals("2", browser.run("return document.getElementById('clip-from').value"));
-            browser.run("document.getElementById('clip-from').value = 2; document.getElementById('clip-to').value = 3.2;"
-                + "document.getElementById('clip-as').value = 'gif'");
+            browser.run("document.getElementById('clip-from').value = 2;"
+                + "document.getElementById('clip-to').value = 3.2; document.getElementById('clip-as').value = 'gif'");
             browser.click("button[value=make]");
             browser.await("no GIF is made", () -> browser.is("window.kept.length === 1"));
             assertTrue(browser.is("keptName.endsWith('-2-3.2.gif') && kept[0].type === 'image/gif'"));
@@ -52,14 +64,14 @@ class PageTestPictures {
             browser.await("it is not read", () -> browser.is("window.gif"));
             assertEquals("GIF89a", browser.run("return String.fromCharCode(...gif.subarray(0, 6))"));
             assertTrue(browser.is("(gif[6] | gif[7] << 8) <= 640"));
-            browser.run("createImageBitmap(kept[0]).then(image => (window.image = image), problem => (window.image = problem))");
+            browser.run(READ);
             browser.await("no image comes of it", () -> browser.is("window.image"));
             assertTrue(browser.is("image.width === (gif[6] | gif[7] << 8)"), "a browser reads it");
             assertEquals(List.of(), browser.complaints());
         }
     }
 
-    /** The strip at the top of the picture has the colours of both players; the bar at its end is that of the winner. */
+    /** The strip at the top of the picture has a cell for each player, with a bar in its colour. */
     @Test
     void thePictureHasThePlayersOfTheMatch() {
         try (PageTestBrowser browser = PageTestBrowser.start()) {
@@ -67,14 +79,10 @@ class PageTestPictures {
             browser.run(KEEP);
             browser.press("p");
             browser.await("no picture is made", () -> browser.is("window.kept.length === 1"));
-            browser.run("createImageBitmap(kept[0]).then(image => { const canvas = document.createElement('canvas');"
-                + "Object.assign(canvas, { width: image.width, height: image.height });"
-                + "canvas.getContext('2d', { willReadFrequently: true }).drawImage(image, 0, 0); window.drawn = canvas; })");
-            browser.await("no image comes of it", () -> browser.is("window.drawn"));
+            browser.run(READ);
+            browser.await("no image comes of it", () -> browser.is("window.image"));
             for (int player = 0; player < 2; player++) {
-                assertTrue(browser.is("(() => { const [r, g, b] = drawn.getContext('2d').getImageData(drawn.width / 2 * " + player
-                    + " + 2, 20, 1, 1).data; return '#' + [r, g, b].map(part => part.toString(16).padStart(2, '0')).join('')"
-                    + " === steward.colourOf(" + player + "); })()"), "player " + player);
+                assertEquals(browser.run("return steward.colourOf(arguments[0])", player), browser.run(COLOUR, player));
             }
             assertEquals(List.of(), browser.complaints());
         }
@@ -83,13 +91,14 @@ class PageTestPictures {
     /** In a frame without an origin, such as a notebook's, files cannot be saved. */
     @Test
     void aPageThatMaySaveNothingOpensItsPicture() throws IOException {
-        Path outer = Files.writeString(folder.resolve("outer.html"), "<!DOCTYPE html><iframe width=\"800\" height=\"500\" "
-            + "sandbox=\"allow-scripts\" src=\"" + page.getFileName() + "#t=3\"></iframe>");
+        Path outer = Files.writeString(folder.resolve("outer.html"), "<!DOCTYPE html><iframe width=\"800\" "
+            + "height=\"500\" sandbox=\"allow-scripts\" src=\"" + page.getFileName() + "#t=3\"></iframe>");
         try (PageTestBrowser browser = PageTestBrowser.start()) {
             browser.openPlain(outer);
             browser.enterFrame();
             browser.run("document.querySelector('[data-key=p]').click()");
-            browser.await("no picture is there", () -> browser.is("document.querySelector('.sheet-content img')?.naturalWidth > 400"));
+            browser.await("no picture is there", () ->
+                browser.is("document.querySelector('.sheet-content img')?.naturalWidth > 400"));
             assertTrue(browser.text(".sheet-content").startsWith("Save it from here"), browser.text(".sheet-content"));
             assertEquals(List.of(), browser.complaints());
         }
@@ -100,8 +109,9 @@ class PageTestPictures {
         try (PageTestBrowser browser = PageTestBrowser.start()) {
             browser.open(page, "#t=3&picture");
             assertEquals(3, browser.number("steward.time()"));
-            assertTrue(browser.is("[...document.querySelectorAll('button, aside, .transport')].every(each => !each.offsetWidth)"));
-            assertTrue(browser.is("document.getElementById('field').offsetWidth === innerWidth"), "the field is all of it");
+            assertTrue(browser.is("[...document.querySelectorAll('button, aside, .transport')]"
+                + ".every(each => !each.offsetWidth)"));
+            assertTrue(browser.is("document.getElementById('field').offsetWidth === innerWidth"), "the field is all");
             assertTrue(browser.text("#scores").contains("swift"), browser.text("#scores"));
         }
     }

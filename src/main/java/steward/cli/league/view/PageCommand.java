@@ -77,7 +77,8 @@ public final class PageCommand extends ProgramCommand {
                 throw new FailedException(path + ": cannot be written: " + OutputFiles.reason(path, problem));
             }
             streams.out().println("Page: " + path + ", " + TextFormat.count(replays.count(), "replay") + " in it"
-                + (replays.linked().isEmpty() ? "" : ", " + replays.linked().size() + " in " + PageReplays.folder(path)));
+                + (replays.linked().isEmpty() ? "" : ", " + replays.linked().size() + " in "
+                + PageReplays.folder(path)));
             streams.out().flush();
             if (open) {
                 Pages.open(streams, path.toAbsolutePath().toUri());
