@@ -3,7 +3,7 @@
 import { reasonOf } from './bot.js';
 import { find, heads, make, paint, state, thousands } from './words.js';
 
-const NOT_KEPT = 'its replay was not kept: "keep": "all" in league.json keeps all, "lost" those that the first bot lost';
+const NOT_KEPT = 'its replay was not kept: "keep": "all" in league.json keeps all, "lost" those that have a loser';
 
 export function options(select, first) {
   const before = select.value;
@@ -69,6 +69,8 @@ export function drawGames() {
     }
   }
   find('count').textContent = `${thousands(found.length)} of the last ${thousands(state.league.list.length)} games`;
+  find('not-kept').textContent = `A game marked – has no replay: ${NOT_KEPT.replace('its replay was not kept: ', '')}.`;
+  find('not-kept').hidden = found.every(game => game.replay);
   find('more').hidden = found.length <= state.shown;
 }
 

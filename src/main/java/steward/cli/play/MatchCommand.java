@@ -167,8 +167,7 @@ public final class MatchCommand extends ProgramCommand {
         if (many.isAny()) {
             Seeds starts = list.isGiven() ? list.seeds() : Seeds.from(first);
             Series series = new Series(contest, starts, count(), many.swap(), path, many.keep(), many.hiccups());
-            SeriesRun run = new SeriesRun(streams, series, report, strict, many.random(), choosers, many.why(),
-                SeriesPage.of(show.view(), show.open(), overwrite));
+            SeriesRun run = new SeriesRun(streams, series, report, strict, many.random(), choosers, many.why(), page());
             if (many.into() == null) {
                 return run.play(many.threads(streams), overwrite);
             }
@@ -182,6 +181,10 @@ public final class MatchCommand extends ProgramCommand {
         }
         SingleMatch game = new SingleMatch(streams, contest, report, strict, piped, many.hiccups());
         return show.isAny() ? game.play(first, path, overwrite, show) : game.play(first, path, overwrite);
+    }
+
+    private SeriesPage page() {
+        return SeriesPage.of(show.view(), show.open(), overwrite);
     }
 
     /** Number of seeds that are played: without {@code --games}, all of a list. */
