@@ -18,7 +18,7 @@ import steward.physics.Wall;
 
 /**
  * Fingerprint of the physics of a {@link RungLaw}: a hash of computed turns. They are turns of a few bodies and of a
- * crowd, among walls and without, of a tie, and of a heap where bodies rest. It changes when the bits of these turns do.
+ * crowd, among walls and without, of a tie, and of a heap that rests. It changes when the bits of these turns do.
  */
 public final class PhysicsFingerprint {
 

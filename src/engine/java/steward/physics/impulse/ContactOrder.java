@@ -5,10 +5,9 @@ import steward.physics.Bodies;
 
 /**
  * Order in which the contacts of a system are eliminated: nested dissection of the plane. Source: A. George, "Nested
- * dissection of a regular finite element mesh", SIAM Journal on Numerical Analysis 10, 1973. Contacts are halved at the median of
- * the longer side of their box; those of the lower half that share a body with the other half separate the rest of both,
- * and come last. Contacts of discs in a plane have separators of about the root of their number, so that the Cholesky
- * factor of n contacts has about n log n entries. Places alone decide; the order of contacts decides ties.
+ * dissection of a regular finite element mesh", SIAM Journal on Numerical Analysis 10, 1973. Contacts are halved at the
+ * median of the longer side of their box; those of the lower half that share a body with the other half separate the
+ * rest of both, and come last. Places alone decide; the order of contacts decides ties.
  */
 final class ContactOrder {
 

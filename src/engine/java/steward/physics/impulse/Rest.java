@@ -76,6 +76,7 @@ public final class Rest {
     private final InelasticSystem system = new InelasticSystem();
     private final RestImpulses impulses;
     private final RestRims rims;
+    private final HeapPaths paths;
     private final HeapNeighbours neighbours = new HeapNeighbours();
     /** True if a body's heap has come to rest in this turn. */
     private boolean[] rested = new boolean[0];
@@ -105,6 +106,7 @@ public final class Rest {
         this.accelerations = accelerations;
         rims = new RestRims(system, walls);
         impulses = new RestImpulses(system, walls, rims);
+        paths = new HeapPaths(system, impulses);
         contacts = parts.contacts();
         law = new RestLaw(parts, walls, accelerations);
     }
@@ -355,14 +357,14 @@ public final class Rest {
 
     /** Adds the contacts that would meet within a time; at 0, those that touch and approach. */
     private void addMet(Bodies bodies, double left) {
-        double path = longestPath(bodies, left);
+        double path = paths.longest(bodies, place, left);
         for (int k = 0; k < heapSize; k++) {
             int i = heap[k];
             int near = neighbours.find(bodies, i, CLOSED, 2 * path);
             for (int n = 0; n < near; n++) {
                 int j = neighbours.found[n];
                 if ((place[j] >= 0 && place[j] < k || bodies.inverseMass[j] == 0) && meet(bodies, i, j)
-                    && reaches(bodies, i, j, left)) {
+                    && paths.meet(bodies, i, j, left)) {
                     addOnce(bodies, Math.min(i, j), Math.max(i, j), left);
                 }
             }
@@ -372,22 +374,11 @@ public final class Rest {
                 }
                 if (left > 0 && rims.isRim(~w)) {
                     addRim(bodies, i, w, left);
-                } else if (reachesWall(bodies, i, walls[w], left)) {
+                } else if (paths.meetWall(bodies, i, walls[w], left)) {
                     addOnce(bodies, i, ~w, left);
                 }
             }
         }
-    }
-
-    /** A bound on the paths of the heap, and of infinite masses, in a time. */
-    private double longestPath(Bodies bodies, double left) {
-        double fastest = 0;
-        for (int i = 0; i < size && left > 0; i++) {
-            if (place[i] >= 0 || bodies.inverseMass[i] == 0) {
-                fastest = Math.max(fastest, Math.abs(system.vx[i]) + Math.abs(system.vy[i]));
-            }
-        }
-        return fastest * left;
     }
 
     private void addOnce(Bodies bodies, int i, int j, double left) {
@@ -409,40 +400,6 @@ public final class Rest {
             || law.isRest(bodies, i, j, nx * (system.vx[i] - (j < 0 ? 0 : system.vx[j]))
             + ny * (system.vy[i] - (j < 0 ? 0 : system.vy[j]))
             + (toInstant == 0 ? 0 : toInstant * law.accelerated(bodies, i, j, nx, ny))));
-    }
-
-    /** True if two bodies would meet in a time, on straight paths. */
-    private boolean reaches(Bodies bodies, int i, int j, double left) {
-        double dx = bodies.x[j] - bodies.x[i];
-        double dy = bodies.y[j] - bodies.y[i];
-        double ux = system.vx[j] - system.vx[i];
-        double uy = system.vy[j] - system.vy[i];
-        double closing = -(dx * ux + dy * uy);
-        double reach = bodies.radius[i] + bodies.radius[j];
-        double distance = Math.sqrt(dx * dx + dy * dy);
-        double apart = distance - reach;
-        if (left == 0) {
-            return apart <= CLOSED * reach && closing > impulses.tolerance() * distance;
-        }
-        if (!(closing > impulses.tolerance() * distance) || closing * left <= apart * distance) {
-            return false;
-        }
-        double nearest = Math.min(left, closing / (ux * ux + uy * uy));
-        double x = dx + ux * nearest;
-        double y = dy + uy * nearest;
-        return apart <= 0 || x * x + y * y < reach * reach;
-    }
-
-    private boolean reachesWall(Bodies bodies, int i, Wall wall, double left) {
-        double x = bodies.x[i];
-        double y = bodies.y[i];
-        double closing = wall.normalX(x, y) * system.vx[i] + wall.normalY(x, y) * system.vy[i];
-        double apart = wall.gap(x, y, bodies.radius[i]);
-        if (left == 0) {
-            return apart <= CLOSED * bodies.radius[i] && closing > impulses.tolerance();
-        }
-        return closing > impulses.tolerance() && closing * left > apart
-            && (apart <= 0 || wall.gap(x + system.vx[i] * left, y + system.vy[i] * left, bodies.radius[i]) < 0);
     }
 
     private void addContact(Bodies bodies, int a, int b, double left) {

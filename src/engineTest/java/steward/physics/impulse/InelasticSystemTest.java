@@ -70,7 +70,7 @@ class InelasticSystemTest {
         }
     }
 
-    /** Small systems are solved by the dense way; doubled, with bodies far away, by the sparse one. */
+    /** A few contacts by the dense way, and together with others that share no body with them by the sparse one. */
     @ParameterizedTest
     @EnumSource
     void theDenseWayHasTheSameVelocities(Heap heap) {
@@ -169,7 +169,8 @@ class InelasticSystemTest {
                 double y = bodies.y[j] - bodies.y[i];
                 double distance = Math.sqrt(x * x + y * y);
                 if (distance < 2.0001) {
-                    system.add(i, j, x / distance, y / distance, random.nextInt(4) == 0 ? 0.1 * random.nextDouble() : 0);
+                    system.add(i, j, x / distance, y / distance,
+                        random.nextInt(4) == 0 ? 0.1 * random.nextDouble() : 0);
                     system.held[system.size - 1] = heap == Heap.HELD && system.size % 3 == 0;
                 }
             }
