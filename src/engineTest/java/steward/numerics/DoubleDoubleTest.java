@@ -7,6 +7,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
+import steward.match.TestSize;
 
 /** Every operation against decimals of 60 digits: within the bound that its class states, in units of 2^-106. */
 @Execution(ExecutionMode.CONCURRENT)
@@ -24,17 +25,9 @@ class DoubleDoubleTest {
     }
 
     @Test
+    @Tag("sized")
     void sumsAreWithinTheirBounds() {
-        checkSums(CASES / 5);
-    }
-
-    @Test
-    @Tag("campaign")
-    void manySumsAreWithinTheirBounds() {
-        checkSums(CASES);
-    }
-
-    private void checkSums(int cases) {
+        int cases = TestSize.of(CASES / 5, CASES);
         SplitMix64 random = new SplitMix64(1);
         for (int k = 0; k < cases; k++) {
             DoubleDouble a = Numbers.anyDoubleDouble(random, -60, 60);
@@ -53,17 +46,9 @@ class DoubleDoubleTest {
     }
 
     @Test
+    @Tag("sized")
     void productsQuotientsAndRootsAreWithinTheirBounds() {
-        checkProducts(CASES / 5);
-    }
-
-    @Test
-    @Tag("campaign")
-    void manyProductsQuotientsAndRootsAreWithinTheirBounds() {
-        checkProducts(CASES);
-    }
-
-    private void checkProducts(int cases) {
+        int cases = TestSize.of(CASES / 5, CASES);
         SplitMix64 random = new SplitMix64(2);
         for (int k = 0; k < cases; k++) {
             DoubleDouble a = Numbers.anyDoubleDouble(random, -200, 200);

@@ -7,23 +7,16 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
+import steward.match.TestSize;
 
 /** Sums and products with their errors, against exact decimals and against the processor's fused multiply-add. */
 @Execution(ExecutionMode.CONCURRENT)
 class ErrorFreeTest {
 
     @Test
+    @Tag("sized")
     void aSumAndItsErrorAreTheExactSum() {
-        checkSums(6_000);
-    }
-
-    @Test
-    @Tag("campaign")
-    void manySumsAndTheirErrorsAreTheExactSums() {
-        checkSums(50_000);
-    }
-
-    private void checkSums(int cases) {
+        int cases = TestSize.of(6_000, 50_000);
         SplitMix64 random = new SplitMix64(1);
         for (int k = 0; k < cases; k++) {
             int near = random.nextInt(-900, 900);
@@ -40,17 +33,9 @@ class ErrorFreeTest {
     }
 
     @Test
+    @Tag("sized")
     void aProductAndItsErrorAreTheExactProduct() {
-        checkProducts(6_000);
-    }
-
-    @Test
-    @Tag("campaign")
-    void manyProductsAndTheirErrorsAreTheExactProducts() {
-        checkProducts(50_000);
-    }
-
-    private void checkProducts(int cases) {
+        int cases = TestSize.of(6_000, 50_000);
         SplitMix64 random = new SplitMix64(2);
         int checked = 0;
         for (int k = 0; k < cases; k++) {

@@ -9,6 +9,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
+import steward.match.TestSize;
 
 /** Fractions of 192 digits against whole numbers of any length. */
 @Execution(ExecutionMode.CONCURRENT)
@@ -77,17 +78,9 @@ class WideFractionTest {
 
     /** Half way up, where it says so: BigDecimal goes to even there. */
     @Test
+    @Tag("sized")
     void theNearestDoubleIsTheNearest() {
-        checkNearest(COUNT / 8);
-    }
-
-    @Test
-    @Tag("campaign")
-    void ofManyTheNearestDoubleIsTheNearest() {
-        checkNearest(COUNT);
-    }
-
-    private void checkNearest(int count) {
+        int count = TestSize.of(COUNT / 8, COUNT);
         BigDecimal unit = new BigDecimal(ONE);
         for (int k = 0; k < count; k++) {
             WideFraction a = new WideFraction().set(Math.max(1, word() >>> random.nextInt(64)), word(), word() | 1);

@@ -2,34 +2,28 @@ package steward.game.fantasticbits;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
-import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertNull;
-import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import com.sun.management.ThreadMXBean;
-import java.lang.management.ManagementFactory;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import steward.game.Pilot;
+import steward.game.GameRules;
+import steward.game.GameSetup;
 import steward.game.TurnEvent;
 import steward.game.fantasticbits.protocol.FantasticBitsType;
-import steward.numerics.SplitMix64;
+import steward.match.TestScenes;
 import steward.physics.Bodies;
-import steward.scene.SceneFiles;
-import steward.scene.SceneReader;
-import steward.scene.json.SceneException;
 
 /** The rules of Fantastic Bits where no referee's game is at hand; those of whole games are in the vectors. */
-class FantasticBitsTest {
+class FantasticBitsTest extends GameRules<FantasticBits> {
 
-    private static final FantasticBitsType.FantasticBitsSetup SETUP = open("official");
+    private static final FantasticBitsType.FantasticBitsSetup SETUP =
+        (FantasticBitsType.FantasticBitsSetup) TestScenes.open("fantastic-bits");
 
-    private static FantasticBitsType.FantasticBitsSetup open(String arithmetic) {
-        String text = SceneFiles.load("fantastic-bits").text().replace("\"official\"", "\"" + arithmetic + "\"");
-        return new FantasticBitsType().open(SceneReader.read(text, "fantastic-bits.json"));
+    FantasticBitsTest() {
+        super("fantastic-bits");
     }
 
     /** A game with five snaffles (4 to 8) in the upper left corner's reach of no wizard, and bludgers (9, 10). */
@@ -39,13 +33,6 @@ class FantasticBitsTest {
             pitch.bodies().setPosition(4 + k, 3000 + 1000 * k, 7000);
         }
         return SETUP.create(1).on(pitch, new int[2], new int[] {magic, magic});
-    }
-
-    private static void command(FantasticBits game, SplitMix64 random) {
-        for (int player = 0; player < 2; player++) {
-            byte[] line = SETUP.pilot(Pilot.Aim.WIN).answer(game, player, random).getBytes();
-            assertNull(SETUP.codec(game).readAnswer(player, line, line.length));
-        }
     }
 
     @Test
@@ -188,54 +175,27 @@ class FantasticBitsTest {
         assertEquals("a score of 3 of 5 is reached", game.ending());
     }
 
-    @Test
-    void aCopyGoesOnAlikeAndIndependently() {
-        FantasticBits game = SETUP.create(5);
-        for (int turn = 0; turn < 30; turn++) {
-            command(game, new SplitMix64(turn));
-            game.play();
-        }
-        FantasticBits copy = game.copy();
-        assertEquals(game.hash(), copy.hash());
-        for (int turn = 30; turn < 80 && !game.isOver(); turn++) {
-            long before = copy.hash();
-            command(game, new SplitMix64(turn));
-            game.play();
-            assertEquals(before, copy.hash(), "the copy stays as it was");
-            command(copy, new SplitMix64(turn));
-            copy.play();
-            assertEquals(game.hash(), copy.hash(), "turn " + turn);
-        }
-        assertNotEquals(SETUP.create(5).hash(), SETUP.create(6).hash());
+    @Override
+    protected FantasticBits twin(GameSetup other, FantasticBits game) {
+        return ((FantasticBits) other.create(1)).on(game.copy().pitch(), new int[] {game.score(0), game.score(1)},
+            new int[] {game.magic(0), game.magic(1)});
     }
 
-    /** From the same states the rungs that compute the common law end nearly every turn in the same whole numbers. */
-    @ParameterizedTest
-    @CsvSource({"double", "compensated", "exact"})
-    void otherRungsPlayTheSameGame(String arithmetic) {
-        FantasticBitsType.FantasticBitsSetup other = open(arithmetic);
-        SplitMix64 random = new SplitMix64(2);
-        FantasticBits game = SETUP.create(8);
-        int same = 0;
-        int turns = 300;
-        for (int turn = 0; turn < turns; turn++) {
-            if (game.isOver()) {
-                game = SETUP.create(8 + turn);
-            }
-            FantasticBits twin = other.create(1).on(game.copy().pitch(), new int[] {game.score(0), game.score(1)},
-                new int[] {game.magic(0), game.magic(1)});
-            command(game, random);
-            for (int wizard = 0; wizard < Pitch.WIZARDS; wizard++) {
-                twin.command(wizard / 2, wizard % 2, game.command(wizard / 2, wizard % 2));
-            }
-            game.play();
-            twin.play();
-            same += isSame(game, twin) ? 1 : 0;
+    @Override
+    protected void repeatCommands(FantasticBits game, FantasticBits twin) {
+        for (int wizard = 0; wizard < Pitch.WIZARDS; wizard++) {
+            twin.command(wizard / 2, wizard % 2, game.command(wizard / 2, wizard % 2));
         }
-        assertTrue(same >= turns * 0.95, same + " of " + turns + " turns");
     }
 
-    private static boolean isSame(FantasticBits one, FantasticBits other) {
+    @Override
+    protected double alike() {
+        return 0.95;
+    }
+
+    /** In whole numbers. */
+    @Override
+    protected boolean isAlike(FantasticBits one, FantasticBits other) {
         boolean same = one.score(0) == other.score(0) && one.score(1) == other.score(1);
         Bodies a = one.bodies();
         Bodies b = other.bodies();
@@ -244,35 +204,6 @@ class FantasticBitsTest {
                 && a.kind[k] == b.kind[k] && a.columns[Pitch.HELD][k] == b.columns[Pitch.HELD][k];
         }
         return same;
-    }
-
-    /** Turns without a goal; a goal allocates its event. */
-    @Test
-    void aTurnWithoutAGoalAllocatesNothing() {
-        ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
-        FantasticBits game = SETUP.create(4);
-        SplitMix64 random = new SplitMix64(4);
-        for (int turn = 0; turn < 1500; turn++) {
-            game = game.isOver() ? SETUP.create(turn) : game;
-            command(game, random);
-            game.play();
-        }
-        int free = 0;
-        int eventless = 0;
-        for (int turn = 0; turn < 300; turn++) {
-            game = game.isOver() ? SETUP.create(turn) : game;
-            command(game, random);
-            long before = threads.getCurrentThreadAllocatedBytes();
-            game.play();
-            long allocated = threads.getCurrentThreadAllocatedBytes() - before;
-            if (game.events().isEmpty() && !game.isOver()) {
-                eventless++;
-                free += allocated == 0 ? 1 : 0;
-            }
-        }
-        assertTrue(eventless > 50, eventless + " turns");
-        // A new game's log grows in its first turns.
-        assertTrue(free >= 0.8 * eventless, "nothing allocated in " + free + " of " + eventless + " turns");
     }
 
     @ParameterizedTest
@@ -284,10 +215,6 @@ class FantasticBitsTest {
         "match":            | "pods": {}, "match": | pods: found an unknown field
         """)
     void aSceneThatIsNotFantasticBitsIsRefused(String part, String instead, String expected) {
-        String text = SceneFiles.load("fantastic-bits").text();
-        assertTrue(text.contains(part), part);
-        String message = assertThrows(SceneException.class, () -> new FantasticBitsType().open(
-            SceneReader.read(text.replace(part, instead), "s.json"))).getMessage();
-        assertTrue(message.contains(expected), message);
+        assertRefused(part, instead, expected);
     }
 }

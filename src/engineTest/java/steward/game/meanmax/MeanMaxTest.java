@@ -2,33 +2,25 @@ package steward.game.meanmax;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
-import static org.junit.jupiter.api.Assertions.assertNotEquals;
-import static org.junit.jupiter.api.Assertions.assertThrows;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import com.sun.management.ThreadMXBean;
-import java.lang.management.ManagementFactory;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import steward.game.Pilot;
+import steward.game.GameRules;
+import steward.game.GameSetup;
 import steward.game.TurnEvent;
 import steward.game.meanmax.protocol.MeanMaxType;
-import steward.numerics.SplitMix64;
+import steward.match.TestScenes;
 import steward.physics.Bodies;
-import steward.scene.SceneFiles;
-import steward.scene.SceneReader;
-import steward.scene.json.SceneException;
 
 /** The rules of Mean Max where no referee's game is at hand; those of whole games are in the vectors. */
-class MeanMaxTest {
+class MeanMaxTest extends GameRules<MeanMax> {
 
-    private static final MeanMaxType.MeanMaxSetup SETUP = open("official");
+    private static final MeanMaxType.MeanMaxSetup SETUP = (MeanMaxType.MeanMaxSetup) TestScenes.open("mean-max");
 
-    private static MeanMaxType.MeanMaxSetup open(String arithmetic) {
-        String text = SceneFiles.load("mean-max").text().replace("\"official\"", "\"" + arithmetic + "\"");
-        return new MeanMaxType().open(SceneReader.read(text, "mean-max.json"));
+    MeanMaxTest() {
+        super("mean-max");
     }
 
     /** A game with all looters far apart at rest, and no tankers. */
@@ -40,13 +32,6 @@ class MeanMaxTest {
             world.bodies().setPosition(body, 2000 * (looter % 3 - 1), 2000 * (looter / 3 - 1));
         }
         return SETUP.create(1).in(world, new int[3], rages);
-    }
-
-    private static void command(MeanMax game, SplitMix64 random) {
-        for (int player = 0; player < 3; player++) {
-            byte[] line = SETUP.pilot(Pilot.Aim.WIN).answer(game, player, random).getBytes();
-            assertEquals(null, SETUP.codec(game).readAnswer(player, line, line.length));
-        }
     }
 
     @Test
@@ -177,90 +162,40 @@ class MeanMaxTest {
         assertEquals("all others are out and behind", ahead.ending());
     }
 
-    @Test
-    void aCopyGoesOnAlikeAndIndependently() {
-        MeanMax game = SETUP.create(5);
-        for (int turn = 0; turn < 30; turn++) {
-            command(game, new SplitMix64(turn));
-            game.play();
-        }
-        MeanMax copy = game.copy();
-        assertEquals(game.hash(), copy.hash());
-        for (int turn = 30; turn < 80 && !game.isOver(); turn++) {
-            long before = copy.hash();
-            command(game, new SplitMix64(turn));
-            game.play();
-            assertEquals(before, copy.hash(), "the copy stays as it was");
-            command(copy, new SplitMix64(turn));
-            copy.play();
-            assertEquals(game.hash(), copy.hash(), "turn " + turn);
-        }
-        assertNotEquals(SETUP.create(5).hash(), SETUP.create(6).hash());
+    @Override
+    protected MeanMax twin(GameSetup other, MeanMax game) {
+        return ((MeanMax) other.create(1)).in(game.copy().world(), new int[] {game.score(0), game.score(1),
+            game.score(2)}, new int[] {game.rage(0), game.rage(1), game.rage(2)});
     }
 
-    /** From the same states the rungs that compute the common law end nearly every turn in the same whole numbers. */
-    @ParameterizedTest
-    @CsvSource({"double", "compensated", "exact"})
-    void otherRungsPlayTheSameGame(String arithmetic) {
-        MeanMaxType.MeanMaxSetup other = open(arithmetic);
-        SplitMix64 random = new SplitMix64(2);
-        MeanMax game = SETUP.create(8);
-        int same = 0;
-        int turns = 150;
-        for (int turn = 0; turn < turns; turn++) {
-            if (game.isOver()) {
-                game = SETUP.create(8 + turn);
-            }
-            MeanMax twin = other.create(1).in(game.copy().world(), new int[] {game.score(0), game.score(1),
-                game.score(2)}, new int[] {game.rage(0), game.rage(1), game.rage(2)});
-            command(game, random);
-            for (int looter = 0; looter < 9; looter++) {
-                twin.command(looter / 3, looter % 3, game.command(looter / 3, looter % 3));
-            }
-            game.play();
-            twin.play();
-            same += isSame(game.bodies(), twin.bodies()) ? 1 : 0;
+    @Override
+    protected void repeatCommands(MeanMax game, MeanMax twin) {
+        for (int looter = 0; looter < 9; looter++) {
+            twin.command(looter / 3, looter % 3, game.command(looter / 3, looter % 3));
         }
-        assertTrue(same >= turns * 0.95, same + " of " + turns + " turns");
     }
 
-    private static boolean isSame(Bodies one, Bodies other) {
+    @Override
+    protected double alike() {
+        return 0.95;
+    }
+
+    @Override
+    protected int additions(MeanMax game) {
+        return game.world().effects().size();
+    }
+
+    /** In whole numbers. */
+    @Override
+    protected boolean isAlike(MeanMax game, MeanMax twin) {
+        Bodies one = game.bodies();
+        Bodies other = twin.bodies();
         boolean same = one.size() == other.size();
         for (int k = 0; same && k < one.size(); k++) {
             same = one.x[k] == other.x[k] && one.y[k] == other.y[k] && one.vx[k] == other.vx[k]
                 && one.vy[k] == other.vy[k];
         }
         return same;
-    }
-
-    /** Turns in which no tanker comes or goes; some others allocate their events. */
-    @Test
-    void aTurnWithoutEventsAllocatesNothing() {
-        ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
-        MeanMax game = SETUP.create(4);
-        SplitMix64 random = new SplitMix64(4);
-        for (int turn = 0; turn < 1500; turn++) {
-            game = game.isOver() ? SETUP.create(turn) : game;
-            command(game, random);
-            game.play();
-        }
-        int free = 0;
-        int eventless = 0;
-        for (int turn = 0; turn < 300; turn++) {
-            game = game.isOver() ? SETUP.create(turn) : game;
-            command(game, random);
-            int effects = game.world().effects().size();
-            long before = threads.getCurrentThreadAllocatedBytes();
-            game.play();
-            long allocated = threads.getCurrentThreadAllocatedBytes() - before;
-            if (game.events().isEmpty() && game.world().effects().size() <= effects) {
-                eventless++;
-                free += allocated == 0 ? 1 : 0;
-            }
-        }
-        assertTrue(eventless > 50, eventless + " turns");
-        // A new game's log grows in its first turns.
-        assertTrue(free >= 0.8 * eventless, "nothing allocated in " + free + " of " + eventless + " turns");
     }
 
     @ParameterizedTest
@@ -272,10 +207,6 @@ class MeanMaxTest {
         "harvest":         | "pods": {}, "harvest": | pods: found an unknown field
         """)
     void aSceneThatIsNotMeanMaxIsRefused(String part, String instead, String expected) {
-        String text = SceneFiles.load("mean-max").text();
-        assertTrue(text.contains(part), part);
-        String message = assertThrows(SceneException.class, () -> new MeanMaxType().open(
-            SceneReader.read(text.replace(part, instead), "s.json"))).getMessage();
-        assertTrue(message.contains(expected), message);
+        assertRefused(part, instead, expected);
     }
 }

@@ -2,12 +2,8 @@ package steward.game.pokerchiprace;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
-import static org.junit.jupiter.api.Assertions.assertNotEquals;
-import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import com.sun.management.ThreadMXBean;
-import java.lang.management.ManagementFactory;
 import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -15,25 +11,23 @@ import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import steward.game.Pilot;
+import steward.game.GameRules;
+import steward.game.GameSetup;
 import steward.game.TurnEvent;
 import steward.game.pokerchiprace.protocol.PokerChipRaceType;
-import steward.numerics.SplitMix64;
+import steward.match.TestScenes;
 import steward.physics.Bodies;
-import steward.scene.SceneFiles;
-import steward.scene.SceneReader;
-import steward.scene.json.SceneException;
 
 /** The rules of the Poker Chip Race where no referee's game is at hand; those of whole games are in the vectors. */
 @Execution(ExecutionMode.CONCURRENT)
-class PokerChipRaceTest {
+class PokerChipRaceTest extends GameRules<PokerChipRace> {
 
-    private static final PokerChipRaceType.PokerChipRaceSetup SETUP = open("official");
+    private static final PokerChipRaceType.PokerChipRaceSetup SETUP =
+        (PokerChipRaceType.PokerChipRaceSetup) TestScenes.open("poker-chip-race");
     private static final double[] IN = {-1, -1};
 
-    private static PokerChipRaceType.PokerChipRaceSetup open(String arithmetic) {
-        String text = SceneFiles.load("poker-chip-race").text().replace("\"official\"", "\"" + arithmetic + "\"");
-        return new PokerChipRaceType().open(SceneReader.read(text, "poker-chip-race.json"));
+    PokerChipRaceTest() {
+        super("poker-chip-race");
     }
 
     /** A table with a chip of each player, far from each other. */
@@ -42,13 +36,6 @@ class PokerChipRaceTest {
         table.add(0, 15, -100, 100, 0, 0);
         table.add(1, 20, 200, -100, 0, 0);
         return table;
-    }
-
-    private static void command(PokerChipRace game, Pilot.Aim aim, SplitMix64 random) {
-        for (int player = 0; player < game.players(); player++) {
-            byte[] line = SETUP.pilot(aim).answer(game, player, random).getBytes();
-            assertEquals(null, SETUP.codec(game).readAnswer(player, line, line.length));
-        }
     }
 
     @Test
@@ -169,89 +156,36 @@ class PokerChipRaceTest {
         assertEquals("all others are out", game.ending());
     }
 
-    @Test
-    void aCopyGoesOnAlikeAndIndependently() {
-        PokerChipRace game = SETUP.create(5);
-        for (int turn = 0; turn < 10; turn++) {
-            command(game, Pilot.Aim.MINGLE, new SplitMix64(turn));
-            game.play();
-        }
-        PokerChipRace copy = game.copy();
-        assertEquals(game.hash(), copy.hash());
-        assertEquals(game.score(0), copy.score(0));
-        for (int turn = 10; turn < 60 && !game.isOver(); turn++) {
-            long before = copy.hash();
-            command(game, Pilot.Aim.WIN, new SplitMix64(turn));
-            game.play();
-            assertEquals(before, copy.hash(), "the copy stays as it was");
-            command(copy, Pilot.Aim.WIN, new SplitMix64(turn));
-            copy.play();
-            assertEquals(game.hash(), copy.hash(), "turn " + turn);
-        }
-        assertNotEquals(SETUP.create(5).hash(), SETUP.create(6).hash());
+    @Override
+    protected PokerChipRace twin(GameSetup other, PokerChipRace game) {
+        return ((PokerChipRace) other.create(1)).on(game.copy().table(), IN);
     }
 
-    /**
-     * From the same states the rungs that compute the common law end nearly every turn within 1e-3 u: the
-     * referee moves chips 1e-5 u away from walls.
-     */
-    @ParameterizedTest
-    @CsvSource({"double", "compensated", "exact"})
-    void otherRungsPlayTheSameGame(String arithmetic) {
-        PokerChipRaceType.PokerChipRaceSetup other = open(arithmetic);
-        SplitMix64 random = new SplitMix64(2);
-        PokerChipRace game = SETUP.create(8);
-        int same = 0;
-        int turns = 150;
-        for (int turn = 0; turn < turns; turn++) {
-            if (game.isOver()) {
-                game = SETUP.create(8 + turn);
+    @Override
+    protected void repeatCommands(PokerChipRace game, PokerChipRace twin) {
+        for (int player = 0; player < 2; player++) {
+            for (int k = 0; k < game.table().owned(player); k++) {
+                twin.command(player, k, game.command(player, k));
             }
-            PokerChipRace twin = other.create(1).on(game.copy().table(), IN);
-            command(game, Pilot.Aim.WIN, random);
-            for (int player = 0; player < 2; player++) {
-                for (int k = 0; k < game.table().owned(player); k++) {
-                    twin.command(player, k, game.command(player, k));
-                }
-            }
-            game.play();
-            twin.play();
-            same += isNear(game.bodies(), twin.bodies()) ? 1 : 0;
         }
-        assertTrue(same >= turns * 0.9, same + " of " + turns + " turns");
     }
 
-    private static boolean isNear(Bodies one, Bodies other) {
+    @Override
+    protected double alike() {
+        return 0.9;
+    }
+
+    /** Within 1e-3 u: the referee moves chips 1e-5 u away from walls. */
+    @Override
+    protected boolean isAlike(PokerChipRace game, PokerChipRace twin) {
+        Bodies one = game.bodies();
+        Bodies other = twin.bodies();
         boolean near = one.size() == other.size();
         for (int k = 0; near && k < one.size(); k++) {
             near = one.id(k) == other.id(k) && Math.abs(one.x[k] - other.x[k]) < 1e-3
                 && Math.abs(one.y[k] - other.y[k]) < 1e-3 && Math.abs(one.radius[k] - other.radius[k]) < 1e-3;
         }
         return near;
-    }
-
-    /** Turns in which no chip comes or goes; the others allocate their events. */
-    @Test
-    void aTurnWithoutEventsAllocatesNothing() {
-        ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
-        PokerChipRace game = SETUP.create(4);
-        SplitMix64 random = new SplitMix64(4);
-        int free = 0;
-        int eventless = 0;
-        for (int turn = 0; turn < 2500; turn++) {
-            game = game.isOver() ? SETUP.create(turn) : game;
-            command(game, Pilot.Aim.WIN, random);
-            long before = threads.getCurrentThreadAllocatedBytes();
-            game.play();
-            long allocated = threads.getCurrentThreadAllocatedBytes() - before;
-            if (turn > 2000 && game.events().isEmpty()) {
-                eventless++;
-                free += allocated == 0 ? 1 : 0;
-            }
-        }
-        assertTrue(eventless > 50, eventless + " turns");
-        // A new game's log grows in its first turns.
-        assertTrue(free >= 0.8 * eventless, "nothing allocated in " + free + " of " + eventless + " turns");
     }
 
     @ParameterizedTest
@@ -264,10 +198,6 @@ class PokerChipRaceTest {
         "players": 2   | "players": 5 | players: found 5, expected 2..4
         """)
     void aSceneThatIsNoPokerChipRaceIsRefused(String part, String instead, String expected) {
-        String text = SceneFiles.load("poker-chip-race").text();
-        assertTrue(text.contains(part), part);
-        String message = assertThrows(SceneException.class, () -> steward.match.TestScenes.TYPES.open(
-            SceneReader.read(text.replace(part, instead), "s.json"))).getMessage();
-        assertTrue(message.contains(expected), message);
+        assertRefused(part, instead, expected);
     }
 }

@@ -90,17 +90,9 @@ class ExactTurnTest {
     }
 
     @Test
+    @Tag("sized")
     void timePositionsVelocitiesAndImpulseAreRoundedOnce() {
-        assertRoundedOnce(500);
-    }
-
-    @Test
-    @Tag("campaign")
-    void inManyTurnsAllAreRoundedOnce() {
-        assertRoundedOnce(3000);
-    }
-
-    private void assertRoundedOnce(int cases) {
+        int cases = TestSize.of(500, 3000);
         int hits = 0;
         double worst = 0;
         for (long seed = 1; seed <= cases; seed++) {

@@ -9,6 +9,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
+import steward.match.TestSize;
 import steward.numerics.SplitMix64;
 import steward.physics.Arena;
 import steward.physics.Bodies;
@@ -55,17 +56,9 @@ class ImpactLimitTest {
      */
     @Test
     @Tag("slow")
+    @Tag("sized")
     void anInelasticCollapseBetweenWallsEnds() {
-        collapse(40);
-    }
-
-    @Test
-    @Tag("campaign")
-    void anInelasticCollapseBetweenWallsEndsInManyTurns() {
-        collapse(200);
-    }
-
-    private static void collapse(int turns) {
+        int turns = TestSize.of(40, 200);
         for (int bound : new int[] {0, 12}) {
             Wall[] walls = Wall.box(100, 1000, 0.05);
             Bodies bodies = new Bodies(3);
@@ -121,17 +114,9 @@ class ImpactLimitTest {
      */
     @Test
     @Tag("slow")
+    @Tag("sized")
     void anImpossibleSqueezeStandsStill() {
-        squeeze(5);
-    }
-
-    @Test
-    @Tag("campaign")
-    void anImpossibleSqueezeStandsStillForLong() {
-        squeeze(200);
-    }
-
-    private static void squeeze(int turns) {
+        int turns = TestSize.of(5, 200);
         for (double e : new double[] {0, 0.5, 1}) {
             Bodies bodies = new Bodies(4);
             Scenes.add(bodies, 0, 0, 30, 0, INFINITY);

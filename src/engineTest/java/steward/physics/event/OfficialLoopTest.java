@@ -11,6 +11,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
+import steward.match.TestSize;
 import steward.numerics.SplitMix64;
 import steward.physics.Advance;
 import steward.physics.Arithmetic;
@@ -31,17 +32,9 @@ class OfficialLoopTest {
     private static final int TURNS = 100_000;
 
     @Test
+    @Tag("sized")
     void thePodRaceIsTheSameInIt() {
-        comparePodRace(TURNS / 10);
-    }
-
-    @Test
-    @Tag("campaign")
-    void inManyTurnsThePodRaceIsTheSameInIt() {
-        comparePodRace(TURNS);
-    }
-
-    private void comparePodRace(int turns) {
+        int turns = TestSize.of(TURNS / 10, TURNS);
         SplitMix64 random = new SplitMix64(16);
         Advance loop = new PodRaceLoop();
         Advance expectedAdvance = new EventAdvance(PARTS);

@@ -60,17 +60,9 @@ class CirclesTest {
     }
 
     @Test
+    @Tag("sized")
     void timesAreWithinTheDerivedBoundAndDecisionsRight() {
-        checkTimes(CASES / 5);
-    }
-
-    @Test
-    @Tag("campaign")
-    void manyTimesAreWithinTheDerivedBoundAndDecisionsRight() {
-        checkTimes(CASES);
-    }
-
-    private void checkTimes(int cases) {
+        int cases = TestSize.of(CASES / 5, CASES);
         int hits = 0;
         int misses = 0;
         int undecided = 0;

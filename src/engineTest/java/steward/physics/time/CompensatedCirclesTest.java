@@ -8,6 +8,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
+import steward.match.TestSize;
 import steward.numerics.SplitMix64;
 
 /** The bound that {@link CompensatedCircles} states, against 60 digits. */
@@ -54,17 +55,9 @@ class CompensatedCirclesTest {
     }
 
     @Test
+    @Tag("sized")
     void isWithinFiveUlpOverAllExponents() {
-        checkExponents(1000);
-    }
-
-    @Test
-    @Tag("campaign")
-    void inManyCasesIsWithinFiveUlpOverAllExponents() {
-        checkExponents(6000);
-    }
-
-    private void checkExponents(int cases) {
+        int cases = TestSize.of(1000, 6000);
         for (int n = 0; n < cases; n++) {
             check(1.1 * random.nextDouble(), 0.001 + 10 * random.nextDouble(), random.nextInt(-150, 150),
                 random.nextInt(-150, 150));
@@ -73,17 +66,9 @@ class CompensatedCirclesTest {
     }
 
     @Test
+    @Tag("sized")
     void isWithinFiveUlpWhenItGrazesAndWhenItIsNear() {
-        checkGrazing(1000);
-    }
-
-    @Test
-    @Tag("campaign")
-    void inManyCasesIsWithinFiveUlpWhenItGrazesAndWhenItIsNear() {
-        checkGrazing(6000);
-    }
-
-    private void checkGrazing(int cases) {
+        int cases = TestSize.of(1000, 6000);
         for (int n = 0; n < cases; n++) {
             double off = near();
             check(n % 3 == 0 ? 1 + off : 1 - off, 0.5 + random.nextDouble(), 0, 0);

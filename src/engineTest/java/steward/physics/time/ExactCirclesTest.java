@@ -206,17 +206,9 @@ class ExactCirclesTest {
 
     /** Numbers of all exponents, from the least subnormal to the largest double. */
     @Test
+    @Tag("sized")
     void allExponentsAreDecidedRightly() {
-        checkAllExponents(800);
-    }
-
-    @Test
-    @Tag("campaign")
-    void inManyCasesAllExponentsAreDecidedRightly() {
-        checkAllExponents(6000);
-    }
-
-    private void checkAllExponents(int cases) {
+        int cases = TestSize.of(800, 6000);
         for (long seed = 1; seed <= cases; seed++) {
             SplitMix64 random = new SplitMix64(seed);
             boolean wild = seed % 40 == 0;
@@ -244,17 +236,9 @@ class ExactCirclesTest {
 
     /** Where the quick way in double-double answers at all, it is right; whoever asks for less gets more answers. */
     @Test
+    @Tag("sized")
     void theQuickWayIsGoodToTenDigitsMoreThanADoubleOrSilent() {
-        checkQuickWay(2_000);
-    }
-
-    @Test
-    @Tag("campaign")
-    void inManyCasesTheQuickWayIsGoodToTenDigitsMoreThanADoubleOrSilent() {
-        checkQuickWay(12_000);
-    }
-
-    private void checkQuickWay(int cases) {
+        int cases = TestSize.of(2_000, 12_000);
         int fine = quickAnswers(FastCircles.FINE, cases);
         int coarse = quickAnswers(FastCircles.COARSE, cases);
         assertTrue(fine > cases / 3 && coarse > fine + cases / 12, fine + " fine, " + coarse + " coarse");

@@ -155,17 +155,9 @@ class FlatWallTimesTest {
 
     @Test
     @Tag("slow")
+    @Tag("sized")
     void segmentTimesAreExactToTheBound() {
-        checkSegmentTimes(CASES / 5);
-    }
-
-    @Test
-    @Tag("campaign")
-    void manySegmentTimesAreExactToTheBound() {
-        checkSegmentTimes(CASES);
-    }
-
-    private void checkSegmentTimes(int cases) {
+        int cases = TestSize.of(CASES / 5, CASES);
         int[] touched = new int[3];
         int misses = 0;
         for (long seed = 1; seed <= cases; seed++) {

@@ -4,45 +4,24 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.nio.charset.StandardCharsets;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import steward.game.GameJson;
-import steward.game.TextCodec;
+import steward.game.GameAnswers;
+import steward.game.GameSetup;
 import steward.game.fantasticbits.FantasticBits;
 import steward.game.fantasticbits.Pitch;
 import steward.game.fantasticbits.Spell;
 import steward.game.fantasticbits.WizardCommand;
-import steward.json.JsonNumbers;
-import steward.json.JsonObject;
-import steward.scene.SceneFiles;
-import steward.scene.SceneReader;
-import tools.jackson.core.JsonParser;
-import tools.jackson.core.ObjectReadContext;
+import steward.match.TestScenes;
 
 /** Answers of Fantastic Bits bots, as lines and as JSON, and the commands that a replay keeps of them. */
-class FantasticBitsAnswersTest {
+class FantasticBitsAnswersTest extends GameAnswers<FantasticBitsType.FantasticBitsSetup, FantasticBits> {
 
-    private final FantasticBitsType.FantasticBitsSetup setup = open("fantastic-bits");
-    private final FantasticBits game = setup.create(7);
-    private final GameJson codec = setup.codec(game);
-    private final TextCodec text = setup.textCodec(game).orElseThrow();
-
-    private static FantasticBitsType.FantasticBitsSetup open(String scene) {
-        return new FantasticBitsType().open(SceneReader.read(SceneFiles.load(scene), null));
-    }
-
-    private String lines(String lines) {
-        byte[] bytes = lines.replace('/', '\n').getBytes(StandardCharsets.UTF_8);
-        return text.readAnswer(1, bytes, bytes.length);
-    }
-
-    private String json(String line) {
-        byte[] bytes = line.replace('\'', '"').getBytes(StandardCharsets.UTF_8);
-        return codec.readAnswer(1, bytes, bytes.length);
+    FantasticBitsAnswersTest() {
+        super("fantastic-bits", setup -> setup.create(7), 1);
     }
 
     private List<WizardCommand> commands() {
@@ -74,18 +53,14 @@ class FantasticBitsAnswersTest {
 
     @Test
     void aTurnIsWrittenAsEachVariantOfTheSiteDoes() {
-        StringBuilder out = new StringBuilder();
-        text.writeSetup(out, 1);
-        text.writeTurn(out, 1);
-        List<String> puzzle = out.toString().lines().toList();
+        List<String> puzzle = turn(true).lines().toList();
         int entities = game.pitch().entities();
         assertEquals(List.of("1", "0 0", "0 0", "" + entities, "2 WIZARD 15000 2250 0 0 0", "3 WIZARD 15000 5250 0 0 0",
             "0 OPPONENT_WIZARD 1000 5250 0 0 0"), puzzle.subList(0, 7));
         assertEquals((entities - 1) + " BLUDGER 8550 3750 0 0 -1", puzzle.get(puzzle.size() - 1));
-        FantasticBitsType.FantasticBitsSetup contest = open("fantastic-bits-contest");
-        FantasticBits other = contest.create(7);
+        GameSetup contest = TestScenes.open("fantastic-bits-contest");
         StringBuilder shorter = new StringBuilder();
-        contest.textCodec(other).orElseThrow().writeTurn(shorter, 1);
+        contest.textCodec(contest.create(7)).orElseThrow().writeTurn(shorter, 1);
         List<String> lines = shorter.toString().lines().toList();
         assertEquals("" + entities, lines.get(0));
         assertEquals((entities - 1) + " BLUDGER 8550 3750 0 0 0", lines.get(lines.size() - 1));
@@ -97,11 +72,7 @@ class FantasticBitsAnswersTest {
         assertNull(json("{'wizards':[{'x':1.5,'y':-2,'throw':500},{'spell':'accio','target':5}],'message':'hello'}"));
         assertEquals(List.of(WizardCommand.toss(1.5, -2, 500), WizardCommand.cast(Spell.ACCIO, 5)), commands());
         assertEquals("hello", codec.message(1));
-        String kept = kept();
-        assertEquals("{\"c\":[{\"x\":1.5,\"y\":-2,\"throw\":500},{\"spell\":\"accio\",\"target\":5}]}", kept);
-        codec.clearCommand(1);
-        assertNull(read(kept, false));
-        assertEquals(kept, kept());
+        assertKept("{'c':[{'x':1.5,'y':-2,'throw':500},{'spell':'accio','target':5}]}", false);
     }
 
     /** Another bot in the recorded one's place: the snaffle that it had is not there. */
@@ -116,32 +87,12 @@ class FantasticBitsAnswersTest {
             read("{\"c\":[{\"x\":1,\"y\":2,\"throw\":501},{\"x\":1,\"y\":2,\"power\":150}]}", false));
     }
 
-    private String kept() {
-        return new String(JsonObject.of(out -> {
-            out.writeName("c");
-            codec.writeCommand(out, 1);
-        }), StandardCharsets.UTF_8);
-    }
-
-    private String read(String kept, boolean partial) {
-        try (JsonParser in = JsonNumbers.FACTORY.createParser(ObjectReadContext.empty(),
-                kept.getBytes(StandardCharsets.UTF_8))) {
-            in.nextToken();
-            in.nextToken();
-            in.nextToken();
-            return partial ? codec.readPartialCommand(in, 1) : codec.readCommand(in, 1);
-        }
-    }
-
     @Test
     void whatAFaultLeftIsKeptToo() {
         lines("MOVE 1 2 3/?");
-        String kept = kept();
-        assertEquals("{\"c\":[{\"x\":1,\"y\":2,\"power\":3},null]}", kept);
-        codec.clearCommand(1);
+        String kept = "{'c':[{'x':1,'y':2,'power':3},null]}";
+        assertKept(kept, true);
         assertEquals("wizards[1]: found null, expected an object", read(kept, false));
-        assertNull(read(kept, true));
-        assertEquals(kept, kept());
         assertEquals("wizards: found 2 commands, expected fewer",
             read("{\"c\":[{\"x\":1,\"y\":2,\"power\":3},{\"x\":1,\"y\":2,\"power\":3}]}", true));
     }
@@ -169,7 +120,6 @@ class FantasticBitsAnswersTest {
         `{'wizards':[{'powr':1},1]}` | `wizards[0].powr: unknown field, expected one of power, spell`
         """)
     void wrongJsonSaysWhatIsWrong(String answer, String expected) {
-        String wrong = json(answer);
-        assertTrue(wrong != null && wrong.startsWith(expected), wrong);
+        assertWrong(answer, expected);
     }
 }

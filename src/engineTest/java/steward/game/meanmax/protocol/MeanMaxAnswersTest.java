@@ -4,39 +4,19 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.nio.charset.StandardCharsets;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import steward.game.GameJson;
-import steward.game.TextCodec;
+import steward.game.GameAnswers;
 import steward.game.meanmax.LooterCommand;
 import steward.game.meanmax.MeanMax;
-import steward.json.JsonNumbers;
-import steward.json.JsonObject;
-import steward.scene.SceneFiles;
-import steward.scene.SceneReader;
-import tools.jackson.core.JsonParser;
-import tools.jackson.core.ObjectReadContext;
 
 /** Answers of Mean Max bots, as lines and as JSON, and the commands that a replay keeps of them. */
-class MeanMaxAnswersTest {
+class MeanMaxAnswersTest extends GameAnswers<MeanMaxType.MeanMaxSetup, MeanMax> {
 
-    private final MeanMaxType.MeanMaxSetup setup =
-        new MeanMaxType().open(SceneReader.read(SceneFiles.load("mean-max"), null));
-    private final MeanMax game = setup.create(7);
-    private final GameJson codec = setup.codec(game);
-    private final TextCodec text = setup.textCodec(game).orElseThrow();
-
-    private String lines(String lines) {
-        byte[] bytes = lines.replace('/', '\n').getBytes(StandardCharsets.UTF_8);
-        return text.readAnswer(1, bytes, bytes.length);
-    }
-
-    private String json(String line) {
-        byte[] bytes = line.replace('\'', '"').getBytes(StandardCharsets.UTF_8);
-        return codec.readAnswer(1, bytes, bytes.length);
+    MeanMaxAnswersTest() {
+        super("mean-max", setup -> setup.create(7), 1);
     }
 
     private List<LooterCommand> commands() {
@@ -76,8 +56,7 @@ class MeanMaxAnswersTest {
         StringBuilder out = new StringBuilder();
         text.writeSetup(out, 1);
         assertEquals("", out.toString());
-        text.writeTurn(out, 1);
-        List<String> turn = out.toString().lines().toList();
+        List<String> turn = turn(false).lines().toList();
         assertEquals(List.of("0", "0", "0", "0", "0", "0", Integer.toString(game.bodies().size())), turn.subList(0, 7));
         assertTrue(turn.get(7).startsWith("0 0 1 0.5 400 "), "the first looter of another player");
         assertTrue(turn.get(10).startsWith("3 0 0 0.5 400 "), "the own reaper");
@@ -93,40 +72,15 @@ class MeanMaxAnswersTest {
         assertEquals(List.of(LooterCommand.move(1.5, -2, 300), LooterCommand.skill(100, 2), LooterCommand.WAIT),
             commands());
         assertEquals("hello", codec.message(1));
-        String kept = kept();
-        assertEquals("{\"c\":[{\"x\":1.5,\"y\":-2,\"power\":300},{\"x\":100,\"y\":2,\"skill\":true},{\"wait\":true}]}",
-            kept);
-        codec.clearCommand(1);
-        assertNull(read(kept, false));
-        assertEquals(kept, kept());
-    }
-
-    private String kept() {
-        return new String(JsonObject.of(out -> {
-            out.writeName("c");
-            codec.writeCommand(out, 1);
-        }), StandardCharsets.UTF_8);
-    }
-
-    private String read(String kept, boolean partial) {
-        try (JsonParser in = JsonNumbers.FACTORY.createParser(ObjectReadContext.empty(),
-                kept.getBytes(StandardCharsets.UTF_8))) {
-            in.nextToken();
-            in.nextToken();
-            in.nextToken();
-            return partial ? codec.readPartialCommand(in, 1) : codec.readCommand(in, 1);
-        }
+        assertKept("{'c':[{'x':1.5,'y':-2,'power':300},{'x':100,'y':2,'skill':true},{'wait':true}]}", false);
     }
 
     @Test
     void whatAFaultLeftIsKeptToo() {
         lines("1 2 3/WAIT/?");
-        String kept = kept();
-        assertEquals("{\"c\":[{\"x\":1,\"y\":2,\"power\":3},{\"wait\":true},null]}", kept);
-        codec.clearCommand(1);
+        String kept = "{'c':[{'x':1,'y':2,'power':3},{'wait':true},null]}";
+        assertKept(kept, true);
         assertEquals("looters[2]: found null, expected an object", read(kept, false));
-        assertNull(read(kept, true));
-        assertEquals(kept, kept());
         assertEquals("looters[2]: found an object, expected null",
             read("{\"c\":[{\"wait\":true},null,{\"wait\":true}]}", true));
         assertEquals("looters: found 3 commands, expected fewer",
@@ -151,7 +105,6 @@ class MeanMaxAnswersTest {
         `{'looters':[{'powr':1},1,1]}` | `looters[0].powr: unknown field, expected one of power, skill`
         """)
     void wrongJsonSaysWhatIsWrong(String answer, String expected) {
-        String wrong = json(answer);
-        assertTrue(wrong != null && wrong.startsWith(expected), wrong);
+        assertWrong(answer, expected);
     }
 }

@@ -71,17 +71,9 @@ class RepeatedAnswersTest {
      */
     @Test
     @Tag("slow")
+    @Tag("sized")
     void plainLinesAreReadAsByTheParser() {
-        readPlainLines(4_000);
-    }
-
-    @Test
-    @Tag("campaign")
-    void manyPlainLinesAreReadAsByTheParser() {
-        readPlainLines(60_000);
-    }
-
-    private void readPlainLines(int lines) {
+        int lines = TestSize.of(4_000, 60_000);
         SplitMix64 random = new SplitMix64(6);
         int good = 0;
         for (int k = 0; k < lines; k++) {

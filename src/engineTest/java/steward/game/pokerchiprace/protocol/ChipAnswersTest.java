@@ -11,29 +11,21 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import steward.game.GameJson;
-import steward.game.TextCodec;
+import steward.game.GameAnswers;
 import steward.game.pokerchiprace.ChipCommand;
 import steward.game.pokerchiprace.ChipTable;
 import steward.game.pokerchiprace.PokerChipRace;
-import steward.json.JsonNumbers;
 import steward.json.JsonObject;
-import steward.scene.SceneFiles;
-import steward.scene.SceneReader;
-import tools.jackson.core.JsonParser;
-import tools.jackson.core.ObjectReadContext;
 
 /** Answers of bots, as lines and as JSON, and the commands that a replay keeps of them. */
-class ChipAnswersTest {
+class ChipAnswersTest extends GameAnswers<PokerChipRaceType.PokerChipRaceSetup, PokerChipRace> {
 
-    private final PokerChipRaceType.PokerChipRaceSetup setup =
-        new PokerChipRaceType().open(SceneReader.read(SceneFiles.load("poker-chip-race"), null));
-    private final PokerChipRace game = game();
-    private final GameJson codec = setup.codec(game);
-    private final TextCodec text = setup.textCodec(game).orElseThrow();
+    ChipAnswersTest() {
+        super("poker-chip-race", ChipAnswersTest::game, 1);
+    }
 
     /** Player 1 has chips 2, 3 and 5, of which 5 is too small to push itself; 0 and 4 are neutral. */
-    private PokerChipRace game() {
+    private static PokerChipRace game(PokerChipRaceType.PokerChipRaceSetup setup) {
         ChipTable table = ChipTable.empty(2, 10);
         table.add(ChipTable.NEUTRAL, 10, -300, 0, 1, -0.0);
         table.add(0, 20, -200, 0, 0, 0);
@@ -44,21 +36,8 @@ class ChipAnswersTest {
         return setup.create(1).on(table, new double[] {-1, -1});
     }
 
-    private String lines(String lines) {
-        byte[] bytes = lines.replace('/', '\n').getBytes(StandardCharsets.UTF_8);
-        return text.readAnswer(1, bytes, bytes.length);
-    }
-
-    private String json(String line) {
-        byte[] bytes = line.replace('\'', '"').getBytes(StandardCharsets.UTF_8);
-        return codec.readAnswer(1, bytes, bytes.length);
-    }
-
     @Test
     void aTurnIsWrittenAsTheSiteDoes() {
-        StringBuilder out = new StringBuilder();
-        text.writeSetup(out, 1);
-        text.writeTurn(out, 1);
         assertEquals("""
             1
             3
@@ -69,7 +48,7 @@ class ChipAnswersTest {
             0 -1 10.000000 100.000000 257.500000 1.000000 -0.000000
             1 0 20.000000 200.000000 257.500000 0.000000 0.000000
             4 -1 5.000000 600.000000 257.500000 0.000000 0.000000
-            """, out.toString());
+            """, turn(true));
     }
 
     @Test
@@ -103,44 +82,20 @@ class ChipAnswersTest {
         assertNull(json("{'chips':[{'x':1.5,'y':-2},{'wait':true},{'x':1e2,'y':-0.0}],'message':'hello'}"));
         assertEquals("hello", codec.message(1));
         assertEquals(new ChipCommand(1.5, -2), game.command(1, 0));
-        String kept = kept();
-        assertEquals("{\"c\":[{\"x\":1.5,\"y\":-2},{\"wait\":true},{\"x\":100,\"y\":-0.0}]}", kept);
-        codec.clearCommand(1);
-        assertNull(read(kept, false));
-        assertEquals(kept, kept());
-    }
-
-    private String kept() {
-        return new String(JsonObject.of(out -> {
-            out.writeName("c");
-            codec.writeCommand(out, 1);
-        }), StandardCharsets.UTF_8);
-    }
-
-    private String read(String kept, boolean partial) {
-        try (JsonParser in = JsonNumbers.FACTORY.createParser(ObjectReadContext.empty(),
-                kept.getBytes(StandardCharsets.UTF_8))) {
-            in.nextToken();
-            in.nextToken();
-            in.nextToken();
-            return partial ? codec.readPartialCommand(in, 1) : codec.readCommand(in, 1);
-        }
+        assertKept("{'c':[{'x':1.5,'y':-2},{'wait':true},{'x':100,'y':-0.0}]}", false);
     }
 
     @Test
     void whatAFaultLeftIsKeptToo() {
         lines("1e300 2/WAIT 4/1 WAIT");
         lines("1e300 2/?/WAIT");
-        String kept = kept();
-        assertEquals("{\"c\":[{\"x\":1.0E300,\"y\":-255.5},{\"wait\":true},{\"wait\":true}]}", kept,
+        assertEquals("{'c':[{'x':1.0E300,'y':-255.5},{'wait':true},{'wait':true}]}", kept(),
             "the game forgets only what was played");
         codec.clearCommand(1);
         lines("1e300 2/?/WAIT");
-        kept = kept();
+        String kept = "{'c':[{'x':1.0E300,'y':-255.5},null,null]}";
+        assertKept(kept, true);
         assertEquals("chips[1]: found null, expected an object", read(kept, false));
-        codec.clearCommand(1);
-        assertNull(read(kept, true));
-        assertEquals(kept, kept());
         assertEquals("chips[2]: found an object, expected null",
             read("{\"c\":[{\"wait\":true},null,{\"wait\":true}]}", true));
         assertEquals("chips: found 3 commands, expected fewer",
@@ -172,7 +127,6 @@ class ChipAnswersTest {
         `{'chips':[],'chips':[]}` | `chips: found 0, expected 3`
         """)
     void wrongJsonSaysWhatIsWrong(String answer, String expected) {
-        String wrong = json(answer);
-        assertTrue(wrong != null && wrong.startsWith(expected), wrong);
+        assertWrong(answer, expected);
     }
 }
