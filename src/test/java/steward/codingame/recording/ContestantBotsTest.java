@@ -1,26 +1,21 @@
 package steward.codingame.recording;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
-import java.io.InputStream;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.concurrent.TimeUnit;
-import javax.tools.JavaCompiler;
-import javax.tools.ToolProvider;
 import org.junit.jupiter.api.Tag;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestReporter;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import steward.game.GameSetup;
 import steward.match.Seat;
 import steward.match.TestScenes;
@@ -43,61 +38,22 @@ class ContestantBotsTest {
     @TempDir
     private Path folder;
 
-    @Test
-    void writtenInCpp(TestReporter report) throws IOException, InterruptedException {
-        cpp(report, FEW);
+    @ParameterizedTest
+    @ValueSource(strings = {"pilot.cpp", "Pilot.java", "pilot.py"})
+    void playWithoutAFault(String source, TestReporter report) throws IOException, InterruptedException {
+        play(report, source, FEW);
     }
 
-    @Test
-    void writtenInJava(TestReporter report) throws IOException {
-        java(report, FEW);
-    }
-
-    @Test
-    void writtenInPython(TestReporter report) throws IOException, InterruptedException {
-        python(report, FEW);
-    }
-
-    @Test
+    @ParameterizedTest
+    @ValueSource(strings = {"pilot.cpp", "Pilot.java", "pilot.py"})
     @Tag("campaign")
-    void writtenInCppItPlaysManyMatches(TestReporter report) throws IOException, InterruptedException {
-        cpp(report, MANY);
+    void playManyMatchesWithoutAFault(String source, TestReporter report) throws IOException, InterruptedException {
+        play(report, source, MANY);
     }
 
-    @Test
-    @Tag("campaign")
-    void writtenInJavaItPlaysManyMatches(TestReporter report) throws IOException {
-        java(report, MANY);
-    }
-
-    @Test
-    @Tag("campaign")
-    void writtenInPythonItPlaysManyMatches(TestReporter report) throws IOException, InterruptedException {
-        python(report, MANY);
-    }
-
-    private void cpp(TestReporter report, int matches) throws IOException, InterruptedException {
-        assumeTrue(onPath("g++"), "skipped: there is no g++ on the PATH");
-        Path program = folder.resolve("pilot");
-        assertEquals(0, run("g++", "-O1", "-o", program.toString(), source("pilot.cpp").toString()));
-        play(report, "pilot.cpp", matches, List.of(program.toString()));
-    }
-
-    private void java(TestReporter report, int matches) throws IOException {
-        JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
-        assumeTrue(compiler != null, "skipped: this Java has no compiler");
-        assertEquals(0, compiler.run(null, null, null, "-d", folder.toString(), source("Pilot.java").toString()));
-        play(report, "Pilot.java", matches, List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-            "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC", "-cp", folder.toString(), "Player"));
-    }
-
-    private void python(TestReporter report, int matches) throws IOException, InterruptedException {
-        assumeTrue(onPath("python3"), "skipped: there is no python3 on the PATH");
-        assumeTrue(run("python3", "-c", "import math, sys") == 0, "skipped: python3 does not run");
-        play(report, "pilot.py", matches, List.of("python3", source("pilot.py").toString()));
-    }
-
-    private static void play(TestReporter report, String name, int matches, List<String> command) {
+    private void play(TestReporter report, String name, int matches) throws IOException, InterruptedException {
+        List<String> command = new ContestantPrograms("codingame", folder).command(name).orElse(List.of());
+        assumeTrue(!command.isEmpty(), "skipped: the language of " + name + " is not here");
         int wins = 0;
         int turns = 0;
         for (int match = 0; match < matches; match++) {
@@ -119,32 +75,5 @@ class ContestantBotsTest {
             turns += played.result().turns();
         }
         report.publishEntry(name + ": " + matches + " matches without a fault, " + wins + " won, " + turns + " turns");
-    }
-
-    private Path source(String name) throws IOException {
-        Path file = folder.resolve(name);
-        try (InputStream in = ContestantBotsTest.class.getResourceAsStream("/codingame/" + name)) {
-            assertNotNull(in, name);
-            Files.copy(in, file);
-        }
-        return file;
-    }
-
-    private static int run(String... command) throws IOException, InterruptedException {
-        Process process = new ProcessBuilder(command).redirectErrorStream(true).start();
-        process.getOutputStream().close();
-        String said = new String(process.getInputStream().readAllBytes());
-        assertTrue(process.waitFor(60, TimeUnit.SECONDS), said);
-        return process.exitValue();
-    }
-
-    private static boolean onPath(String program) {
-        String path = System.getenv("PATH");
-        for (String each : path == null ? new String[0] : path.split(java.io.File.pathSeparator)) {
-            if (Files.isExecutable(Path.of(each, program))) {
-                return true;
-            }
-        }
-        return false;
     }
 }

@@ -16,6 +16,7 @@ import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import steward.match.TestScenes;
+import steward.match.TestSize;
 import steward.replay.verify.Verification;
 import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.ObjectNode;
@@ -78,17 +79,9 @@ class ServerGameImportTest {
 
     @Test
     @Tag("slow")
+    @Tag("sized")
     void aChangedPlaceIsFound() {
-        assertAChangedPlaceIsFound(100);
-    }
-
-    @Test
-    @Tag("campaign")
-    void aChangedPlaceIsFoundInManyTurns() {
-        assertAChangedPlaceIsFound(13);
-    }
-
-    private void assertAChangedPlaceIsFound(int each) {
+        int each = TestSize.of(100, 13);
         for (int turn = 1; turn <= GAME.turns(); turn += each) {
             String[] lines = view(turn).split("\n");
             int line = Arrays.asList(lines).lastIndexOf("#1.00000");
